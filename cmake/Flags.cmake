@@ -1,0 +1,10 @@
+# The flags of our own code; what others wrote is included as system headers and keeps its own.
+add_library(vvr_flags INTERFACE)
+target_include_directories(vvr_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(vvr_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+
+if(VVR_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

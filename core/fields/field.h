@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/plane.h"
+
+namespace vvr {
+
+/// Optical flow of one frame in field pixels a frame, u to the right, v down (the convention of .flo files).
+struct Flow {
+    Plane<float> u;
+    Plane<float> v;
+};
+
+/// A point of the flow field at which a glyph or a traceline starts (§4.2).
+struct Seed {
+    float x = 0;  ///< column in field pixels, the centre of the first pixel is 0
+    float y = 0;  ///< row in field pixels, from the top
+    float u = 0;  ///< flow at the point, pixels a frame
+    float v = 0;
+};
+
+/// What the video sub-system gives for one frame.
+struct Field {
+    std::int64_t index = 0;        ///< of the frame in the clip
+    double pts = 0;                ///< seconds
+    Plane<std::uint8_t> scalar;    ///< 0 = uninteresting
+    std::vector<Seed> seeds;       ///< empty where no flow was asked for
+};
+
+}  // namespace vvr

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glad/gl.h>
+
+namespace vvr {
+
+/// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress.
+/// One thread owns it for its whole life.
+class Context {
+  public:
+    virtual ~Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    const GladGLContext& gl() const { return gl_; }
+    const std::string& backend() const { return backend_; }    ///< its name in the backend table
+    const std::string& renderer() const { return renderer_; }  ///< GL_RENDERER
+    const std::string& version() const { return version_; }    ///< GL_VERSION
+
+  protected:
+    Context() = default;
+
+    GladGLContext gl_{};
+    std::string backend_;
+    std::string renderer_;
+    std::string version_;
+};
+
+/// What `vvr doctor` prints of one backend.
+struct BackendReport {
+    std::string name;
+    std::string what;                  ///< one line: what it is for
+    bool works = false;
+    std::string renderer;              ///< GL_RENDERER, when it works
+    std::string version;               ///< GL_VERSION, when it works
+    std::string reason;                ///< why it doesn't work
+    std::string mend;                  ///< the one command that would mend it
+    std::vector<std::string> devices;  ///< EGL devices by number, for the EGL backends
+};
+
+/// Opens a context. `backend` is a name in the backend table or "auto", which tries each row in order.
+/// \param device number of an EGL device among those that `probe_backends` lists, or -1 for the first that works
+/// \throws Error backend, with every attempt and why it failed, when there is none
+std::unique_ptr<Context> open_context(std::string_view backend = "auto", int device = -1);
+
+/// The names of the backend table, "auto" first.
+std::vector<std::string> backend_names();
+
+/// Tries each backend in turn.
+std::vector<BackendReport> probe_backends();
+
+}  // namespace vvr
