@@ -32,7 +32,7 @@ Framebuffer::Target Framebuffer::make_target(int samples) const {
     // Multisampled storage with one sample is not the same as storage without: only the latter can be read.
     const GLsizei stored = samples > 1 ? samples : 0;
     gl.BindRenderbuffer(GL_RENDERBUFFER, target.colour.id());
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_RGBA16F, size_.width, size_.height);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_RGBA32F, size_.width, size_.height);
     gl.BindRenderbuffer(GL_RENDERBUFFER, target.depth.id());
     gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, size_.width, size_.height);
     gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());

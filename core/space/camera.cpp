@@ -58,11 +58,10 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
         z.add(q.z, q.z);
     }
     const double reach = std::max({x.half(), y.half(), z.half(), 1e-9});
-    double distance = z.half() + reach;
+    double distance = 2 * reach - z.low;
     if (camera.perspective) distance = std::max({x.half() / tan_x, y.half() / tan_y, 1e-9 - z.low});
     const glm::dvec3 at = x.centre() * right + y.centre() * up;
     camera.eye = at - distance * camera.forward;
-    if (!camera.perspective) camera.eye = at + (z.low - reach) * camera.forward;
 
     glm::dmat4 turn(1);
     for (int i = 0; i < 3; ++i) {
@@ -73,9 +72,10 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
     camera.view = glm::translate(turn, -camera.eye);
 
     const double eye_z = glm::dot(camera.eye, camera.forward);
-    const double far = (z.high - eye_z) * 1.01 + reach * 0.01;
+    // Arrows may stick out of what the points hold.
+    const double far = z.high - eye_z + 0.3 * reach;
     if (camera.perspective) {
-        const double near = std::max((z.low - eye_z) * 0.99 - reach * 0.01, far * 1e-3);
+        const double near = std::max(z.low - eye_z - 0.3 * reach, far * 1e-3);
         camera.projection = glm::perspectiveLH_NO(glm::radians(view.fov), aspect, near, far);
     } else {
         const double half = std::max({y.half(), x.half() / aspect, 1e-9}) / free;

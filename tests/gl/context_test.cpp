@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "gl/context.h"
+#include "tests/support/ray_caster.h"
+#include "tests/support/volumes.h"
+
+namespace vvr {
+namespace {
+
+TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    test::Shot shot;
+    shot.options.size = {320, 200};
+    shot.scene.outline = volume_outline(*make_layout("horseshoe", shape_for(volume.size())), {0.5F, 0.5F, 0.5F, 1});
+    const test::Drawn software = draw_volume(volume, shot);
+    shot.backend = "osmesa";
+    const test::Drawn osmesa = draw_volume(volume, shot);
+    EXPECT_LE(test::max_difference(software.picture, osmesa.picture), 2);
+}
+
+TEST(Context, AutoOpensWhatThereIs) {
+    const auto context = open_context();
+    EXPECT_FALSE(context->renderer().empty());
+    EXPECT_FALSE(context->version().empty());
+}
+
+TEST(Context, UnknownBackendIsAUsageError) {
+    try {
+        open_context("vulkan");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_STREQ(error.what(), "no backend is called 'vulkan'; there are auto, egl, software, osmesa");
+    }
+}
+
+TEST(Context, MissingDeviceSaysWhatThereIs) {
+    try {
+        open_context("software", 40);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::backend);
+        EXPECT_NE(std::string(error.what()).find("asked for EGL device 40 but there are only"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("vvr doctor"), std::string::npos);
+    }
+}
+
+TEST(Context, ProbeReportsEveryBackend) {
+    const std::vector<BackendReport> reports = probe_backends();
+    ASSERT_EQ(reports.size(), 3U);
+    for (const BackendReport& report : reports) {
+        EXPECT_EQ(report.works, report.reason.empty()) << report.name;
+        EXPECT_EQ(report.works, !report.renderer.empty()) << report.name;
+    }
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,150 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/ray_caster.h"
+#include "tests/support/volumes.h"
+
+namespace vvr {
+namespace {
+
+using test::draw_volume;
+using test::Drawn;
+using test::Shot;
+
+constexpr Size small{160, 120};
+
+Shot small_shot() {
+    Shot shot;
+    shot.options.size = small;
+    shot.options.samples = 1;
+    shot.options.slices = 600;
+    return shot;
+}
+
+TEST(Slicer, UniformSlabLetsExpMinusSigmaLThrough) {
+    constexpr double sigma = 1.3;
+    const Volume volume = test::full_volume({32, 24}, 40);
+    const TransferFunction transfer({{0, {0, 0, 0}, sigma}});
+    for (const double fov : {0.0, 30.0}) {
+        for (const int slices : {100, 400}) {
+            Shot shot = small_shot();
+            shot.layout = "box";
+            shot.transfer = transfer;
+            shot.options.slices = slices;
+            shot.options.view = {0, 0, fov, 0.04};
+            const Drawn drawn = draw_volume(volume, shot);
+            // In the middle of the picture the ray crosses the box at right angles: L is its depth.
+            const double through = drawn.picture.at(small.width / 2, small.height / 2).x;
+            EXPECT_NEAR(through / std::exp(-sigma * 0.55), 1, 0.01) << "fov " << fov << ", slices " << slices;
+        }
+    }
+}
+
+struct Viewpoint {
+    double azimuth;
+    double elevation;
+    double fov;
+};
+
+class EveryView : public testing::TestWithParam<std::tuple<std::string, Viewpoint>> {};
+
+TEST_P(EveryView, AgreesWithTheRayCaster) {
+    const auto& [layout_name, at] = GetParam();
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    Shot shot = small_shot();
+    shot.layout = layout_name;
+    shot.options.view = {at.azimuth, at.elevation, at.fov, 0.04};
+    const Drawn drawn = draw_volume(volume, shot);
+
+    const auto layout = make_layout(layout_name, shape_for(volume.size()));
+    const Plane<glm::vec4> expected =
+        test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.004);
+    EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
+    EXPECT_LT(test::quantile_difference(drawn.picture, expected, 0.001), 12);
+    EXPECT_GT(test::max_difference(expected, Plane<glm::vec4>(small, glm::vec4(1))), 100) << "there is something to see";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Views, EveryView,
+    testing::Combine(testing::Values("horseshoe", "box"),
+                     testing::Values(Viewpoint{0, 38, 30}, Viewpoint{0, 0, 30}, Viewpoint{0, 90, 30},
+                                     Viewpoint{0, -35, 30}, Viewpoint{45, 20, 30}, Viewpoint{90, 30, 30},
+                                     Viewpoint{135, 30, 60}, Viewpoint{180, 25, 30}, Viewpoint{-60, 50, 20},
+                                     Viewpoint{-100, 10, 45}, Viewpoint{20, 38, 0}, Viewpoint{-150, -20, 0})),
+    [](const auto& tested) {
+        const Viewpoint& at = std::get<1>(tested.param);
+        const auto word = [](double number) {
+            return (number < 0 ? "m" : "") + std::to_string(static_cast<int>(std::abs(number)));
+        };
+        return std::get<0>(tested.param) + "_" + word(at.azimuth) + "_" + word(at.elevation) + "_" + word(at.fov);
+    });
+
+TEST(Slicer, ManyBricksLookLikeOne) {
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    for (const std::string layout : {"horseshoe", "box"}) {
+        Shot shot = small_shot();
+        shot.layout = layout;
+        shot.bricks = 1;
+        const Drawn one = draw_volume(volume, shot);
+        for (const int bricks : {2, 8, 32}) {
+            shot.bricks = bricks;
+            EXPECT_LE(test::max_difference(draw_volume(volume, shot).picture, one.picture), 2) << layout << " " << bricks;
+        }
+    }
+}
+
+TEST(Slicer, OpacityDoesNotDependOnTheNumberOfSlices) {
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    Shot shot = small_shot();
+    shot.transfer = shot.transfer.scaled(0.3);  // a fully opaque skin is a matter of where the first slice meets it
+    shot.options.slices = 800;
+    const Drawn fine = draw_volume(volume, shot);
+    for (const int slices : {200, 400, 1600}) {
+        shot.options.slices = slices;
+        EXPECT_LE(test::quantile_difference(draw_volume(volume, shot).picture, fine.picture, 0.001), 3) << slices;
+    }
+}
+
+TEST(Slicer, DrawsTheSameBytesAgain) {
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const Drawn once = draw_volume(volume, small_shot());
+    const Drawn again = draw_volume(volume, small_shot());
+    EXPECT_TRUE(std::ranges::equal(once.picture.pixels(), again.picture.pixels()));
+}
+
+TEST(Slicer, OneLayerAndOnePixelAreVolumesToo) {
+    for (const Size size : {Size{1, 1}, Size{48, 1}, Size{1, 36}, Size{48, 36}}) {
+        Shot shot = small_shot();
+        const Drawn drawn = draw_volume(test::full_volume(size, 1), shot);
+        EXPECT_GT(test::max_difference(drawn.picture, Plane<glm::vec4>(small, glm::vec4(1))), 20);
+    }
+}
+
+TEST(Slicer, OpaqueGeometryHidesAndIsHidden) {
+    // A slab across the view with an arrow before, inside and behind it.
+    const Volume volume = test::full_volume({32, 24}, 40);
+    Shot shot = small_shot();
+    shot.layout = "box";
+    shot.options.view = {0, 0, 0, 0.04};
+    shot.transfer = TransferFunction({{0, {0, 0, 1}, 4}});
+    shot.options.glyphs.thickness = 0.4F;
+    shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {1, 0, 0};
+    const auto middle_with_arrow_at = [&](float z) {
+        shot.scene.arrows = {{{-0.25F, 0.2F, z}, {0.5F, 0, 0}, 1}};
+        const Drawn drawn = draw_volume(volume, shot);
+        return drawn.picture.at(small.width / 2, small.height / 2);
+    };
+    const glm::vec4 before = middle_with_arrow_at(-0.03F);
+    const glm::vec4 inside = middle_with_arrow_at(0.275F);
+    const glm::vec4 behind = middle_with_arrow_at(0.6F);
+    EXPECT_LT(before.z, 0.02) << "nothing of the slab before it";
+    EXPECT_GT(before.x, 0.5);
+    EXPECT_NEAR(inside.z, 1 - std::exp(-4 * (0.275 - 0.022)), 0.03);
+    EXPECT_NEAR(behind.z, 1 - std::exp(-4 * 0.55), 0.02);
+    EXPECT_GT(inside.x, behind.x);
+    EXPECT_GT(behind.x, 0.03) << "it shines through a little";
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/bricks/volume.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
+
+namespace vvr::test {
+
+/// The slow, obvious way to draw a volume: for each pixel walk along its ray in steps of `step`, ask the layout where
+/// in the volume each point is, interpolate, and add up. Shares no code with the slicer but the layout's CPU map.
+/// \returns premultiplied RGBA over `background`, top row first
+Plane<glm::vec4> cast_rays(const Volume& volume, const Layout& layout, const TransferFunction& transfer,
+                           const Camera& camera, Size picture, const glm::dvec3& background, double step);
+
+/// Mean absolute difference of the colour channels in 1/255.
+double mean_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b);
+
+/// The difference in 1/255 that only `share` of the colour values exceed.
+double quantile_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b, double share);
+
+/// The largest difference of the colour channels in 1/255.
+double max_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b);
+
+}  // namespace vvr::test

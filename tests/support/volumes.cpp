@@ -1,0 +1,63 @@
+#include "tests/support/volumes.h"
+
+#include <cmath>
+
+namespace vvr::test {
+
+namespace {
+
+Field field_of(int index, Plane<std::uint8_t> scalar) {
+    Field field;
+    field.index = index;
+    field.pts = index / 25.0;
+    field.scalar = std::move(scalar);
+    return field;
+}
+
+}  // namespace
+
+Volume full_volume(Size size, int layers) {
+    Volume volume(size, std::max(layers, 2));
+    for (int i = 0; i < layers; ++i) volume.add(field_of(i, Plane<std::uint8_t>(size, 255)));
+    return volume;
+}
+
+Volume wandering_balls(Size size, int layers) {
+    Volume volume(size, std::max(layers, 2));
+    for (int f = 0; f < layers; ++f) {
+        Plane<std::uint8_t> scalar(size);
+        for (int ball = 0; ball < 3; ++ball) {
+            const double phase = 2.1 * ball;
+            const double cx = size.width * (0.5 + 0.35 * std::sin(phase + 5.0 * f / layers));
+            const double cy = size.height * (0.55 + 0.25 * std::cos(2 * phase + 3.0 * f / layers));
+            const double radius = size.height * (0.10 + 0.03 * ball);
+            for (int j = 0; j < size.height; ++j) {
+                for (int i = 0; i < size.width; ++i) {
+                    const double away = std::hypot(i - cx, j - cy) / radius;
+                    if (away >= 1) continue;
+                    const double value = 255 * (1 - away * away);
+                    std::uint8_t& pixel = scalar.at(i, j);
+                    pixel = std::max(pixel, static_cast<std::uint8_t>(value));
+                }
+            }
+        }
+        volume.add(field_of(f, std::move(scalar)));
+    }
+    return volume;
+}
+
+Drawn draw_volume(const Volume& volume, Shot shot) {
+    const auto layout = make_layout(shot.layout, shape_for(volume.size()));
+    const auto context = open_context(shot.backend);
+    const std::vector<Brick> bricks = cut_into(volume.layers(), shot.bricks);
+    shot.options.ring = static_cast<int>(bricks.size());
+    shot.options.window_layers = volume.layers();
+    Renderer renderer(*context, *layout, shot.options);
+    renderer.set_transfer(shot.transfer);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, bricks[i]));
+    }
+    return {renderer.draw(shot.scene), renderer.camera()};
+}
+
+}  // namespace vvr::test

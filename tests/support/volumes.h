@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/bricks/volume.h"
+#include "core/scene/scene.h"
+#include "gl/renderer.h"
+
+namespace vvr::test {
+
+/// Every voxel has the value 255.
+Volume full_volume(Size size, int layers);
+
+/// A few soft balls on winding paths, mostly empty, as difference volumes are.
+Volume wandering_balls(Size size, int layers);
+
+/// What `render_volume` needs beyond its volume.
+struct Shot {
+    std::string layout = "horseshoe";
+    std::string backend = "software";
+    int bricks = 4;
+    RenderOptions options;
+    TransferFunction transfer = default_transfer_function();
+    Scene scene;
+};
+
+struct Drawn {
+    Plane<glm::vec4> picture;
+    Camera camera;
+};
+
+Drawn draw_volume(const Volume& volume, Shot shot);
+
+}  // namespace vvr::test

@@ -1,0 +1,135 @@
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "core/bricks/cells.h"
+#include "core/bricks/volume.h"
+#include "core/error.h"
+
+namespace vvr {
+namespace {
+
+Field frame(int index, Size size, std::uint8_t value) {
+    Field field;
+    field.index = index;
+    field.pts = 0.1 * index;
+    field.scalar = Plane<std::uint8_t>(size, value);
+    return field;
+}
+
+TEST(Cut, IntoBricksCoversEachLayerOnce) {
+    for (const std::int64_t layers : {1, 2, 7, 795, 800}) {
+        for (const int k : {1, 2, 8, 32}) {
+            std::int64_t next = 0;
+            for (const Brick& brick : cut_into(layers, k)) {
+                EXPECT_EQ(brick.first, next);
+                EXPECT_GE(brick.count, 1);
+                next += brick.count;
+            }
+            EXPECT_EQ(next, layers);
+        }
+    }
+}
+
+TEST(Cut, ByLengthLeavesTheRestToTheLast) {
+    EXPECT_EQ(cut_by(7, 3), (std::vector<Brick>{{0, 3}, {3, 3}, {6, 1}}));
+    EXPECT_TRUE(cut_by(0, 3).empty());
+}
+
+TEST(BrickRing, ReusesSlotsCyclically) {
+    const BrickRing ring(3);
+    EXPECT_EQ(ring.slot(0), 0);
+    EXPECT_EQ(ring.slot(4), 1);
+    EXPECT_EQ(ring.slot(8), 2);
+}
+
+TEST(Volume, KeepsEachFrameWhileItFits) {
+    Volume volume({2, 2}, 8);
+    for (int i = 0; i < 8; ++i) volume.add(frame(i, {2, 2}, static_cast<std::uint8_t>(i)));
+    EXPECT_EQ(volume.layers(), 8);
+    EXPECT_EQ(volume.step(), 1);
+    EXPECT_EQ(volume.layer(5).scalar.at(0, 0), 5);
+    EXPECT_NEAR(volume.t_of_frame(0), 0.5 / 8, 1e-12);
+}
+
+TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
+    Volume volume({2, 2}, 8);
+    for (int i = 0; i < 1000; ++i) volume.add(frame(i, {2, 2}, i == 613 ? 200 : 0));
+    EXPECT_LE(volume.layers(), 8);
+    EXPECT_GT(volume.layers(), 4);
+    EXPECT_EQ(volume.step(), 128);
+    std::int64_t next = 0;
+    int bright = 0;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        const Layer& layer = volume.layer(i);
+        EXPECT_EQ(layer.first_frame, next);
+        EXPECT_NEAR(layer.pts, 0.1 * static_cast<double>(next), 1e-9);
+        next += layer.frames;
+        EXPECT_NEAR(layer.last_pts, 0.1 * static_cast<double>(next - 1), 1e-9);
+        if (layer.scalar.at(1, 1) == 200) {
+            ++bright;
+            EXPECT_EQ(i, 613 / 128);
+        }
+    }
+    EXPECT_EQ(next, 1000);
+    EXPECT_EQ(bright, 1);
+}
+
+TEST(Volume, RefusesAFrameOfAnotherSize) {
+    Volume volume({2, 2}, 8);
+    EXPECT_THROW(volume.add(frame(0, {3, 2}, 0)), Error);
+    EXPECT_THROW(Volume({2, 2}, 1), Error);
+}
+
+TEST(BrickTexels, RunAgainstTheImageAndHoldTheNeighboursLayers) {
+    Volume volume({2, 2}, 8);
+    for (int i = 0; i < 4; ++i) {
+        Field field = frame(i, {2, 2}, 0);
+        field.scalar.at(0, 0) = static_cast<std::uint8_t>(10 + i);  // top left: x_C and y_C near 1
+        volume.add(field);
+    }
+    const BrickTexels texels = brick_texels(volume, {1, 2});
+    ASSERT_EQ(texels.layers(), 4);
+    for (int layer = 0; layer < 4; ++layer) {
+        EXPECT_EQ(texels.layer(layer)[3], 10 + layer);
+        EXPECT_EQ(texels.layer(layer)[0], 0);
+    }
+    EXPECT_EQ(brick_texels(volume, {0, 2}).layer(0)[3], 10) << "the first layer stands again before itself";
+    EXPECT_EQ(brick_texels(volume, {2, 2}).layer(3)[3], 13);
+}
+
+TEST(BrickCells, HoldEveryVoxelWithItsNeighbours) {
+    Volume volume({40, 33}, 64);
+    for (int i = 0; i < 50; ++i) volume.add(frame(i, {40, 33}, 0));
+    Field odd = frame(50, {40, 33}, 0);
+    odd.scalar.at(17, 9) = 77;
+    volume.add(odd);
+    const auto layout = make_box({0.45, 1, 0.4});
+    const BrickTexels texels = brick_texels(volume, {0, volume.layers()});
+    const BrickCells cells = brick_cells(texels, 1, *layout);
+    EXPECT_EQ(cells.nx(), 3);
+    EXPECT_EQ(cells.ny(), 3);
+    EXPECT_EQ(cells.nt(), 4);
+    const double x = 1 - 17.5 / 40;
+    const double y = 1 - 9.5 / 33;
+    int marked = 0;
+    for (int t = 0; t < cells.nt(); ++t) {
+        for (int j = 0; j < cells.ny(); ++j) {
+            for (int i = 0; i < cells.nx(); ++i) {
+                const bool holds = cells.range(i, j, t).high == 77;
+                marked += holds ? 1 : 0;
+                const auto at = [](const std::vector<double>& borders, int cell, double value) {
+                    return borders[static_cast<std::size_t>(cell)] <= value && value < borders[static_cast<std::size_t>(cell) + 1];
+                };
+                if (at(cells.x, i, x) && at(cells.y, j, y) && t == cells.nt() - 1) {
+                    EXPECT_TRUE(holds);
+                }
+            }
+        }
+    }
+    EXPECT_GE(marked, 1);
+    EXPECT_LE(marked, 4);
+}
+
+}  // namespace
+}  // namespace vvr
