@@ -1,0 +1,25 @@
+#include "core/bricks/brick.h"
+
+#include <algorithm>
+
+namespace vvr {
+
+std::vector<Brick> cut_into(std::int64_t layers, int bricks) {
+    const std::int64_t k = std::clamp<std::int64_t>(bricks, 1, std::max<std::int64_t>(layers, 1));
+    std::vector<Brick> cut;
+    for (std::int64_t j = 0; j < k; ++j) {
+        const std::int64_t first = layers * j / k;
+        cut.push_back({first, layers * (j + 1) / k - first});
+    }
+    return cut;
+}
+
+std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length) {
+    std::vector<Brick> cut;
+    for (std::int64_t first = 0; first < layers; first += length) {
+        cut.push_back({first, std::min(length, layers - first)});
+    }
+    return cut;
+}
+
+}  // namespace vvr

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace vvr {
+
+/// m consecutive layers of the volume as one 3D texture; §6's logical brick, two integers.
+struct Brick {
+    std::int64_t first = 0;
+    std::int64_t count = 0;
+
+    friend bool operator==(const Brick&, const Brick&) = default;
+};
+
+/// Cuts `layers` layers into `bricks` bricks whose lengths differ by at most one; fewer when there aren't as many layers.
+std::vector<Brick> cut_into(std::int64_t layers, int bricks);
+
+/// Cuts `layers` layers into bricks of `length`; the last one may be shorter.
+std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length);
+
+/// Names the texture that holds a brick: k textures are reused cyclically as the window moves (§6.1).
+class BrickRing {
+  public:
+    explicit BrickRing(int k) : k_(k) {}
+
+    int size() const { return k_; }
+    int slot(std::int64_t brick) const { return static_cast<int>(brick % k_); }
+
+  private:
+    int k_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/bricks/volume.h"
+#include "core/space/layout.h"
+
+namespace vvr {
+
+/// The least and greatest value that interpolation can give within a cell.
+struct ValueRange {
+    std::uint8_t low = 255;
+    std::uint8_t high = 0;
+};
+
+/// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
+/// Cells with nothing visible in them are passed over when slices are cut (DESIGN: empty space).
+struct BrickCells {
+    double t_begin = 0;  ///< t_C of the brick's first border
+    double t_end = 1;
+    std::vector<double> x;           ///< ascending borders in x_C, one more than there are cells
+    std::vector<double> y;
+    std::vector<double> t;           ///< in t_C of the window
+    std::vector<ValueRange> ranges;  ///< x fastest, then y, then t
+
+    int nx() const { return static_cast<int>(x.size()) - 1; }
+    int ny() const { return static_cast<int>(y.size()) - 1; }
+    int nt() const { return static_cast<int>(t.size()) - 1; }
+    const ValueRange& range(int ix, int iy, int it) const {
+        return ranges[static_cast<std::size_t>((it * ny() + iy) * nx() + ix)];
+    }
+};
+
+/// The cells of a brick that stands between `t_begin` and `t_end` of the window.
+BrickCells brick_cells(const BrickTexels& texels, double t_begin, double t_end, const Layout& layout);
+
+}  // namespace vvr

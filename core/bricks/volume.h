@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/bricks/brick.h"
+#include "core/fields/field.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// One layer of the volume: the strongest value that each pixel took in `frames` consecutive frames.
+struct Layer {
+    std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t frames = 0;
+    double pts = 0;                ///< seconds, of its first frame
+    double last_pts = 0;           ///< seconds, of its last frame
+    Plane<std::uint8_t> scalar;
+};
+
+/// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
+struct FrameSeed {
+    std::int64_t frame = 0;
+    Seed seed;
+};
+
+/// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
+/// neighbours are joined in pairs, keeping the stronger value, and from then on a layer takes twice as many frames: so
+/// nothing that moved is lost, the clip's length needn't be known, and memory never grows beyond the capacity.
+class Volume {
+  public:
+    /// \param capacity layers at most, at least 2
+    /// \param step frames a layer takes to begin with, at least 1
+    Volume(Size size, std::int64_t capacity, std::int64_t step = 1);
+
+    /// Adds the next frame's field, whose scalar has this volume's size.
+    void add(const Field& field);
+
+    Size size() const { return size_; }
+    std::int64_t step() const { return step_; }  ///< frames a layer takes now
+    std::int64_t frames() const { return frames_; }
+    std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
+    const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }
+
+    std::span<const FrameSeed> seeds() const { return seeds_; }
+
+    /// t_C of a (fractional) frame number counted from the first frame of the volume.
+    double t_of_frame(double frame) const;
+
+  private:
+    void join_pairs();
+
+    Size size_;
+    std::int64_t capacity_;
+    std::int64_t step_;
+    std::int64_t frames_ = 0;
+    std::vector<Layer> layers_;
+    std::vector<FrameSeed> seeds_;
+};
+
+/// The texels of a brick: its layers with one more before and after (the neighbour's layer, or the brick's own end
+/// layer repeated where there is no neighbour), so that interpolation is continuous across bricks.
+struct BrickTexels {
+    Brick brick;
+    Size size;
+    std::vector<std::uint8_t> texels;  ///< x_C fastest, then y_C, then time; (count + 2) layers
+
+    std::int64_t layers() const { return brick.count + 2; }
+    std::span<const std::uint8_t> layer(std::int64_t i) const;
+};
+
+/// Columns and rows are laid out against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
+BrickTexels brick_texels(const Volume& volume, const Brick& brick);
+
+}  // namespace vvr

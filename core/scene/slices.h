@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/bricks/cells.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
+
+namespace vvr {
+
+/// The planes perpendicular to the view direction that cut the volume, one spacing for all bricks.
+struct SliceStack {
+    double nearest = 0;  ///< distance of slice 0 from the eye along the view direction
+    double spacing = 1;  ///< P-space units between slices
+    int count = 0;
+};
+
+/// A corner of a piece of slice.
+struct SliceVertex {
+    glm::vec3 p;        ///< P-space
+    float t_reference;  ///< t_C of the middle of its cell: near it the inverse of the map is a short series
+};
+
+/// Triangles of slices cut out of cells, back to front.
+struct SliceMesh {
+    std::vector<SliceVertex> vertices;
+    std::vector<std::uint32_t> indices;
+};
+
+/// `count` slices through the volume as seen by `camera`; 0 = as many as make the spacing one voxel of `voxel` units.
+SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double voxel);
+
+/// Where the slices meet those cells of a brick that hold something visible: plane ∩ cell polygons, farthest first.
+SliceMesh cut_slices(const BrickCells& cells, const Layout& layout, const TransferFunction& transfer,
+                     const Camera& camera, const SliceStack& stack);
+
+/// Points of P-space whose hull holds the whole volume: what a camera has to show.
+std::vector<glm::dvec3> outline_points(const Layout& layout);
+
+}  // namespace vvr

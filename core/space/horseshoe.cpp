@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/space/layout.h"
+
+namespace vvr {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Eq. (1): P = (-r cos πt, y_s y, r sin πt) with r = r_min + Δr x.
+class Horseshoe final : public Layout {
+  public:
+    explicit Horseshoe(const LayoutShape& shape) : Layout(shape) {}
+
+    std::string_view name() const override { return "horseshoe"; }
+
+    glm::dvec3 p_from_c(const glm::dvec3& c) const override {
+        const double r = radius(c.x);
+        return {-r * std::cos(pi * c.z), shape().y_s * c.y, r * std::sin(pi * c.z)};
+    }
+
+    glm::dvec3 c_from_p(const glm::dvec3& p) const override {
+        const double r = std::hypot(p.x, p.z);
+        double t = std::atan2(p.z, -p.x) / pi;
+        // The cut of atan2 goes to the open side, half way between the two ends.
+        if (t < -0.5) t += 2;
+        return {(r - shape().r_min) / (shape().r_max - shape().r_min), p.y / shape().y_s, t};
+    }
+
+    Basis basis(const glm::dvec3& c) const override {
+        const double dr = shape().r_max - shape().r_min;
+        const double r = radius(c.x);
+        const double cosine = std::cos(pi * c.z);
+        const double sine = std::sin(pi * c.z);
+        return {{-dr * cosine, 0, dr * sine}, {0, shape().y_s, 0}, {pi * r * sine, 0, pi * r * cosine}};
+    }
+
+    double straight_t() const override { return 0.064 / pi; }
+
+    double sagitta_x(double t_length) const override {
+        return shape().r_max * (1 - std::cos(pi * t_length / 2)) / (shape().r_max - shape().r_min);
+    }
+
+    std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const override {
+        const int n = static_cast<int>(borders.size()) - 1;
+        const double angle = std::atan2(eye.z, -eye.x);
+        const bool before_open_side = angle < 0;
+        // Behind the open side the opposite direction decides, and far and near change places.
+        const double t = (before_open_side ? angle + pi : angle) / pi;
+        int split = 0;
+        while (split < n - 1 && borders[static_cast<std::size_t>(split) + 1] <= t) ++split;
+
+        std::vector<int> order;  // from the ends towards the section `split` that faces the eye
+        for (int i = 0; i < split; ++i) order.push_back(i);
+        for (int i = n - 1; i >= split; --i) order.push_back(i);
+        if (before_open_side) std::ranges::reverse(order);
+        return order;
+    }
+
+  private:
+    double radius(double x) const { return shape().r_min + (shape().r_max - shape().r_min) * x; }
+};
+
+}  // namespace
+
+std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape) { return std::make_unique<Horseshoe>(shape); }
+
+}  // namespace vvr

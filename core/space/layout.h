@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/plane.h"
+
+namespace vvr {
+
+/// The measures of a layout in P-space units.
+struct LayoutShape {
+    double r_min = 0.45;  ///< inner radius of the horseshoe
+    double r_max = 1.0;   ///< outer radius
+    double y_s = 0.4;     ///< height of a frame
+};
+
+/// The vectors ∂P/∂x_C, ∂P/∂y_C, ∂P/∂t_C at a point (§5.2). The paper's e_t has Δr where differentiation gives r.
+struct Basis {
+    glm::dvec3 x;
+    glm::dvec3 y;
+    glm::dvec3 t;
+
+    /// A vector of C-space in P-space: v_P = Σ e_i v_i.
+    glm::dvec3 transform(const glm::dvec3& v) const { return v.x * x + v.y * y + v.z * t; }
+};
+
+/// The map between C-space, (x_C, y_C, t_C) in [0,1]³, and P-space, which is left-handed: x right, y up, z away
+/// from the default viewer. The same map stands in glsl/layout_NAME.glsl for the fragment shader.
+class Layout {
+  public:
+    explicit Layout(const LayoutShape& shape) : shape_(shape) {}
+    virtual ~Layout() = default;
+    Layout(const Layout&) = delete;
+    Layout& operator=(const Layout&) = delete;
+
+    const LayoutShape& shape() const { return shape_; }
+
+    virtual std::string_view name() const = 0;
+    virtual glm::dvec3 p_from_c(const glm::dvec3& c) const = 0;
+    virtual glm::dvec3 c_from_p(const glm::dvec3& p) const = 0;
+    virtual Basis basis(const glm::dvec3& c) const = 0;
+
+    /// The longest piece of t_C that is straight enough to be cut as a hexahedron with flat faces.
+    virtual double straight_t() const = 0;
+
+    /// How far a point at x_C on such a hexahedron's outer face lies inside the curved volume, in x_C.
+    virtual double sagitta_x(double t_length) const = 0;
+
+    /// Numbers of the sections between the ascending t_C `borders` (n + 1 of them), farthest from `eye` first. Planes
+    /// t_C = const separate the sections, so each can be drawn whole before the next (DESIGN: visibility order).
+    virtual std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const = 0;
+
+  private:
+    LayoutShape shape_;
+};
+
+struct LayoutRow {
+    std::string name;
+    std::string help;
+    std::unique_ptr<Layout> (*make)(const LayoutShape&);
+};
+
+/// The layouts there are; the first is the default.
+const std::vector<LayoutRow>& layouts();
+
+/// \throws Error usage when no layout has that name
+std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape);
+
+/// The shape with square pixels for frames of size `field`: y_s = Δr · H / W.
+LayoutShape shape_for(Size field, double r_min = 0.45, double r_max = 1.0);
+
+std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape);
+std::unique_ptr<Layout> make_box(const LayoutShape& shape);
+
+}  // namespace vvr

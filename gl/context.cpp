@@ -1,0 +1,65 @@
+#include "gl/context.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "gl/backend.h"
+
+namespace vvr {
+
+namespace {
+
+std::vector<Backend> backends() { return {egl_hardware_backend(), egl_software_backend(), osmesa_backend()}; }
+
+}  // namespace
+
+std::unique_ptr<Context> open_context(std::string_view name, int device) {
+    std::string tried;
+    for (const Backend& backend : backends()) {
+        if (name != "auto" && name != backend.name) continue;
+        try {
+            return backend.open(device);
+        } catch (const Error& error) {
+            tried += fmt::format("\n  {}: {}", backend.name, error.what());
+        }
+    }
+    if (tried.empty()) {
+        throw Error(ErrorKind::usage, fmt::format("no backend is called '{}'; there are {}", name,
+                                                  fmt::join(backend_names(), ", ")));
+    }
+    throw Error(ErrorKind::backend,
+                fmt::format("no OpenGL context from --backend {}{}; tried:{}\n`vvr doctor` says what would mend it", name,
+                            device < 0 ? "" : fmt::format(" --device {}", device), tried));
+}
+
+std::vector<std::string> backend_names() {
+    std::vector<std::string> names = {"auto"};
+    for (const Backend& backend : backends()) names.push_back(backend.name);
+    return names;
+}
+
+std::vector<BackendReport> probe_backends() {
+    std::vector<BackendReport> reports;
+    for (const Backend& backend : backends()) {
+        BackendReport report;
+        report.name = backend.name;
+        report.what = backend.what;
+        try {
+            report.devices = backend.devices();
+            const auto context = backend.open(-1);
+            report.works = true;
+            report.renderer = context->renderer();
+            report.version = context->version();
+        } catch (const Error& error) {
+            report.reason = error.what();
+            report.mend = backend.mend;
+        }
+        reports.push_back(std::move(report));
+    }
+    return reports;
+}
+
+}  // namespace vvr

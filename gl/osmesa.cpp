@@ -1,0 +1,81 @@
+#include <array>
+#include <cstdint>
+
+#include "core/error.h"
+#include "gl/backend.h"
+#include "gl/library.h"
+
+namespace vvr {
+
+namespace {
+
+// The part of <GL/osmesa.h> that we need. The header belongs to a package that leaves with Mesa 25.1; the ABI stays.
+using OSMesaHandle = struct osmesa_context*;
+constexpr int osmesa_format = 0x22;
+constexpr int osmesa_depth_bits = 0x30;
+constexpr int osmesa_profile = 0x33;
+constexpr int osmesa_core_profile = 0x34;
+constexpr int osmesa_major = 0x36;
+constexpr int osmesa_minor = 0x37;
+
+struct OSMesa {
+    Library library{{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}};
+
+    using Create = OSMesaHandle (*)(const int*, OSMesaHandle);
+    using Destroy = void (*)(OSMesaHandle);
+    using MakeCurrent = unsigned char (*)(OSMesaHandle, void*, unsigned, int, int);
+    using GetProcAddress = void (*(*)(const char*))();
+
+    Create create = library.function<Create>("OSMesaCreateContextAttribs");
+    Destroy destroy = library.function<Destroy>("OSMesaDestroyContext");
+    MakeCurrent make_current = library.function<MakeCurrent>("OSMesaMakeCurrent");
+    GetProcAddress get_proc_address = library.function<GetProcAddress>("OSMesaGetProcAddress");
+};
+
+class OSMesaContext final : public Context {
+  public:
+    OSMesaContext() {
+        backend_ = "osmesa";
+        const std::array<int, 11> attributes = {osmesa_format, GL_RGBA, osmesa_depth_bits, 0, osmesa_profile,
+                                                osmesa_core_profile, osmesa_major, 3, osmesa_minor, 3, 0};
+        handle_ = mesa_.create(attributes.data(), nullptr);
+        if (handle_ == nullptr) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
+        if (!mesa_.make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
+            mesa_.destroy(handle_);
+            throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
+        }
+        const auto load = [](void* user, const char* name) -> GLADapiproc {
+            return static_cast<OSMesa*>(user)->get_proc_address(name);
+        };
+        if (!gladLoadGLContextUserPtr(&gl_, load, &mesa_)) {
+            mesa_.destroy(handle_);
+            throw Error(ErrorKind::backend, "OSMesaGetProcAddress gives no OpenGL 3.3 functions");
+        }
+        renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+        version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+    }
+    ~OSMesaContext() override { mesa_.destroy(handle_); }
+    OSMesaContext(const OSMesaContext&) = delete;
+    OSMesaContext& operator=(const OSMesaContext&) = delete;
+
+  private:
+    // OSMesa wants a picture to draw into; ours is drawn into a framebuffer object, so the smallest one does.
+    static constexpr int side = 4;
+
+    OSMesa mesa_;
+    OSMesaHandle handle_ = nullptr;
+    std::array<std::uint8_t, std::size_t{4} * side * side> surface_{};
+};
+
+}  // namespace
+
+Backend osmesa_backend() {
+    return {"osmesa", "Mesa's software rasteriser through OSMesa, for machines without EGL",
+            [](int device) -> std::unique_ptr<Context> {
+                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices; --device is for EGL");
+                return std::make_unique<OSMesaContext>();
+            },
+            []() { return std::vector<std::string>{}; }, "apt-get install libosmesa6"};
+}
+
+}  // namespace vvr
