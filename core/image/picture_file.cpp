@@ -27,14 +27,18 @@ constexpr std::string_view setting_prefix = "vvr:";
 struct Format {
     std::string_view ending;
     OIIO::TypeDesc::BASETYPE type;
+    std::string_view compression;
     bool alpha;     ///< holds transparency
     bool settings;  ///< holds attributes of any name; else the settings become lines of the description
 };
 
 constexpr std::array formats{
-    Format{".png", OIIO::TypeDesc::UINT8, true, true},   Format{".exr", OIIO::TypeDesc::HALF, true, true},
-    Format{".tif", OIIO::TypeDesc::UINT16, true, false}, Format{".tiff", OIIO::TypeDesc::UINT16, true, false},
-    Format{".jpg", OIIO::TypeDesc::UINT8, false, false}, Format{".jpeg", OIIO::TypeDesc::UINT8, false, false},
+    Format{".png", OIIO::TypeDesc::UINT8, "zip:6", true, true},
+    Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true},
+    Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false},
+    Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false},
+    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
+    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -106,8 +110,9 @@ void write_picture(const std::filesystem::path& path, const Picture& picture, co
 
     OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), channels, format.type);
     const bool linear = picture.encoding == Encoding::linear && format.type == OIIO::TypeDesc::HALF;
-    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    spec.attribute("CompressionQuality", 95);
+    spec.attribute("Compression", format.compression);
+    // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
+    if (format.settings) spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     add_attributes(spec, format, metadata);
 
     // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
