@@ -10,10 +10,10 @@ namespace {
 
 constexpr int cell_side = 16;
 
-std::vector<double> borders(double begin, double end, int cells) {
+std::vector<double> borders(int cells) {
     std::vector<double> result(static_cast<std::size_t>(cells) + 1);
     for (int i = 0; i <= cells; ++i) {
-        result[static_cast<std::size_t>(i)] = i == cells ? end : begin + (end - begin) * i / cells;
+        result[static_cast<std::size_t>(i)] = static_cast<double>(i) / cells;
     }
     return result;
 }
@@ -57,21 +57,19 @@ void join_layer(std::span<const std::uint8_t> layer, Size size, const std::vecto
 
 }  // namespace
 
-BrickCells brick_cells(const BrickTexels& texels, double t_begin, double t_end, const Layout& layout) {
+BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& layout) {
     const int nx = cells_along(texels.size.width);
     const int ny = cells_along(texels.size.height);
     const int nt = std::max(cells_along(texels.brick.count),
-                            static_cast<int>(std::ceil((t_end - t_begin) / layout.straight_t() - 1e-9)));
+                            static_cast<int>(std::ceil(t_span / layout.straight_t() - 1e-9)));
 
     BrickCells cells;
-    cells.t_begin = t_begin;
-    cells.t_end = t_end;
-    cells.x = borders(0, 1, nx);
-    cells.y = borders(0, 1, ny);
-    cells.t = borders(t_begin, t_end, nt);
+    cells.x = borders(nx);
+    cells.y = borders(ny);
+    cells.t = borders(nt);
 
     // Between two straight cells lies a sliver that bends out of one and into the other: the apron covers it.
-    const double bend = layout.sagitta_x((t_end - t_begin) / nt) * texels.size.width;
+    const double bend = layout.sagitta_x(t_span / nt) * texels.size.width;
     std::vector<std::array<std::int64_t, 2>> columns;
     std::vector<std::array<std::int64_t, 2>> rows;
     for (int i = 0; i < nx; ++i) columns.push_back(touched(i, nx, texels.size.width, bend));

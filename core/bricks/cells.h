@@ -19,11 +19,9 @@ struct ValueRange {
 /// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
 /// Cells with nothing visible in them are passed over when slices are cut (DESIGN: empty space).
 struct BrickCells {
-    double t_begin = 0;  ///< t_C of the brick's first border
-    double t_end = 1;
     std::vector<double> x;           ///< ascending borders in x_C, one more than there are cells
     std::vector<double> y;
-    std::vector<double> t;           ///< in t_C of the window
+    std::vector<double> t;           ///< in t_B, from 0 to 1 over the brick
     std::vector<ValueRange> ranges;  ///< x fastest, then y, then t
 
     int nx() const { return static_cast<int>(x.size()) - 1; }
@@ -34,7 +32,17 @@ struct BrickCells {
     }
 };
 
-/// The cells of a brick that stands between `t_begin` and `t_end` of the window.
-BrickCells brick_cells(const BrickTexels& texels, double t_begin, double t_end, const Layout& layout);
+/// The cells of a brick.
+/// \param t_span the part of the window's t_C that the brick takes
+BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& layout);
+
+/// A brick's place in the window.
+struct PlacedBrick {
+    std::int64_t number = 0;  ///< counted from the clip's first brick; names its texture
+    std::int64_t layers = 0;
+    double t_begin = 0;       ///< t_C
+    double t_end = 1;
+    const BrickCells* cells = nullptr;
+};
 
 }  // namespace vvr

@@ -71,11 +71,12 @@ int cut_cell(const Cell& cell, int slice, std::array<glm::vec3, 6>& polygon) {
 
 /// The borders of cells in P-space and in slices, computed once for all the cells that share them.
 struct Lattice {
-    Lattice(const BrickCells& cells, const Layout& layout, const Camera& camera, const SliceStack& stack)
-        : nx(cells.x.size()), ny(cells.y.size()) {
-        const double half_t = (cells.t_end - cells.t_begin) / cells.nt() / 2;
-        const double bulge = layout.sagitta_x(2 * half_t);
-        for (const double t : cells.t) {
+    Lattice(const PlacedBrick& brick, const Layout& layout, const Camera& camera, const SliceStack& stack)
+        : nx(brick.cells->x.size()), ny(brick.cells->y.size()) {
+        const BrickCells& cells = *brick.cells;
+        const double bulge = layout.sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
+        for (const double t_b : cells.t) {
+            const double t = std::lerp(brick.t_begin, brick.t_end, t_b);
             for (const double y : cells.y) {
                 for (const double x : cells.x) {
                     // Flat outer faces would cut the curved volume short; the fragment shader rejects what is too much.
@@ -125,9 +126,10 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     return stack;
 }
 
-SliceMesh cut_slices(const BrickCells& cells, const Layout& layout, const TransferFunction& transfer,
+SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const TransferFunction& transfer,
                      const Camera& camera, const SliceStack& stack) {
-    const Lattice lattice(cells, layout, camera, stack);
+    const BrickCells& cells = *brick.cells;
+    const Lattice lattice(brick, layout, camera, stack);
     SliceMesh mesh;
     std::vector<Piece> pieces;
     std::array<glm::vec3, 6> polygon;
@@ -141,8 +143,8 @@ SliceMesh cut_slices(const BrickCells& cells, const Layout& layout, const Transf
                     cell.corners[static_cast<std::size_t>(corner)] = lattice.points[at];
                     cell.depth[static_cast<std::size_t>(corner)] = lattice.depths[at];
                 }
-                cell.t_reference = static_cast<float>(
-                    (cells.t[static_cast<std::size_t>(it)] + cells.t[static_cast<std::size_t>(it) + 1]) / 2);
+                const double t_b = (cells.t[static_cast<std::size_t>(it)] + cells.t[static_cast<std::size_t>(it) + 1]) / 2;
+                cell.t_reference = static_cast<float>(std::lerp(brick.t_begin, brick.t_end, t_b));
                 const auto [low, high] = std::ranges::minmax(cell.depth);
                 const int first = std::max(0, static_cast<int>(std::ceil(low)));
                 const int last = std::min(stack.count - 1, static_cast<int>(std::floor(high)));

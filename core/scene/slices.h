@@ -35,7 +35,7 @@ struct SliceMesh {
 SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double voxel);
 
 /// Where the slices meet those cells of a brick that hold something visible: plane ∩ cell polygons, farthest first.
-SliceMesh cut_slices(const BrickCells& cells, const Layout& layout, const TransferFunction& transfer,
+SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const TransferFunction& transfer,
                      const Camera& camera, const SliceStack& stack);
 
 /// Points of P-space whose hull holds the whole volume: what a camera has to show.

@@ -1,0 +1,23 @@
+#include "core/scene/scene.h"
+
+namespace vvr {
+
+std::vector<Segment> volume_outline(const Layout& layout, const glm::vec4& colour) {
+    constexpr int steps = 96;
+    std::vector<Segment> segments;
+    const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        segments.push_back({glm::vec3(layout.p_from_c(from)), glm::vec3(layout.p_from_c(to)), colour});
+    };
+    for (int corner = 0; corner < 4; ++corner) {
+        const double x = corner & 1;
+        const double y = corner >> 1;
+        for (int i = 0; i < steps; ++i) {
+            add({x, y, static_cast<double>(i) / steps}, {x, y, static_cast<double>(i + 1) / steps});
+        }
+        add({x, 0, y}, {x, 1, y});  // upright edges at both ends
+        add({0, x, y}, {1, x, y});
+    }
+    return segments;
+}
+
+}  // namespace vvr

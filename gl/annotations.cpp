@@ -1,0 +1,112 @@
+#include "gl/annotations.h"
+
+#include <array>
+#include <cstddef>
+
+#include "gl/check.h"
+#include "shaders.h"
+
+namespace vvr {
+
+namespace {
+
+struct PictureVertex {
+    glm::vec3 p;
+    glm::vec2 at;
+};
+
+}  // namespace
+
+Annotations::Annotations(const GladGLContext& gl, Size picture)
+    : gl_(&gl),
+      picture_(picture),
+      line_program_(gl, "the lines", {shaders::line_vert}, {shaders::line_frag}),
+      line_array_(gl),
+      corners_(gl),
+      segments_(gl),
+      picture_program_(gl, "the standing frames", {shaders::picture_vert}, {shaders::picture_frag}),
+      picture_array_(gl),
+      picture_vertices_(gl) {
+    gl.BindVertexArray(line_array_.id());
+    constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
+    gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
+    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
+        gl.EnableVertexAttribArray(attribute);
+        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Segment),
+                               reinterpret_cast<const void*>(offset));
+        gl.VertexAttribDivisor(attribute, 1);
+    };
+    instance(1, 3, offsetof(Segment, from));
+    instance(2, 3, offsetof(Segment, to));
+    instance(3, 4, offsetof(Segment, colour));
+
+    gl.BindVertexArray(picture_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PictureVertex), nullptr);
+    gl.EnableVertexAttribArray(1);
+    gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(PictureVertex),
+                           reinterpret_cast<const void*>(offsetof(PictureVertex, at)));
+    gl.BindVertexArray(0);
+    check_gl(gl, "setting up the annotations");
+}
+
+void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width) {
+    if (lines.empty()) return;
+    const GladGLContext& gl = *gl_;
+    line_program_.use();
+    line_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    line_program_.set("half_width", glm::vec2(width / picture_.width, width / picture_.height));
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_TRUE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.BindVertexArray(line_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(lines.size()));
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing lines");
+}
+
+void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera) {
+    const GladGLContext& gl = *gl_;
+    const GlTexture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.picture.width(), frame.picture.height(), 0, GL_BGR, GL_UNSIGNED_BYTE,
+                  frame.picture.pixels().data());
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+
+    std::array<PictureVertex, 4> vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const double x = static_cast<double>(i & 1);
+        const double y = static_cast<double>(i >> 1);
+        vertices[i] = {glm::vec3(layout.p_from_c({x, y, frame.t})), glm::vec2(1 - x, 1 - y)};
+    }
+    picture_program_.use();
+    picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    picture_program_.set("picture", 0);
+    picture_program_.set("opacity", frame.opacity);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(frame.opacity < 1 ? GL_FALSE : GL_TRUE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.BindVertexArray(picture_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(vertices), vertices.data(), GL_STREAM_DRAW);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing a standing frame");
+}
+
+}  // namespace vvr

@@ -1,0 +1,61 @@
+#include "gl/brick_textures.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "gl/check.h"
+
+namespace vvr {
+
+BrickTextures::BrickTextures(const GladGLContext& gl, BrickRing ring)
+    : gl_(&gl), ring_(ring), slots_(static_cast<std::size_t>(ring.size())) {}
+
+void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
+    const GladGLContext& gl = *gl_;
+    GLint largest = 0;
+    gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    const std::int64_t longest = std::max<std::int64_t>({texels.size.width, texels.size.height, texels.layers()});
+    if (longest > largest) {
+        throw Error(ErrorKind::limit,
+                    fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
+                                "take a smaller --field-size or a shorter --brick",
+                                texels.size.width, texels.size.height, texels.brick.count, largest));
+    }
+
+    Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const auto width = static_cast<GLsizei>(texels.size.width);
+    const auto height = static_cast<GLsizei>(texels.size.height);
+    const auto depth = static_cast<GLsizei>(texels.layers());
+    const bool fits = slot.texture && slot.size == texels.size && slot.layers == texels.layers();
+    if (fits) {
+        gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
+        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, width, height, depth, GL_RED, GL_UNSIGNED_BYTE,
+                         texels.texels.data());
+    } else {
+        slot.texture = GlTexture(gl);
+        gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+            gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+        }
+        gl.TexImage3D(GL_TEXTURE_3D, 0, GL_R8, width, height, depth, 0, GL_RED, GL_UNSIGNED_BYTE, texels.texels.data());
+    }
+    check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, texels.brick.count));
+    slot.number = number;
+    slot.size = texels.size;
+    slot.layers = texels.layers();
+}
+
+void BrickTextures::bind(std::int64_t number) const {
+    const Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
+    if (slot.number != number) {
+        throw Error(ErrorKind::backend, fmt::format("brick {} is not in the ring: its slot holds {}", number, slot.number));
+    }
+    gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
+}
+
+}  // namespace vvr

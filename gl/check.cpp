@@ -1,0 +1,38 @@
+#include "gl/check.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace vvr {
+
+namespace {
+
+std::string_view name(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
+        default: return "an unknown error";
+    }
+}
+
+}  // namespace
+
+void check_gl(const GladGLContext& gl, std::string_view doing) {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) return;
+    // A lost context reports errors without end, so the queue is emptied for a bounded number of steps.
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+    }
+    if (error == GL_OUT_OF_MEMORY) {
+        throw Error(ErrorKind::limit, fmt::format("OpenGL ran out of memory while {}; try a smaller --size, --field-size "
+                                                  "or --max-layers",
+                                                  doing));
+    }
+    throw Error(ErrorKind::backend, fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing));
+}
+
+}  // namespace vvr

@@ -1,0 +1,71 @@
+#include "gl/flow_geometry.h"
+
+#include <cstddef>
+
+#include "gl/check.h"
+#include "shaders.h"
+
+namespace vvr {
+
+FlowGeometry::FlowGeometry(const GladGLContext& gl)
+    : gl_(&gl),
+      program_(gl, "the flow geometry", {shaders::arrow_vert}, {shaders::arrow_frag}),
+      vertex_array_(gl),
+      mesh_(gl),
+      indices_(gl),
+      instances_(gl) {
+    const GlyphMesh mesh = arrow_mesh();
+    index_count_ = static_cast<GLsizei>(mesh.indices.size());
+    gl.BindVertexArray(vertex_array_.id());
+
+    gl.BindBuffer(GL_ARRAY_BUFFER, mesh_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(GlyphVertex)),
+                  mesh.vertices.data(), GL_STATIC_DRAW);
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex), nullptr);
+    gl.EnableVertexAttribArray(1);
+    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex),
+                           reinterpret_cast<const void*>(offsetof(GlyphVertex, normal)));
+
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                  mesh.indices.data(), GL_STATIC_DRAW);
+
+    gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
+    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
+        gl.EnableVertexAttribArray(attribute);
+        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Glyph), reinterpret_cast<const void*>(offset));
+        gl.VertexAttribDivisor(attribute, 1);
+    };
+    instance(2, 3, offsetof(Glyph, from));
+    instance(3, 3, offsetof(Glyph, vector));
+    instance(4, 1, offsetof(Glyph, speed));
+    gl.BindVertexArray(0);
+    check_gl(gl, "setting up the flow geometry");
+}
+
+void FlowGeometry::draw(std::span<const Glyph> glyphs, const Camera& camera, const GlyphStyle& style) {
+    if (glyphs.empty()) return;
+    const GladGLContext& gl = *gl_;
+    program_.use();
+    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program_.set("thickness", style.thickness);
+    program_.set("speed_range", style.speed_range);
+    program_.set("slow_colour", style.slow_colour);
+    program_.set("fast_colour", style.fast_colour);
+    // From above and behind the viewer's left shoulder.
+    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
+    program_.set("to_light", glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right)));
+
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_BLEND);
+    gl.BindVertexArray(vertex_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size_bytes()), glyphs.data(), GL_STREAM_DRAW);
+    gl.DrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(glyphs.size()));
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing the arrows");
+}
+
+}  // namespace vvr

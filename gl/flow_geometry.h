@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "core/scene/glyph.h"
+#include "core/space/camera.h"
+#include "gl/program.h"
+
+namespace vvr {
+
+/// How arrows look.
+struct GlyphStyle {
+    float thickness = 0.045F;                  ///< P-space units a unit of the reference glyph's radius
+    glm::vec2 speed_range{0.3F, 4.0F};         ///< pixels a frame at the ends of the colour scale
+    glm::vec3 slow_colour{0.98F, 0.72F, 0.20F};
+    glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
+};
+
+/// Draws one reference glyph at every seed, instanced, as opaque geometry (§5.2, §6.2).
+class FlowGeometry {
+  public:
+    explicit FlowGeometry(const GladGLContext& gl);
+
+    void draw(std::span<const Glyph> glyphs, const Camera& camera, const GlyphStyle& style);
+
+  private:
+    const GladGLContext* gl_;
+    Program program_;
+    GlVertexArray vertex_array_;
+    GlBuffer mesh_;
+    GlBuffer indices_;
+    GlBuffer instances_;
+    GLsizei index_count_ = 0;
+};
+
+}  // namespace vvr

@@ -1,0 +1,76 @@
+#include "gl/framebuffer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "gl/check.h"
+
+namespace vvr {
+
+Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(&gl), size_(size), samples_(samples) {
+    GLint largest = 0;
+    gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    if (size.width > largest || size.height > largest) {
+        throw Error(ErrorKind::limit, fmt::format("a picture of {}x{} was asked for, this OpenGL draws at most {}x{}",
+                                                  size.width, size.height, largest, largest));
+    }
+    GLint most_samples = 0;
+    gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
+    if (samples > most_samples) {
+        throw Error(ErrorKind::limit,
+                    fmt::format("{} samples a pixel were asked for, this OpenGL has at most {}", samples, most_samples));
+    }
+    drawn_ = make_target(samples);
+    if (samples > 1) resolved_ = make_target(1);
+}
+
+Framebuffer::Target Framebuffer::make_target(int samples) const {
+    const GladGLContext& gl = *gl_;
+    Target target{GlFramebuffer(gl), GlRenderbuffer(gl), GlRenderbuffer(gl)};
+    // Multisampled storage with one sample is not the same as storage without: only the latter can be read.
+    const GLsizei stored = samples > 1 ? samples : 0;
+    gl.BindRenderbuffer(GL_RENDERBUFFER, target.colour.id());
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_RGBA16F, size_.width, size_.height);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, target.depth.id());
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, size_.width, size_.height);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.id());
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
+    check_gl(gl, fmt::format("making a framebuffer of {}x{} with {} samples", size_.width, size_.height, samples));
+    const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw Error(ErrorKind::backend, fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
+                                                    size_.width, size_.height, samples, status));
+    }
+    return target;
+}
+
+void Framebuffer::bind() const {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
+    gl_->Viewport(0, 0, size_.width, size_.height);
+}
+
+Plane<glm::vec4> Framebuffer::read() const {
+    const GladGLContext& gl = *gl_;
+    if (samples_ > 1) {
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer.id());
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer.id());
+        gl.BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.framebuffer.id());
+    } else {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
+    }
+    Plane<glm::vec4> picture(size_);
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl.ReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, picture.pixels().data());
+    check_gl(gl, "reading the picture back");
+    for (int j = 0; j < size_.height / 2; ++j) {
+        std::ranges::swap_ranges(picture.row(j), picture.row(size_.height - 1 - j));
+    }
+    return picture;
+}
+
+}  // namespace vvr

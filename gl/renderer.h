@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/bricks/volume.h"
+#include "core/scene/scene.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
+#include "gl/annotations.h"
+#include "gl/brick_textures.h"
+#include "gl/context.h"
+#include "gl/flow_geometry.h"
+#include "gl/framebuffer.h"
+#include "gl/volume_slicer.h"
+
+namespace vvr {
+
+struct RenderOptions {
+    Size size{1280, 800};
+    View view;
+    int slices = 0;   ///< 0 = one a voxel
+    int samples = 4;  ///< a pixel, for smooth edges
+    int ring = 8;                     ///< k, the bricks that are visible at a time
+    std::int64_t window_layers = 0;  ///< n, the layers of a full window
+    glm::vec3 background{1, 1, 1};
+    GlyphStyle glyphs;
+};
+
+/// Draws a window of bricks and its scene: opaque geometry first, then the volume back to front with the depth test
+/// on (§6.2), so that each hides the other where it should.
+class Renderer {
+  public:
+    /// `context` and `layout` outlive the renderer.
+    Renderer(const Context& context, const Layout& layout, const RenderOptions& options);
+
+    void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
+
+    /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
+    void push_brick(std::int64_t number, const BrickTexels& texels);
+
+    /// Draws the bricks in the ring. \returns premultiplied RGBA, top row first
+    Plane<glm::vec4> draw(const Scene& scene);
+
+    const Camera& camera() const { return camera_; }
+
+  private:
+    /// Where each brick of the window stands: t_C by its share of the window's layers.
+    std::vector<PlacedBrick> place() const;
+
+    struct Held {
+        std::int64_t number = 0;
+        std::int64_t layers = 0;
+        BrickCells cells;
+    };
+
+    const GladGLContext* gl_;
+    const Layout* layout_;
+    RenderOptions options_;
+    Camera camera_;
+    Framebuffer framebuffer_;
+    BrickTextures textures_;
+    VolumeSlicer slicer_;
+    FlowGeometry flow_geometry_;
+    Annotations annotations_;
+    std::vector<Held> window_;
+};
+
+}  // namespace vvr

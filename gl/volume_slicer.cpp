@@ -1,0 +1,100 @@
+#include "gl/volume_slicer.h"
+
+#include <array>
+#include <cstddef>
+#include <numbers>
+
+#include "gl/check.h"
+#include "gl/layout_shader.h"
+#include "shaders.h"
+
+namespace vvr {
+
+VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout)
+    : gl_(&gl),
+      layout_(&layout),
+      program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
+               {layout_shader(layout), shaders::volume_frag}),
+      transfer_({TransferPoint{}}),
+      transfer_texture_(gl),
+      vertex_array_(gl),
+      vertices_(gl),
+      indices_(gl) {
+    gl.BindVertexArray(vertex_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SliceVertex), nullptr);
+    gl.EnableVertexAttribArray(1);
+    gl.VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(SliceVertex),
+                           reinterpret_cast<const void*>(offsetof(SliceVertex, t_reference)));
+    gl.BindVertexArray(0);
+    check_gl(gl, "setting up the volume slicer");
+}
+
+void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
+    transfer_ = transfer;
+    std::array<glm::vec4, 256> table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const glm::dvec4 optical = transfer.at(static_cast<double>(i));
+        table[i] = glm::vec4(optical.x, optical.y, optical.z, optical.w * std::numbers::log2e);
+    }
+    gl_->BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(table.size()), 1, 0, GL_RGBA, GL_FLOAT,
+                    table.data());
+    check_gl(*gl_, "uploading the transfer function");
+}
+
+void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+                        const SliceStack& stack) {
+    if (bricks.empty()) return;
+    const GladGLContext& gl = *gl_;
+
+    program_.use();
+    set_layout(program_, *layout_);
+    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program_.set("eye", glm::vec3(camera.eye));
+    program_.set("forward", glm::vec3(camera.forward));
+    program_.set("spacing", static_cast<float>(stack.spacing));
+    program_.set("perspective", camera.perspective ? 1 : 0);
+    program_.set("brick", 0);
+    program_.set("transfer", 1);
+
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.ActiveTexture(GL_TEXTURE1);
+    gl.BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindVertexArray(vertex_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+
+    std::vector<double> borders = {bricks.front().t_begin};
+    for (const PlacedBrick& brick : bricks) borders.push_back(brick.t_end);
+    // Parallel rays come from infinitely far behind the eye.
+    const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
+    for (const int i : layout_->back_to_front(from, borders)) {
+        const PlacedBrick& brick = bricks[static_cast<std::size_t>(i)];
+        const SliceMesh mesh = cut_slices(brick, *layout_, transfer_, camera, stack);
+        if (mesh.indices.empty()) continue;
+        textures.bind(brick.number);
+        // The texture has a layer more at each end than the brick.
+        const double layers = static_cast<double>(brick.layers);
+        const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
+        program_.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
+        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
+                      mesh.vertices.data(), GL_STREAM_DRAW);
+        gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                      mesh.indices.data(), GL_STREAM_DRAW);
+        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+    }
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing the volume");
+}
+
+}  // namespace vvr

@@ -1,0 +1,25 @@
+// The horseshoe, Eq. (1): P = (-r cos πt, y_s y, r sin πt), r = r_min + Δr x.
+uniform vec4 layout_shape;  // r_min, Δr, y_s, unused
+
+const float pi = 3.14159265358979;
+
+vec3 p_from_c(vec3 c) {
+    float r = layout_shape.x + layout_shape.y * c.x;
+    return vec3(-r * cos(pi * c.z), layout_shape.z * c.y, r * sin(pi * c.z));
+}
+
+// P turned about the y axis so that t_reference lies on the first axis: an affine map, so it interpolates exactly.
+vec3 local_from_p(vec3 p, float t_reference) {
+    float cosine = cos(pi * t_reference);
+    float sine = sin(pi * t_reference);
+    return vec3(-p.x * cosine + p.z * sine, p.y, p.x * sine + p.z * cosine);
+}
+
+// Within a cell the angle from t_reference is below 0.04: atan and the root are short series, exact to a float.
+vec3 c_from_local(vec3 local, float t_reference) {
+    float slope = local.z / local.x;
+    float square = slope * slope;
+    float r = local.x * (1.0 + square * (0.5 - 0.125 * square));
+    float angle = slope * (1.0 - square * (1.0 / 3.0 - 0.2 * square));
+    return vec3((r - layout_shape.x) / layout_shape.y, local.y / layout_shape.z, t_reference + angle / pi);
+}
