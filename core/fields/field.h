@@ -23,10 +23,11 @@ struct Seed {
 
 /// What the video sub-system gives for one frame.
 struct Field {
-    std::int64_t index = 0;        ///< of the frame in the clip
-    double pts = 0;                ///< seconds
-    Plane<std::uint8_t> scalar;    ///< 0 = uninteresting
-    std::vector<Seed> seeds;       ///< empty where no flow was asked for
+    std::int64_t index = 0;      ///< of the frame in the clip
+    double pts = 0;              ///< seconds
+    Plane<std::uint8_t> scalar;  ///< 0 = uninteresting
+    Flow flow;                   ///< empty where no flow was asked for
+    std::vector<Seed> seeds;     ///< empty where no flow was asked for
 };
 
 }  // namespace vvr

@@ -10,7 +10,8 @@ struct FlowOptions {
     std::string method = "horn-schunck";  ///< a name in the flow table, or "none"
     double alpha = 10;                    ///< weight of smoothness; the paper's "λ = 100" is α² = 100
     int iterations = 60;
-    std::int64_t every = 1;               ///< flow and seeds at frames whose index is a multiple of it
+    double pre_smooth = 1.5;  ///< σ of the Gaussian before derivatives, in x, y and t; 0 = none
+    std::int64_t every = 1;   ///< flow and seeds at frames whose index is a multiple of it
 };
 
 /// §4.2's three phases.
@@ -23,8 +24,8 @@ struct FieldOptions {
     std::string filter = "difference";  ///< a name in the filter table
     std::string reference = "median";   ///< a name in the reference table, or a picture file
     int threshold = 24;                 ///< grey levels; differences below it become 0
-    FlowOptions flow;
-    SeedOptions seeds;
+    FlowOptions flow{};
+    SeedOptions seeds{};
     int threads = 0;  ///< 0 = one for each core
 };
 

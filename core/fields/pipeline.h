@@ -5,6 +5,7 @@
 
 #include "core/fields/field.h"
 #include "core/fields/options.h"
+#include "core/fields/reference.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {
@@ -14,16 +15,28 @@ using FieldSink = std::function<void(Frame&&, Field&&)>;
 
 /// What a pass over a clip found.
 struct FieldSummary {
-    std::int64_t frames = 0;    ///< frames that reached the sink
-    std::int64_t damaged = 0;   ///< packets that could not be decoded
-    Plane<std::uint8_t> reference_grey;
-    Plane<Bgr> reference_colour;  ///< empty for a source without colour
+    std::int64_t frames = 0;   ///< frames that reached the sink
+    std::int64_t damaged = 0;  ///< packets that could not be decoded
+    Reference reference;       ///< empty where nothing asked for one
 };
 
 /// Reads every frame of `source` once, in order, and gives its field to `sink`: decoding in order, fields in
-/// parallel, `sink` in order (§3's video processing sub-system). Memory doesn't depend on the clip's length.
+/// parallel, `sink` in order (§3's video processing sub-system). Memory doesn't depend on the clip's length, and the
+/// fields don't depend on the number of threads.
 ///
-/// \throws Error not_video when not one frame decodes; whatever `sink` throws.
+/// \throws Error not_video when not one frame decodes, usage for a name that isn't in its table; whatever `sink`
+/// throws.
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink);
+
+/// Makes one frame. Called once, from any thread.
+using FrameJob = std::function<Frame()>;
+
+/// Gives the jobs of a clip's frames in order, never from two threads at once; an empty function at the end.
+using FrameReader = std::function<FrameJob()>;
+
+/// The same for frames that come from anywhere else; all must be of one size.
+/// \returns the number of frames that reached the sink
+std::int64_t compute_fields(const FrameReader& read, const Reference& reference, const FieldOptions& options,
+                            const FieldSink& sink);
 
 }  // namespace vvr
