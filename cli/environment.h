@@ -1,0 +1,15 @@
+#pragma once
+
+#include <spdlog/logger.h>
+
+#include "cli/signals.h"
+
+namespace vvr {
+
+/// What main hands to every command.
+struct Environment {
+    spdlog::logger& log;  ///< to people, on stderr
+    Signals& signals;
+};
+
+}  // namespace vvr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/error.h"
+
+namespace vvr {
+
+/// What the program says to the shell. A run that SIGINT, SIGTERM or SIGHUP ends dies of that signal, which a shell
+/// shows as 130, 143 or 129.
+enum class ExitStatus {
+    done = 0,
+    usage = 1,      ///< the command line or a config file
+    io = 2,         ///< a file can't be read or written
+    not_video = 3,  ///< the input is not usable video
+    backend = 4,    ///< no OpenGL backend, or OpenGL failed
+    limit = 5,      ///< out of memory, or over a stated limit
+    partial = 6,    ///< some of several inputs failed
+    differs = 7,    ///< a picture differs from its reference
+    bug = 70,       ///< an error that vvr should have foreseen
+};
+
+ExitStatus exit_status(ErrorKind kind);
+
+}  // namespace vvr

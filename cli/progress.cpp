@@ -1,0 +1,50 @@
+#include "cli/progress.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+namespace {
+
+constexpr std::string_view clear_line = "\r\033[K";
+
+void write_stderr(std::string_view text) {
+    // A terminal that went away is no reason to stop.
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, std::int64_t total, bool shown)
+    : what_(std::move(what)), total_(total), shown_(shown) {}
+
+Progress::~Progress() {
+    if (shown_) write_stderr(clear_line);
+}
+
+void Progress::set(std::int64_t done) {
+    if (!shown_ || Clock::now() < next_) return;
+    next_ = Clock::now() + std::chrono::milliseconds(100);
+    if (total_ <= 0) {
+        write_stderr(fmt::format("{}{} {}", clear_line, what_, done));
+        return;
+    }
+    constexpr std::int64_t width = 30;
+    const std::int64_t filled = std::min(width, width * done / total_);
+    write_stderr(fmt::format("{}{} [{:=<{}}{:{}}] {}/{}", clear_line, what_, "", filled, "", width - filled, done,
+                             std::max(done, total_)));
+}
+
+bool stderr_is_terminal() {
+    const char* terminal = std::getenv("TERM");
+    return ::isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+}  // namespace vvr

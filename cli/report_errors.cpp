@@ -1,0 +1,29 @@
+#include "cli/report_errors.h"
+
+#include <exception>
+#include <new>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace vvr {
+
+ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        log.error("{}", error.what());
+        return exit_status(error.kind());
+    } catch (const std::bad_alloc&) {
+        log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");
+        return ExitStatus::limit;
+    } catch (const std::system_error& error) {
+        log.error("{}", error.what());
+        return ExitStatus::io;
+    } catch (const std::exception& error) {
+        log.error("this is a bug in vvr, please report it with the command line: {}", error.what());
+        return ExitStatus::bug;
+    }
+}
+
+}  // namespace vvr

@@ -1,0 +1,50 @@
+#include "cli/signals.h"
+
+#include <initializer_list>
+
+#include <pthread.h>
+
+namespace vvr {
+
+namespace {
+
+bool ignored(int signal) {
+    struct sigaction action {};
+    return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+Signals::Signals() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    sigemptyset(&set_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (!ignored(signal)) sigaddset(&set_, signal);
+    }
+    // Threads inherit the mask of the one that starts them, so from here on only the waiter sees these signals.
+    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
+    waiter_ = std::jthread([this](const std::stop_token& stop) { wait(stop); });
+}
+
+Signals::~Signals() {
+    waiter_.request_stop();
+    // The waiter sleeps in sigwait; one of its own signals wakes it.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        if (sigismember(&set_, signal) == 1) {
+            pthread_kill(waiter_.native_handle(), signal);
+            break;
+        }
+    }
+}
+
+void Signals::wait(const std::stop_token& stop) {
+    int signal = 0;
+    if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
+    const auto nothing_half_written = hold();
+    std::signal(signal, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);
+    std::raise(signal);
+}
+
+}  // namespace vvr

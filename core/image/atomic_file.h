@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace vvr {
+
+/// Says whether `replace_file` could write to `path`: its folder is there and takes new files, and nothing but a
+/// file that may be overwritten stands in the way.
+/// \throws Error io with the next step
+void check_file_path(const std::filesystem::path& path);
+
+/// Writes `bytes` to a hidden file beside `path` and renames it once it is safely on the disk: `path` holds all of
+/// them, or what it held before. A link is followed, so that it stays a link.
+/// \throws Error io
+void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+}  // namespace vvr

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/plane.h"
+
+namespace vvr {
+
+/// Red, green, blue, alpha, 0..1, colours multiplied by alpha.
+using Rgba = std::array<float, 4>;
+
+/// How the values of a picture relate to light.
+enum class Encoding {
+    srgb,    ///< as a display wants them
+    linear,  ///< proportional to light
+};
+
+/// A picture as it goes to a file or comes from one, top row first.
+struct Picture {
+    Plane<Rgba> pixels;
+    Encoding encoding = Encoding::srgb;
+};
+
+/// Settings that stand in a picture file: name and value, in the order given. Names carry no prefix here,
+/// `vvr:` in the file.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+}  // namespace vvr

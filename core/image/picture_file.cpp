@@ -1,0 +1,170 @@
+#include "core/image/picture_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <memory>
+#include <span>
+#include <sstream>
+
+#include <OpenImageIO/color.h>
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/image/atomic_file.h"
+#include "core/suggest.h"
+#include "core/version.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr std::string_view setting_prefix = "vvr:";
+
+/// One kind of picture file.
+struct Format {
+    std::string_view ending;
+    OIIO::TypeDesc::BASETYPE type;
+    std::string_view compression;
+    bool alpha;     ///< holds transparency
+    bool settings;  ///< holds attributes of any name; else the settings become lines of the description
+};
+
+constexpr std::array formats{
+    Format{".png", OIIO::TypeDesc::UINT8, "zip:6", true, true},
+    Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true},
+    Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false},
+    Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false},
+    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
+    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
+};
+
+const Format& format_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto format = std::ranges::find(formats, ending, &Format::ending);
+    if (format != formats.end()) return *format;
+    const std::vector<std::string> known = picture_endings();
+    throw Error(ErrorKind::usage,
+                fmt::format("cannot write '{}': {} is not an output format; there are {}{}", path.string(),
+                            ending.empty() ? "a name without an ending" : "'" + ending + "'", fmt::join(known, " "),
+                            did_you_mean(ending, known)));
+}
+
+/// The picture's values as the file wants them, without alpha where `channels` is 3.
+std::vector<float> file_values(const Picture& picture, const Format& format, int channels) {
+    const bool encode = picture.encoding == Encoding::linear && format.type != OIIO::TypeDesc::HALF;
+    std::vector<float> values;
+    values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
+    for (Rgba pixel : picture.pixels.pixels()) {
+        if (encode && pixel[3] > 0) {
+            for (std::size_t c = 0; c < 3; ++c) pixel[c] = OIIO::linear_to_sRGB(pixel[c] / pixel[3]) * pixel[3];
+        }
+        values.insert(values.end(), pixel.begin(), pixel.begin() + channels);
+    }
+    return values;
+}
+
+void add_attributes(OIIO::ImageSpec& spec, const Format& format, const Metadata& metadata) {
+    spec.attribute("Software", fmt::format("vvr {}", version()));
+    // Without a value of its own OpenImageIO writes the current time: same input, other bytes.
+    spec.attribute("DateTime", "");
+    std::string lines;
+    for (const auto& [name, value] : metadata) {
+        const std::string full_name = fmt::format("{}{}", setting_prefix, name);
+        if (format.settings) spec.attribute(full_name, value);
+        lines += fmt::format("{}={}\n", full_name, value);
+    }
+    if (!format.settings && !lines.empty()) spec.attribute("ImageDescription", lines);
+}
+
+std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
+    auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), OIIO::geterror()));
+    }
+    return input;
+}
+
+}  // namespace
+
+std::vector<std::string> picture_endings() {
+    std::vector<std::string> endings;
+    for (const Format& format : formats) endings.emplace_back(format.ending);
+    return endings;
+}
+
+void check_picture_path(const std::filesystem::path& path) {
+    format_of(path);
+    check_file_path(path);
+}
+
+void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {
+    const Format& format = format_of(path);
+    const auto pixels = picture.pixels.pixels();
+    const bool opaque = std::ranges::all_of(pixels, [](const Rgba& pixel) { return pixel[3] >= 1; });
+    const int channels = opaque || !format.alpha ? 3 : 4;
+    const std::vector<float> values = file_values(picture, format, channels);
+
+    OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), channels, format.type);
+    const bool linear = picture.encoding == Encoding::linear && format.type == OIIO::TypeDesc::HALF;
+    spec.attribute("Compression", format.compression);
+    // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
+    if (format.settings) spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    add_attributes(spec, format, metadata);
+
+    // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
+    OIIO::Filesystem::IOVecOutput encoded;
+    const auto output = OIIO::ImageOutput::create(std::string(format.ending.substr(1)));
+    const bool done = output && output->set_ioproxy(&encoded) && output->open(path.string(), spec) &&
+                      output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close();
+    if (!done) {
+        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", path.string(),
+                                               output ? output->geterror() : OIIO::geterror()));
+    }
+    replace_file(path, std::as_bytes(std::span(encoded.buffer())));
+}
+
+Picture read_picture(const std::filesystem::path& path) {
+    const auto input = open_picture(path);
+    const OIIO::ImageSpec& spec = input->spec();
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> values(spec.image_pixels() * channels);
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
+        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), input->geterror()));
+    }
+    const bool grey = channels < 3;
+    const bool alpha = channels == 2 || channels >= 4;
+    Picture picture{Plane<Rgba>(Size{spec.width, spec.height})};
+    picture.encoding = spec.get_string_attribute("oiio:ColorSpace") == "Linear" ? Encoding::linear : Encoding::srgb;
+    for (std::size_t i = 0; i < picture.pixels.pixels().size(); ++i) {
+        const auto from = std::span(values).subspan(i * channels, channels);
+        picture.pixels.pixels()[i] = {from[0], from[grey ? 0 : 1], from[grey ? 0 : 2],
+                                      alpha ? from[grey ? 1 : 3] : 1.0F};
+    }
+    return picture;
+}
+
+Metadata read_metadata(const std::filesystem::path& path) {
+    const auto input = open_picture(path);
+    Metadata metadata;
+    for (const auto& attribute : input->spec().extra_attribs) {
+        const std::string name = attribute.name().string();
+        if (name.starts_with(setting_prefix)) {
+            metadata.emplace_back(name.substr(setting_prefix.size()), attribute.get_string());
+        }
+    }
+    std::istringstream description(input->spec().get_string_attribute("ImageDescription"));
+    for (std::string line; std::getline(description, line);) {
+        const auto equals = line.find('=');
+        if (line.starts_with(setting_prefix) && equals != std::string::npos) {
+            metadata.emplace_back(line.substr(setting_prefix.size(), equals - setting_prefix.size()),
+                                  line.substr(equals + 1));
+        }
+    }
+    return metadata;
+}
+
+}  // namespace vvr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/image/picture.h"
+
+namespace vvr {
+
+/// Endings of the picture files that can be written, with their dots.
+std::vector<std::string> picture_endings();
+
+/// Says before any long work whether `write_picture` could write to `path`.
+/// \throws Error usage for an ending that is not in the table of formats, io for a folder that isn't there or that
+///         can't be written to
+void check_picture_path(const std::filesystem::path& path);
+
+/// Writes `picture` with its settings. Same picture and settings, same bytes: no date goes into the file. The target
+/// is replaced as a whole or not touched at all. Linear values are encoded as sRGB in the formats of integers.
+/// \throws Error usage or io, as `check_picture_path` does, and io when the disk is full
+void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata = {});
+
+/// Reads any picture file that OpenImageIO knows.
+/// \throws Error io
+Picture read_picture(const std::filesystem::path& path);
+
+/// The settings that `write_picture` left in a file.
+/// \throws Error io
+Metadata read_metadata(const std::filesystem::path& path);
+
+}  // namespace vvr

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/image/compare.h"
+#include "core/image/picture_file.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone at the end.
+class ImageTest : public testing::Test {
+  protected:
+    ImageTest() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string(test->name()) + "-" + std::to_string(::getpid());
+        std::ranges::replace(name, '/', '-');
+        folder_ = fs::temp_directory_path() / ("vvr-image-" + name);
+        fs::create_directories(folder_);
+    }
+    ~ImageTest() override { fs::remove_all(folder_); }
+    ImageTest(const ImageTest&) = delete;
+    ImageTest& operator=(const ImageTest&) = delete;
+
+    fs::path file(const std::string& name) const { return folder_ / name; }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+  private:
+    fs::path folder_;
+};
+
+class ImageFormatTest : public ImageTest, public testing::WithParamInterface<std::string> {};
+
+Picture gradient(Size size, float alpha = 1) {
+    Picture picture{Plane<Rgba>(size)};
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            const float x = static_cast<float>(i) / static_cast<float>(size.width);
+            const float y = static_cast<float>(j) / static_cast<float>(size.height);
+            picture.pixels.at(i, j) = {x * alpha, y * alpha, 0.25F * alpha, alpha};
+        }
+    }
+    return picture;
+}
+
+std::string bytes(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs `action` and gives the error that it throws.
+template <class Action>
+Error error_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error;
+    }
+    return Error(ErrorKind::usage, "nothing was thrown");
+}
+
+void expect_text(const Error& error, const std::string& part) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+}
+
+TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
+    const Picture picture = gradient({64, 48});
+    const Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
+    write_picture(file("a" + GetParam()), picture, metadata);
+
+    const Difference difference = compare(picture, read_picture(file("a" + GetParam())));
+    EXPECT_LT(difference.max, GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
+    Metadata read = read_metadata(file("a" + GetParam()));
+    std::ranges::sort(read);
+    EXPECT_EQ(read, (Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_P(ImageFormatTest, SameBytesAtAnotherTime) {
+    write_picture(file("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    ::sleep(1);  // dates in pictures count seconds
+    write_picture(file("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    EXPECT_EQ(bytes(file("a" + GetParam())), bytes(file("b" + GetParam())));
+}
+
+TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
+    const auto old_action = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit old_limit{};
+    getrlimit(RLIMIT_FSIZE, &old_limit);
+    const rlimit limit{100, old_limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const Error error = error_of([&] { write_picture(file("a" + GetParam()), gradient({64, 48})); });
+    setrlimit(RLIMIT_FSIZE, &old_limit);
+    std::signal(SIGXFSZ, old_action);
+
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    expect_text(error, "File too large");
+    expect_text(error, "free some space");
+    EXPECT_EQ(files(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(picture_endings()),
+                         [](const auto& format) { return format.param.substr(1); });
+
+TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
+    const Picture picture = gradient({16, 16}, 0.5F);
+    for (const std::string name : {"a.png", "a.tif", "a.exr"}) {
+        write_picture(file(name), picture);
+        EXPECT_LT(compare(picture, read_picture(file(name))).max, 1.01 / 255) << name;
+    }
+}
+
+TEST_F(ImageTest, LinearValuesAreEncodedForIntegers) {
+    Picture picture{Plane<Rgba>({4, 4}, Rgba{0.2140F, 0.2140F, 0.2140F, 1}), Encoding::linear};
+    write_picture(file("a.png"), picture);
+    EXPECT_NEAR(read_picture(file("a.png")).pixels.at(0, 0)[0], 0.5, 1.0 / 255);
+    write_picture(file("a.exr"), picture);
+    EXPECT_NEAR(read_picture(file("a.exr")).pixels.at(0, 0)[0], 0.2140, 0.0005);
+    EXPECT_EQ(read_picture(file("a.exr")).encoding, Encoding::linear);
+}
+
+TEST_F(ImageTest, ReplacesAsAWholeAndFollowsLinks) {
+    write_picture(file("a.png"), gradient({8, 8}));
+    fs::create_symlink(file("a.png"), file("link.png"));
+    write_picture(file("link.png"), gradient({16, 8}));
+    EXPECT_TRUE(fs::is_symlink(file("link.png")));
+    EXPECT_EQ(read_picture(file("a.png")).pixels.size(), (Size{16, 8}));
+    EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(ImageTest, EndingsInCapitalsCount) {
+    EXPECT_NO_THROW(check_picture_path(file("A.PNG")));
+}
+
+TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
+    const Error error = error_of([&] { check_picture_path(file("a.pgn")); });
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    expect_text(error, "'.pgn' is not an output format; there are .png .exr .tif .tiff .jpg .jpeg");
+    expect_text(error, "did you mean '.png'?");
+    expect_text(error_of([&] { check_picture_path(file("a")); }), "a name without an ending");
+}
+
+TEST_F(ImageTest, MissingFolderSaysHowToMakeIt) {
+    const Error error = error_of([&] { check_picture_path(file("none/a.png")); });
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    expect_text(error, "mkdir -p '" + file("none").string() + "'");
+}
+
+TEST_F(ImageTest, RefusesWhatIsNoPlaceForAFile) {
+    fs::create_directories(file("folder.png"));
+    expect_text(error_of([&] { check_picture_path(file("folder.png")); }), "it is a folder");
+    std::ofstream(file("plain")) << "text";
+    expect_text(error_of([&] { check_picture_path(file("plain/a.png")); }), "a.png");
+    // No one may make files here, not even root.
+    EXPECT_EQ(error_of([&] { check_picture_path("/proc/a.png"); }).kind(), ErrorKind::io);
+}
+
+TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
+    std::ofstream(file("text.png")) << "not a picture";
+    expect_text(error_of([&] { read_picture(file("text.png")); }), "cannot read picture");
+    expect_text(error_of([&] { read_picture(file("none.png")); }), "none.png");
+}
+
+TEST(CompareTest, FindsTheWorstPixel) {
+    const Picture a = gradient({8, 8});
+    Picture b = a;
+    b.pixels.at(5, 3)[1] += 0.5F;
+    const Difference difference = compare(a, b);
+    EXPECT_FLOAT_EQ(static_cast<float>(difference.max), 0.5F);
+    EXPECT_NEAR(difference.mean, 0.5 / 64, 1e-6);
+    EXPECT_EQ(difference.worst_column, 5);
+    EXPECT_EQ(difference.worst_row, 3);
+    EXPECT_EQ(percentile(difference, 0.9), 0.0F);
+    EXPECT_FLOAT_EQ(percentile(difference, 1), 0.5F);
+}
+
+TEST(CompareTest, NotANumberIsInfinitelyFarOff) {
+    Picture a = gradient({4, 4});
+    a.pixels.at(1, 1)[2] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(compare(a, a).max, std::numeric_limits<double>::infinity());
+}
+
+TEST(CompareTest, SizesMustAgree) {
+    const Error error = error_of([] { compare(gradient({4, 4}), gradient({4, 5})); });
+    EXPECT_EQ(error.kind(), ErrorKind::differs);
+    expect_text(error, "4x4 and 4x5");
+}
+
+}  // namespace
+}  // namespace vvr
