@@ -4,51 +4,76 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 
 namespace vvr {
 
-/// What a container says of its video before a frame is decoded. Headers lie: counts are estimates.
+/// What a container says of its video, and its first frame. Headers lie: counts are estimates.
 struct VideoInfo {
-    std::string name;           ///< as the user gave it
-    std::string container;      ///< short name of the format, e.g. "avi"
-    std::string codec;          ///< short name of the codec, e.g. "h264"
-    Size size;                  ///< of the picture as it is to be seen: rotated, square pixels
-    double rate = 0;            ///< frames a second, the container's average; 0 = unknown
-    double duration = 0;        ///< seconds; 0 = unknown
-    std::int64_t frames = 0;    ///< estimate of the number of frames; 0 = unknown
+    std::string name;         ///< as the user gave it
+    std::string container;    ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
+    std::string codec;        ///< short name of the codec, e.g. "h264"
+    Size size;                ///< of the picture as it is to be seen: rotated, square pixels
+    double rate = 0;          ///< frames a second, the container's average; 0 = unknown
+    double duration = 0;      ///< seconds; 0 = unknown
+    std::int64_t frames = 0;  ///< estimate of the number of frames; 0 = unknown
 };
 
 struct SourceOptions {
-    Size field_size{0, 0};           ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
-    bool colour = false;             ///< fill Frame::colour as well
-    int threads = 0;                 ///< decoder threads; 0 = one for each core
-    double start = 0;                ///< seconds; frames before it are passed over
-    std::optional<double> end;       ///< seconds; no frame at or after it
+    Size field_size{0, 0};      ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
+    bool colour = false;        ///< fill Frame::colour as well
+    int threads = 0;            ///< decoder threads; 0 = one for each core
+    double start = 0;           ///< seconds; frames before it are passed over
+    std::optional<double> end;  ///< seconds; no frame at or after it
+    double rate = 25;           ///< frames a second of what carries no times: image sequences, raw streams
 };
-
-/// A frame as it left the decoder: a reference to its buffers, not yet scaled. Cheap to move between threads.
-class DecodedFrame;
 
 /// Frames of a video file, an image sequence or a piped stream, each once and in order.
 class FrameSource {
   public:
+    FrameSource() = default;
     virtual ~FrameSource() = default;
+    FrameSource(const FrameSource&) = delete;
+    FrameSource& operator=(const FrameSource&) = delete;
 
     virtual const VideoInfo& info() const = 0;
 
     /// The size that every `Frame` of this source has.
     virtual Size field_size() const = 0;
 
+    /// Whether the frames of this source have colour.
+    virtual bool colour() const = 0;
+
     /// The next frame that decodes; nothing after the last one. Damaged packets are counted and passed over.
     virtual std::unique_ptr<DecodedFrame> next() = 0;
 
-    /// Packets, or pictures of a sequence, that could not be decoded so far.
+    /// Packets, or pictures of a sequence, that could not be decoded or came out damaged since the first frame.
     virtual std::int64_t damaged() const = 0;
 
     /// Starts again at the first frame.
     virtual void rewind() = 0;
+
+    /// At most `count` frames spread in time over the whole of what is really there, between `start` and `end`;
+    /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
+    /// first frame. Holds no more than `count` frames at a time. The frames' `index` is not filled in.
+    virtual std::vector<Frame> sample(int count);
 };
+
+/// Opens a video: a file, a URL, `-` for a stream on stdin, or a sequence of pictures given as a folder, a glob
+/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Decodes the first frame, so a source that opens has one.
+///
+/// A pipe is spooled to an unlinked file in $TMPDIR, or /var/tmp, first: it is read more than once.
+///
+/// \throws Error io when it can't be read or spooled, not_video when it holds no frame that decodes, limit when its
+///         pictures are too large, usage when `options` and the clip don't fit
+std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options = {});
+
+/// The field size that `asked` (as in SourceOptions) means for pictures of size `shown`.
+///
+/// \throws Error usage for a size that isn't positive, limit for one that is too large
+Size field_size_for(Size shown, Size asked);
 
 }  // namespace vvr

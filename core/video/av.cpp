@@ -1,0 +1,112 @@
+#include "core/video/av.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+extern "C" {
+#include <libavutil/error.h>
+#include <libavutil/frame.h>
+#include <libavutil/log.h>
+}
+
+#include "core/error.h"
+
+namespace vvr {
+
+void AvFrameFree::operator()(AVFrame* frame) const {
+    av_frame_free(&frame);
+}
+
+namespace av {
+namespace {
+
+// These two do what libav does without them. Their addresses mark a context as ours, so that the log callback, which
+// libav calls for every context of the process, never takes another library's opaque pointer for a Log.
+int never_interrupt(void*) {
+    return 0;
+}
+
+AVPixelFormat default_format(AVCodecContext* context, const AVPixelFormat* formats) {
+    return avcodec_default_get_format(context, formats);
+}
+
+Error out_of_memory() {
+    return {ErrorKind::limit, "out of memory for a video frame: try fewer --threads"};
+}
+
+}  // namespace
+
+void Free::operator()(AVIOContext* context) const {
+    if (context) av_freep(&context->buffer);
+    avio_context_free(&context);
+}
+
+Ptr<AVPacket> make_packet() {
+    Ptr<AVPacket> packet(av_packet_alloc());
+    if (!packet) throw out_of_memory();
+    return packet;
+}
+
+AvFrame make_frame() {
+    AvFrame frame(av_frame_alloc());
+    if (!frame) throw out_of_memory();
+    return frame;
+}
+
+void Log::attach(AVFormatContext& context) {
+    av_log_set_callback(&Log::receive);
+    context.interrupt_callback = {&never_interrupt, this};
+}
+
+void Log::attach(AVCodecContext& context) {
+    av_log_set_callback(&Log::receive);
+    context.get_format = &default_format;
+    context.opaque = this;
+}
+
+void Log::receive(void* context, int level, const char* format, va_list arguments) {
+    if (!context || level > AV_LOG_ERROR) return;
+    const AVClass* kind = *static_cast<const AVClass**>(context);
+    if (!kind || !kind->class_name) return;
+
+    Log* log = nullptr;
+    if (kind == avformat_get_class()) {
+        const auto* owner = static_cast<const AVFormatContext*>(context);
+        if (owner->interrupt_callback.callback == &never_interrupt)
+            log = static_cast<Log*>(owner->interrupt_callback.opaque);
+    } else if (kind == avcodec_get_class()) {
+        const auto* owner = static_cast<const AVCodecContext*>(context);
+        if (owner->get_format == &default_format) log = static_cast<Log*>(owner->opaque);
+    }
+    if (!log) return;
+
+    std::array<char, 256> line{};
+    std::vsnprintf(line.data(), line.size(), format, arguments);
+    log->keep(line.data());
+}
+
+void Log::keep(const std::string& line) {
+    std::string clean;
+    for (const char c : line) clean += (c >= ' ' && c <= '~') ? c : ' ';
+    const auto last = clean.find_last_not_of(" .");
+    const auto first = clean.find_first_not_of(' ');
+    if (last == std::string::npos) return;
+    const std::lock_guard lock(mutex_);
+    last_ = clean.substr(first, last - first + 1);
+}
+
+std::string Log::text(int code) const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!last_.empty()) return last_;
+    }
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
+    av_strerror(code, words.data(), words.size());
+    return words.data();
+}
+
+}  // namespace av
+}  // namespace vvr

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdarg>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+}
+
+#include "core/video/decoded_frame.h"
+
+// Owners of libav's objects, and what libav says of its errors.
+namespace vvr::av {
+
+struct Free {
+    void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVIOContext* context) const;
+};
+template <class T>
+using Ptr = std::unique_ptr<T, Free>;
+
+/// Options for libav by name; what it doesn't know is left alone.
+class Dictionary {
+  public:
+    Dictionary() = default;
+    ~Dictionary() { av_dict_free(&entries_); }
+    Dictionary(const Dictionary&) = delete;
+    Dictionary& operator=(const Dictionary&) = delete;
+    Dictionary(Dictionary&& other) noexcept : entries_(std::exchange(other.entries_, nullptr)) {}
+
+    void set(const char* key, const std::string& value) { av_dict_set(&entries_, key, value.c_str(), 0); }
+    AVDictionary** get() { return &entries_; }
+
+  private:
+    AVDictionary* entries_ = nullptr;
+};
+
+/// \throws Error limit when there is no memory
+Ptr<AVPacket> make_packet();
+AvFrame make_frame();
+
+/// The last error that libav logged on the contexts that carry this log. Nothing of libav's reaches stderr.
+/// A context finds its log through its own fields, so decoders in other threads don't mix.
+class Log {
+  public:
+    void attach(AVFormatContext& context);
+    void attach(AVCodecContext& context);
+
+    /// The logged text where there is one, else the words for `code`.
+    std::string text(int code) const;
+
+  private:
+    static void receive(void* context, int level, const char* format, va_list arguments);
+    void keep(const std::string& line);
+
+    mutable std::mutex mutex_;
+    std::string last_;
+};
+
+/// No picture of more pixels is decoded: three times an 8K frame.
+inline constexpr std::int64_t max_pixels = 100'000'000;
+
+}  // namespace vvr::av

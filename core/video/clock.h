@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+namespace vvr {
+
+/// Makes the time stamps of a container into times that start at 0 and never run backwards.
+class Clock {
+  public:
+    /// \param duration seconds from a frame to the next where a stamp is missing
+    explicit Clock(double duration) : duration_(duration) {}
+
+    /// Starts with the clip's first frame at `origin` on the container's clock.
+    Clock(double duration, double origin) : duration_(duration), origin_(origin) {}
+
+    /// The time of the next frame in order, in seconds. A small step back repeats the last time; a large one is a
+    /// camera that set its clock anew, and time goes on from the last frame.
+    double operator()(std::optional<double> stamp) {
+        if (!origin_ && stamp) origin_ = *stamp - next();
+        double time = stamp ? *stamp - *origin_ : next();
+        if (last_ && time < *last_ - clock_was_set) {
+            time = next();
+            origin_ = *stamp - time;
+        }
+        if (last_ && time < *last_) time = *last_;
+        last_ = time;
+        return time;
+    }
+
+    /// What the first frame's stamp was; nothing before a frame with a stamp.
+    std::optional<double> origin() const { return origin_; }
+
+  private:
+    static constexpr double clock_was_set = 1;  // seconds
+
+    double next() const { return last_ ? *last_ + duration_ : 0; }
+
+    double duration_;
+    std::optional<double> origin_;
+    std::optional<double> last_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,84 @@
+#include "core/video/decoder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace vvr {
+namespace {
+
+// A stream of nothing but errors has to end some time; a quarter of an hour of them is no clip any more.
+constexpr int max_failures = 20'000;
+
+// Each decoder thread holds frames of its own: fewer of them when the pictures are huge.
+int thread_count(int asked, std::int64_t pixels) {
+    constexpr std::int64_t pixels_in_flight = 256'000'000;
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const std::int64_t affordable = std::max<std::int64_t>(1, pixels_in_flight / std::max<std::int64_t>(1, pixels));
+    return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
+}
+
+bool is_damaged(const AVFrame& frame) {
+    return frame.flags & AV_FRAME_FLAG_CORRUPT || frame.decode_error_flags != 0;
+}
+
+}  // namespace
+
+Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demuxer_(&demuxer) {
+    const auto& parameters = *demuxer.stream().codecpar;
+    const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
+    if (!codec)
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}': this FFmpeg has no decoder for its video ({}); convert it to H.264 first", name,
+                                avcodec_get_name(parameters.codec_id)));
+    codec_.reset(avcodec_alloc_context3(codec));
+    if (!codec_) throw Error(ErrorKind::limit, "out of memory for a video decoder");
+    demuxer.log().attach(*codec_);
+    int code = avcodec_parameters_to_context(codec_.get(), &parameters);
+    codec_->pkt_timebase = demuxer.stream().time_base;
+    codec_->max_pixels = av::max_pixels;
+    codec_->thread_count = thread_count(threads, std::int64_t{parameters.width} * parameters.height);
+    if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
+    if (code < 0)
+        throw Error(code == AVERROR(ENOMEM) ? ErrorKind::limit : ErrorKind::not_video,
+                    fmt::format("'{}': the decoder for its video ({}) does not start: {}", name, codec->name,
+                                demuxer.log().text(code)));
+}
+
+AvFrame Decoder::next() {
+    auto frame = av::make_frame();
+    for (int failures = 0; failures < max_failures;) {
+        int code = avcodec_receive_frame(codec_.get(), frame.get());
+        if (code == 0) {
+            if (is_damaged(*frame)) ++damaged_;
+            return frame;
+        }
+        if (code == AVERROR_EOF) return nullptr;
+        if (code == AVERROR(EAGAIN)) {
+            const bool more = demuxer_->read(*packet_);
+            code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
+        }
+        if (code == AVERROR(ENOMEM))
+            throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer --threads");
+        if (code < 0) {
+            ++damaged_;
+            ++failures;
+        }
+    }
+    return nullptr;
+}
+
+AvFrame Decoder::decode_alone(const AVPacket& packet) {
+    auto frame = av::make_frame();
+    avcodec_flush_buffers(codec_.get());
+    bool decoded = avcodec_send_packet(codec_.get(), &packet) >= 0;
+    avcodec_send_packet(codec_.get(), nullptr);
+    decoded = decoded && avcodec_receive_frame(codec_.get(), frame.get()) >= 0 && !is_damaged(*frame);
+    return decoded ? std::move(frame) : nullptr;
+}
+
+}  // namespace vvr

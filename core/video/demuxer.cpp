@@ -1,0 +1,145 @@
+#include "core/video/demuxer.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace vvr {
+namespace {
+
+constexpr int max_read_errors = 100;  // in a row
+
+[[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
+    const std::string words = log.text(code);
+    if (code == AVERROR(ENOMEM))
+        throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
+    const bool is_io = code == AVERROR(EIO) || code == AVERROR(ENOENT) || code == AVERROR(EACCES) ||
+                       code == AVERROR_PROTOCOL_NOT_FOUND || (is_url(input.url) && code != AVERROR_INVALIDDATA);
+    if (is_io) throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
+    throw Error(
+        ErrorKind::not_video,
+        fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name, words));
+}
+
+bool is_picture_format(std::string_view name) {
+    return name.ends_with("_pipe") || name == "gif" || name == "apng" || name == "mjpeg" || name == "ico";
+}
+
+// libav draws text files as pictures of a terminal.
+bool is_text_art(AVCodecID codec) {
+    return codec == AV_CODEC_ID_ANSI || codec == AV_CODEC_ID_BINTEXT || codec == AV_CODEC_ID_XBIN ||
+           codec == AV_CODEC_ID_IDF;
+}
+
+std::string streams_found(const AVFormatContext& format) {
+    std::string found;
+    for (unsigned i = 0; i < format.nb_streams; ++i) {
+        const auto& codec = *format.streams[i]->codecpar;
+        const char* kind = av_get_media_type_string(codec.codec_type);
+        const bool cover = format.streams[i]->disposition & AV_DISPOSITION_ATTACHED_PIC;
+        found += fmt::format("{}{} ({})", found.empty() ? "" : ", ",
+                             cover  ? "cover picture"
+                             : kind ? kind
+                                    : "data",
+                             avcodec_get_name(codec.codec_id));
+    }
+    return found.empty() ? "no stream at all" : found;
+}
+
+/// Reads ahead until the streams' parameters are known.
+int probe_streams(AVFormatContext& format) {
+    std::vector<av::Dictionary> options(format.nb_streams);
+    std::vector<AVDictionary*> pointers;
+    for (auto& option : options) {
+        option.set("max_pixels", std::to_string(av::max_pixels));
+        pointers.push_back(*option.get());
+    }
+    const int code = avformat_find_stream_info(&format, pointers.empty() ? nullptr : pointers.data());
+    for (std::size_t i = 0; i < options.size(); ++i) *options[i].get() = pointers[i];
+    return code;
+}
+
+}  // namespace
+
+Demuxer::Demuxer(const Input& input, Kind kind, double rate) : format_(avformat_alloc_context()) {
+    if (!format_) throw Error(ErrorKind::limit, "out of memory for reading a video");
+    log_.attach(*format_);
+    if (input.file) {
+        reader_ = std::make_unique<FileReader>(input.file);
+        format_->pb = reader_->context();
+    }
+    av::Dictionary options;
+    options.set("framerate", fmt::format("{:.6f}", rate));
+    options.set("pattern_type", "none");
+    options.set("max_pixels", std::to_string(av::max_pixels));
+    if (is_url(input.url)) {
+        options.set("rw_timeout", "30000000");
+    } else {
+        options.set("protocol_whitelist", "file,crypto,data");
+    }
+
+    // libav frees the context itself when it can't open it.
+    AVFormatContext* opened = format_.release();
+    int code = avformat_open_input(&opened, input.url.c_str(), nullptr, options.get());
+    format_.reset(opened);
+    if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
+    if (code < 0) throw_unreadable(input, log_, code);
+    choose_stream(input, kind);
+}
+
+void Demuxer::choose_stream(const Input& input, Kind kind) {
+    if (kind == Kind::picture && !is_picture_format(format_->iformat->name))
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' is not a picture but {}", input.name, format_->iformat->name));
+
+    const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC)
+        throw Error(ErrorKind::not_video, fmt::format("'{}' has no video: found {}; give a file with a video stream",
+                                                      input.name, streams_found(*format_)));
+    stream_ = format_->streams[chosen];
+
+    const auto& codec = *stream_->codecpar;
+    if (is_text_art(codec.codec_id))
+        throw Error(ErrorKind::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
+    if (std::int64_t{codec.width} * codec.height > av::max_pixels)
+        throw Error(ErrorKind::limit,
+                    fmt::format("'{}' says its pictures are {}x{}: more than the {} megapixels that vvr decodes; "
+                                "scale it down first",
+                                input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
+    for (unsigned i = 0; i < format_->nb_streams; ++i)
+        if (format_->streams[i] != stream_) format_->streams[i]->discard = AVDISCARD_ALL;
+}
+
+bool Demuxer::read(AVPacket& packet) {
+    for (int errors = 0; errors < max_read_errors;) {
+        av_packet_unref(&packet);
+        const int code = av_read_frame(format_.get(), &packet);
+        if (code == AVERROR_EOF) return false;
+        if (code == AVERROR(ENOMEM)) throw Error(ErrorKind::limit, "out of memory while reading the video");
+        if (code < 0) {
+            ++damaged_;
+            ++errors;
+        } else if (packet.stream_index == stream_->index) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::optional<double> Demuxer::seconds(std::int64_t stamp) const {
+    if (stamp == AV_NOPTS_VALUE) return std::nullopt;
+    return static_cast<double>(stamp) * av_q2d(stream_->time_base);
+}
+
+double Demuxer::frame_duration() const {
+    for (const AVRational rate : {stream_->avg_frame_rate, stream_->r_frame_rate})
+        if (rate.num > 0 && rate.den > 0) return 1 / av_q2d(rate);
+    return 1.0 / 25;
+}
+
+}  // namespace vvr

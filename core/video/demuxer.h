@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/video/av.h"
+#include "core/video/input.h"
+
+namespace vvr {
+
+/// The packets of one video stream of a container.
+class Demuxer {
+  public:
+    enum class Kind {
+        video,    ///< anything with a video stream
+        picture,  ///< a file that is one picture: the format has to be a picture's, and nothing is probed twice
+    };
+
+    /// \param rate frames a second for formats that carry no times
+    /// \throws Error io when the input can't be opened, not_video when it has no video stream that can be decoded,
+    ///         limit when its pictures are too large
+    Demuxer(const Input& input, Kind kind, double rate);
+
+    /// The next packet of the video stream, passing over errors; false at the end.
+    bool read(AVPacket& packet);
+
+    AVFormatContext& format() const { return *format_; }
+    AVStream& stream() const { return *stream_; }
+    av::Log& log() { return log_; }
+
+    /// Reads that failed so far.
+    std::int64_t damaged() const { return damaged_; }
+
+    /// Seconds on the container's own clock; nothing where the stamp is missing.
+    std::optional<double> seconds(std::int64_t stamp) const;
+
+    /// Seconds a frame, by the container's average; 1/25 where it says nothing.
+    double frame_duration() const;
+
+  private:
+    void choose_stream(const Input& input, Kind kind);
+
+    av::Log log_;
+    std::unique_ptr<FileReader> reader_;
+    av::Ptr<AVFormatContext> format_;
+    AVStream* stream_ = nullptr;
+    std::int64_t damaged_ = 0;
+};
+
+}  // namespace vvr

@@ -1,0 +1,163 @@
+#include "core/video/file_source.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <fmt/format.h>
+
+extern "C" {
+#include <libavutil/display.h>
+}
+
+#include "core/error.h"
+#include "core/video/scaler.h"
+
+namespace vvr {
+namespace {
+
+/// The nearest quarter turn, mirrored or not, to the container's display matrix.
+Orientation orientation_of(const AVStream& stream) {
+    std::size_t bytes = 0;
+    const auto* data = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+    if (!data || bytes < 9 * sizeof(std::int32_t)) return {};
+    const auto* matrix = reinterpret_cast<const std::int32_t*>(data);
+    // A pixel (x, y) is shown at (a·x + c·y, b·x + d·y).
+    const std::int64_t a = matrix[0], b = matrix[1], c = matrix[3], d = matrix[4];
+    if (std::abs(c) > std::abs(a)) return {true, c < 0, b < 0};
+    return {false, a < 0, d < 0};
+}
+
+/// Pixels are made square by widening the narrower way, so that no detail is lost.
+Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation) {
+    double width = frame.width;
+    double height = frame.height;
+    const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 1;
+    constexpr double plausible = 8;
+    if (ratio > 1 && ratio < plausible) width *= ratio;
+    if (ratio < 1 && ratio > 1 / plausible) height /= ratio;
+    const Size size{static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
+    return orientation.transpose ? Size{size.height, size.width} : size;
+}
+
+double duration_of(const AVFormatContext& format, const AVStream& stream) {
+    if (stream.duration > 0) return static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
+}
+
+}  // namespace
+
+FileSource::FileSource(Input input, const SourceOptions& options) : input_(std::move(input)), options_(options) {
+    open();
+    ahead_ = decode();
+    if (!ahead_)
+        throw Error(
+            ErrorKind::not_video,
+            fmt::format(
+                "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
+                input_.name, avcodec_get_name(demuxer_->stream().codecpar->codec_id), decoder_->damaged(),
+                demuxer_->log().text(AVERROR_INVALIDDATA)));
+    origin_ = clock_.origin().value_or(0);
+    describe(*ahead_->image);
+    if (options_.start <= 0) {
+        index_ = 1;
+        return;
+    }
+
+    Demuxer scan(input_, Demuxer::Kind::video, options_.rate);
+    start_ = find_start(scan, origin_ + options_.start);
+    rewind();
+    ahead_ = next();
+    if (!ahead_)
+        throw Error(
+            ErrorKind::usage,
+            fmt::format(
+                "'{}' has no frame from {} s to {}: its frames run from 0 s to about {:.3f} s; change --start or --end",
+                input_.name, options_.start, options_.end ? fmt::format("{} s", *options_.end) : "its end",
+                info_.duration));
+}
+
+void FileSource::open() {
+    ahead_.reset();
+    decoder_.reset();
+    demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.rate);
+    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, options_.threads);
+    clock_ = Clock(demuxer_->frame_duration());
+    index_ = 0;
+}
+
+void FileSource::describe(const AVFrame& first) {
+    auto& format = demuxer_->format();
+    auto& stream = demuxer_->stream();
+    orientation_ = orientation_of(stream);
+    ahead_->orientation = orientation_;
+    const std::string formats = format.iformat->name;
+    info_.name = input_.name;
+    info_.container = formats.substr(0, formats.find(','));
+    info_.codec = avcodec_get_name(stream.codecpar->codec_id);
+    info_.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_);
+    info_.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
+    info_.duration = duration_of(format, stream);
+    info_.frames = stream.nb_frames > 0 ? stream.nb_frames : std::llround(info_.duration * info_.rate);
+    field_size_ = field_size_for(info_.size, options_.field_size);
+}
+
+void FileSource::rewind() {
+    open();
+    if (start_.packets == 0) return;
+    const auto packet = av::make_packet();
+    for (std::int64_t i = 0; i < start_.packets; ++i)
+        if (!demuxer_->read(*packet)) return;
+    clock_ = Clock(demuxer_->frame_duration(), origin_);
+    index_ = start_.frames;
+}
+
+std::unique_ptr<DecodedFrame> FileSource::decode() {
+    auto image = decoder_->next();
+    if (!image) return nullptr;
+    const double pts = clock_(demuxer_->seconds(image->best_effort_timestamp));
+    return std::make_unique<DecodedFrame>(DecodedFrame{0, pts, orientation_, std::move(image)});
+}
+
+std::unique_ptr<DecodedFrame> FileSource::next() {
+    if (ahead_) return std::move(ahead_);
+    // Half a tick of the container's clock: a time typed in decimals means the frame that it names.
+    const double tick = av_q2d(demuxer_->stream().time_base) / 2;
+    while (auto frame = decode()) {
+        if (options_.end && frame->pts >= *options_.end - tick) return nullptr;
+        if (frame->pts >= options_.start - tick) {
+            frame->index = index_++;
+            return frame;
+        }
+        if (start_.packets == 0) ++index_;
+    }
+    return nullptr;
+}
+
+std::vector<Frame> FileSource::sample(int count) {
+    auto frames = sample_key_frames(count);
+    if (frames.empty()) return FrameSource::sample(count);
+    rewind();
+    return frames;
+}
+
+/// None where the clip has fewer key frames than asked for, or where they don't decode by themselves.
+std::vector<Frame> FileSource::sample_key_frames(int count) const {
+    Demuxer scan(input_, Demuxer::Kind::video, options_.rate);
+    const auto end = options_.end ? std::optional(origin_ + *options_.end) : std::nullopt;
+    const auto keys = find_key_packets(scan, origin_ + options_.start, end, count);
+    if (keys.seen < count) return {};
+
+    Decoder decoder(scan, input_.name, 1);
+    Scaler scale(*this);
+    std::vector<Frame> frames;
+    for (const auto& packet : keys.kept)
+        if (auto image = decoder.decode_alone(*packet)) {
+            const double pts = scan.seconds(image->best_effort_timestamp).value_or(origin_) - origin_;
+            frames.push_back(scale({0, pts, orientation_, std::move(image)}));
+        }
+    if (frames.size() < keys.kept.size() / 2 + 1) return {};
+    return frames;
+}
+
+}  // namespace vvr

@@ -1,0 +1,65 @@
+#include "core/video/frame_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/video/av.h"
+#include "core/video/file_source.h"
+#include "core/video/input.h"
+#include "core/video/picture_list.h"
+#include "core/video/picture_source.h"
+#include "core/video/scaler.h"
+#include "core/video/time_sampler.h"
+
+namespace vvr {
+
+std::vector<Frame> FrameSource::sample(int count) {
+    rewind();
+    Scaler scale(*this);
+    TimeSampler<Frame> sampler(count);
+    while (const auto decoded = next())
+        if (sampler.wants(decoded->pts)) sampler.keep(decoded->pts, scale(*decoded));
+    rewind();
+    return sampler.take();
+}
+
+Size field_size_for(Size shown, Size asked) {
+    constexpr int default_long_side = 384;
+    constexpr Size automatic{0, 0};
+    constexpr Size source{-1, -1};
+    Size size = asked == source ? shown : asked;
+    if (asked == automatic) {
+        const int side = std::max(shown.width, shown.height);
+        const double scale = std::min(1.0, static_cast<double>(default_long_side) / side);
+        size = {static_cast<int>(std::lround(shown.width * scale)),
+                static_cast<int>(std::lround(shown.height * scale))};
+        size = {std::max(1, size.width), std::max(1, size.height)};
+    }
+    if (size.width < 1 || size.height < 1)
+        throw Error(ErrorKind::usage,
+                    fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
+    if (std::int64_t{size.width} * size.height > av::max_pixels)
+        throw Error(
+            ErrorKind::limit,
+            fmt::format(
+                "a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose a smaller --field-size",
+                size.width, size.height, av::max_pixels / 1'000'000));
+    return size;
+}
+
+std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
+    if (!(options.rate > 0) || !(options.rate <= 100'000))
+        throw Error(ErrorKind::usage,
+                    fmt::format("a rate of {} frames a second: it has to be above 0 and at most 100000", options.rate));
+    if (!std::isfinite(options.start) || (options.end && !(*options.end > options.start)))
+        throw Error(ErrorKind::usage, fmt::format("the end ({} s) has to come after the start ({} s)",
+                                                  options.end.value_or(0), options.start));
+    if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
+    return std::make_unique<FileSource>(open_input(name), options);
+}
+
+}  // namespace vvr

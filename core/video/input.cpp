@@ -1,0 +1,140 @@
+#include "core/video/input.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+extern "C" {
+#include <libavutil/mem.h>
+}
+
+#include "core/error.h"
+#include "core/video/spool.h"
+
+namespace vvr {
+namespace {
+
+std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0) {
+        const int why = errno;
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
+                                               why == ENOENT ? "check the name and the folder it is in"
+                                                             : "check the permissions of the file and its folder"));
+    }
+    return std::make_shared<Descriptor>(fd);
+}
+
+struct stat status_of(const Descriptor& file, const std::string& name) {
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0)
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}", name, std::strerror(errno)));
+    return status;
+}
+
+void require_bytes(const Descriptor& file, const std::string& name) {
+    if (status_of(file, name).st_size == 0)
+        throw Error(ErrorKind::not_video, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
+                                                      "was to write it",
+                                                      name));
+}
+
+Input open_stdin() {
+    if (::isatty(STDIN_FILENO))
+        throw Error(ErrorKind::usage, "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+    const int fd = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+    if (fd < 0) throw Error(ErrorKind::io, fmt::format("cannot read stdin: {}", std::strerror(errno)));
+    Input input{"-", {}, std::make_shared<Descriptor>(fd)};
+    if (!S_ISREG(status_of(*input.file, "-").st_mode)) input.file = spool(*input.file, "-");
+    require_bytes(*input.file, "-");
+    return input;
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+}
+
+bool is_url(const std::string& name) {
+    const auto colon = name.find("://");
+    return colon != std::string::npos && colon > 0 &&
+           std::all_of(name.begin(), name.begin() + static_cast<long>(colon), [](char c) {
+               return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
+           });
+}
+
+Input open_input(const std::string& name) {
+    if (name == "-") return open_stdin();
+    if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {name, name, nullptr};
+
+    const auto file = open_descriptor(name);
+    const auto mode = status_of(*file, name).st_mode;
+    if (S_ISREG(mode)) {
+        require_bytes(*file, name);
+        // libav opens it by name, as playlists look for their parts beside it. The prefix keeps a name such as
+        // "cam:1.avi" from being taken for a protocol.
+        return {name, "file:" + name, nullptr};
+    }
+    Input spooled{name, {}, spool(*file, name)};
+    require_bytes(*spooled.file, name);
+    return spooled;
+}
+
+Input open_file(const std::string& path) {
+    Input input{path, {}, open_descriptor(path)};
+    if (!S_ISREG(status_of(*input.file, path).st_mode))
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': not a regular file", path));
+    return input;
+}
+
+FileReader::FileReader(std::shared_ptr<const Descriptor> file) : file_(std::move(file)) {
+    constexpr int buffer_size = 1 << 16;
+    auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
+    if (buffer)
+        context_.reset(avio_alloc_context(buffer, buffer_size, 0, this, &FileReader::read, nullptr, &FileReader::seek));
+    if (!context_) {
+        av_free(buffer);
+        throw Error(ErrorKind::limit, "out of memory for reading a video");
+    }
+}
+
+int FileReader::read(void* self, std::uint8_t* buffer, int size) {
+    auto& reader = *static_cast<FileReader*>(self);
+    const auto got = ::pread(reader.file_->get(), buffer, static_cast<std::size_t>(size), reader.position_);
+    if (got < 0) return AVERROR(errno);
+    if (got == 0) return AVERROR_EOF;
+    reader.position_ += got;
+    return static_cast<int>(got);
+}
+
+std::int64_t FileReader::seek(void* self, std::int64_t offset, int whence) {
+    auto& reader = *static_cast<FileReader*>(self);
+    struct stat status {};
+    if (::fstat(reader.file_->get(), &status) != 0) return AVERROR(errno);
+    switch (whence & ~AVSEEK_FORCE) {
+        case AVSEEK_SIZE:
+            return status.st_size;
+        case SEEK_SET:
+            break;
+        case SEEK_CUR:
+            offset += reader.position_;
+            break;
+        case SEEK_END:
+            offset += status.st_size;
+            break;
+        default:
+            return AVERROR(EINVAL);
+    }
+    if (offset < 0) return AVERROR(EINVAL);
+    return reader.position_ = offset;
+}
+
+}  // namespace vvr

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/video/av.h"
+
+namespace vvr {
+
+/// An open file descriptor.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+/// Where the bytes of a video come from. Copies share the descriptor, each reader keeps its own place in it.
+struct Input {
+    std::string name;                        ///< as the user gave it, for messages
+    std::string url;                         ///< what libav opens, where there is no descriptor
+    std::shared_ptr<const Descriptor> file;  ///< a regular file
+};
+
+/// Finds out what `name` is: `-` for stdin, a file, a named pipe or a URL. What can't be read twice is spooled.
+///
+/// \throws Error io when it can't be read or spooled, not_video for an empty one, usage for a terminal
+Input open_input(const std::string& name);
+
+/// Opens a file that has to be a regular one.
+///
+/// \throws Error io
+Input open_file(const std::string& path);
+
+/// Whether `name` reads as a URL: a scheme of letters and "://".
+bool is_url(const std::string& name);
+
+/// Gives libav the bytes of a regular file.
+class FileReader {
+  public:
+    explicit FileReader(std::shared_ptr<const Descriptor> file);
+
+    AVIOContext* context() { return context_.get(); }
+
+  private:
+    static int read(void* self, std::uint8_t* buffer, int size);
+    static std::int64_t seek(void* self, std::int64_t offset, int whence);
+
+    std::shared_ptr<const Descriptor> file_;
+    std::int64_t position_ = 0;
+    av::Ptr<AVIOContext> context_;
+};
+
+}  // namespace vvr

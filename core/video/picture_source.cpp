@@ -1,0 +1,132 @@
+#include "core/video/picture_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+extern "C" {
+#include <libavutil/frame.h>
+}
+
+#include "core/error.h"
+#include "core/video/decoder.h"
+#include "core/video/demuxer.h"
+#include "core/video/input.h"
+#include "core/video/scaler.h"
+
+namespace vvr {
+namespace {
+
+struct Picture {
+    AvFrame image;
+    std::string codec;
+};
+
+/// \throws Error io, not_video, limit
+Picture decode_picture(const std::string& path) {
+    Demuxer demuxer(open_file(path), Demuxer::Kind::picture, 25);
+    Decoder decoder(demuxer, path, 1);
+    Picture picture{decoder.next(), avcodec_get_name(demuxer.stream().codecpar->codec_id)};
+    if (!picture.image) throw Error(ErrorKind::not_video, demuxer.log().text(AVERROR_INVALIDDATA));
+    return picture;
+}
+
+/// Nothing for a picture that can't be read or decoded; it is one damaged frame of many.
+AvFrame try_decode_picture(const std::string& path) {
+    try {
+        return decode_picture(path).image;
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
+/// The first file at or after `time`; a hair of slack for times typed in decimals.
+std::size_t file_at(double time, double rate, std::size_t files) {
+    return static_cast<std::size_t>(std::clamp(std::ceil(time * rate - 1e-6), 0.0, static_cast<double>(files)));
+}
+
+}  // namespace
+
+PictureSource::PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options)
+    : files_(std::move(files)), options_(options) {
+    const double duration = static_cast<double>(files_.size()) / options.rate;
+    begin_ = file_at(options.start, options.rate, files_.size());
+    end_ = options.end ? file_at(*options.end, options.rate, files_.size()) : files_.size();
+    if (begin_ >= end_)
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' has no frame from {} s to {}: its {} pictures at {} a second run to {:.3f} s; "
+                                "change --start or --end",
+                                name, options.start, options.end ? fmt::format("{} s", *options.end) : "its end",
+                                files_.size(), options.rate, duration));
+    std::string why;
+    for (std::size_t i = begin_; i < end_; ++i) {
+        try {
+            const auto first = decode_picture(files_[i]);
+            info_ = {name,
+                     "pictures",
+                     first.codec,
+                     {first.image->width, first.image->height},
+                     options.rate,
+                     duration,
+                     static_cast<std::int64_t>(files_.size())};
+            break;
+        } catch (const Error& error) {
+            if (why.empty()) why = fmt::format("{}: {}", files_[i], error.what());
+        }
+    }
+    if (info_.frames == 0)
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, end_ - begin_, why));
+    field_size_ = field_size_for(info_.size, options.field_size);
+    next_ = begin_;
+}
+
+PictureSource::~PictureSource() = default;
+
+std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame image) const {
+    return std::make_unique<DecodedFrame>(
+        DecodedFrame{static_cast<std::int64_t>(file), static_cast<double>(file) / options_.rate, {}, std::move(image)});
+}
+
+std::unique_ptr<DecodedFrame> PictureSource::next() {
+    const auto cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t threads = options_.threads > 0 ? static_cast<std::size_t>(std::min(options_.threads, 64)) : cores;
+    while (next_ < end_) {
+        while (ahead_.size() < threads && next_ + ahead_.size() < end_)
+            ahead_.push_back(
+                std::async(std::launch::async, try_decode_picture, std::cref(files_[next_ + ahead_.size()])));
+        auto image = ahead_.front().get();
+        ahead_.pop_front();
+        const std::size_t file = next_++;
+        if (image) return frame(file, std::move(image));
+        ++damaged_;
+    }
+    return nullptr;
+}
+
+void PictureSource::rewind() {
+    ahead_.clear();
+    next_ = begin_;
+    damaged_ = 0;
+}
+
+std::vector<Frame> PictureSource::sample(int count) {
+    const std::size_t files = end_ - begin_;
+    const std::size_t wanted = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, count)), 1, files);
+    Scaler scale(*this);
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const std::size_t file = begin_ + (2 * i + 1) * files / (2 * wanted);
+        if (auto image = try_decode_picture(files_[file])) frames.push_back(scale(*frame(file, std::move(image))));
+    }
+    if (2 * frames.size() > wanted) {
+        rewind();
+        return frames;
+    }
+    return FrameSource::sample(count);
+}
+
+}  // namespace vvr

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/video/frame_source.h"
+
+namespace vvr {
+
+/// Frames that are a picture file each. Some are decoded ahead of time, one in each thread.
+class PictureSource final : public FrameSource {
+  public:
+    PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options);
+    ~PictureSource() override;
+
+    const VideoInfo& info() const override { return info_; }
+    Size field_size() const override { return field_size_; }
+    bool colour() const override { return options_.colour; }
+    std::unique_ptr<DecodedFrame> next() override;
+    std::int64_t damaged() const override { return damaged_; }
+    void rewind() override;
+    std::vector<Frame> sample(int count) override;
+
+  private:
+    std::unique_ptr<DecodedFrame> frame(std::size_t file, AvFrame image) const;
+
+    std::vector<std::string> files_;
+    SourceOptions options_;
+    VideoInfo info_;
+    Size field_size_;
+    std::size_t begin_ = 0;  ///< of `files_`, by start and end
+    std::size_t end_ = 0;
+
+    std::size_t next_ = 0;  ///< the file that the front of `ahead_` decodes
+    std::deque<std::future<AvFrame>> ahead_;
+    std::int64_t damaged_ = 0;
+};
+
+}  // namespace vvr
