@@ -18,8 +18,9 @@ void keep_stronger(Plane<std::uint8_t>& kept, const Plane<std::uint8_t>& other) 
 
 }  // namespace
 
-Volume::Volume(Size size, std::int64_t capacity, std::int64_t step) : size_(size), capacity_(capacity), step_(step) {
-    if (capacity < 2 || step < 1) {
+Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t seed_interval)
+    : size_(size), capacity_(capacity), step_(step), seed_interval_(seed_interval) {
+    if (capacity < 2 || step < 1 || seed_interval < 1) {
         throw Error(ErrorKind::usage, fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
                                                   capacity, step));
     }
@@ -42,7 +43,9 @@ void Volume::add(const Field& field) {
         layer.last_pts = field.pts;
         ++layer.frames;
     }
-    for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
+    if (frames_ % seed_interval_ == 0) {
+        for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
+    }
     ++frames_;
 }
 
@@ -65,6 +68,8 @@ void Volume::join_pairs() {
     }
     layers_ = std::move(joined);
     step_ *= 2;
+    seed_interval_ *= 2;
+    std::erase_if(seeds_, [this](const FrameSeed& seed) { return seed.frame % seed_interval_ != 0; });
 }
 
 std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {

@@ -32,7 +32,8 @@ class Volume {
   public:
     /// \param capacity layers at most, at least 2
     /// \param step frames a layer takes to begin with, at least 1
-    Volume(Size size, std::int64_t capacity, std::int64_t step = 1);
+    /// \param seed_interval seeds are kept of each so many-th frame; doubles with the step
+    Volume(Size size, std::int64_t capacity, std::int64_t step = 1, std::int64_t seed_interval = 1);
 
     /// Adds the next frame's field, whose scalar has this volume's size.
     void add(const Field& field);
@@ -54,6 +55,7 @@ class Volume {
     Size size_;
     std::int64_t capacity_;
     std::int64_t step_;
+    std::int64_t seed_interval_;
     std::int64_t frames_ = 0;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;

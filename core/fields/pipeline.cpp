@@ -1,5 +1,6 @@
 #include "core/fields/pipeline.h"
 
+#include <algorithm>
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -149,6 +151,11 @@ std::int64_t compute_fields(const FrameReader& read, const Reference& reference,
         });
 
     // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
+    // More threads than cores is the caller's choice; oneTBB would grumble about it on stderr.
+    const auto workers =
+        std::max(static_cast<std::size_t>(threads),
+                 oneapi::tbb::global_control::active_value(oneapi::tbb::global_control::max_allowed_parallelism));
+    const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism, workers);
     oneapi::tbb::task_arena(threads).execute([&] {
         oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
                                        source & make_frame & gather & compute & deliver);

@@ -75,6 +75,17 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     EXPECT_EQ(bright, 1);
 }
 
+TEST(Volume, ThinsSeedsAsItGrows) {
+    Volume volume({2, 2}, 8, 1, 2);
+    for (int i = 0; i < 1000; ++i) {
+        Field field = frame(i, {2, 2}, 0);
+        field.seeds = {{0, 0, 1, 0}};
+        volume.add(field);
+    }
+    ASSERT_EQ(volume.seeds().size(), 4U);
+    for (const FrameSeed& at : volume.seeds()) EXPECT_EQ(at.frame % 256, 0);
+}
+
 TEST(Volume, RefusesAFrameOfAnotherSize) {
     Volume volume({2, 2}, 8);
     EXPECT_THROW(volume.add(frame(0, {3, 2}, 0)), Error);

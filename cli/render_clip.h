@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/fields/options.h"
+#include "core/image/picture.h"
+#include "core/scene/glyph.h"
+#include "core/video/frame_source.h"
+#include "gl/renderer.h"
+
+namespace vvr {
+
+/// Everything that decides how a clip becomes a picture.
+struct RenderJob {
+    std::string input;
+    SourceOptions source;
+    FieldOptions fields;
+
+    std::int64_t max_layers = 800;   ///< of the window; a longer clip is sampled in time
+    std::int64_t step = 0;           ///< frames a layer takes; 0 = as many as max_layers asks for
+    int bricks = 8;                  ///< K, where brick_seconds and brick_frames are 0
+    double brick_seconds = 0;
+    std::int64_t brick_frames = 0;
+
+    std::string layout = "horseshoe";
+    double r_min = 0.45;
+    double r_max = 1;
+    double height = 0;  ///< y_s; 0 = square pixels
+
+    RenderOptions picture;  ///< ring and window_layers are found out
+    double opacity = 1;
+    GlyphOptions glyphs;
+    std::set<std::string> show = {"volume", "arrows", "outline", "frames"};
+
+    std::string backend = "auto";
+    int device = -1;
+};
+
+/// The words that RenderJob::show takes.
+const std::vector<std::string>& show_words();
+
+/// What happened on the way.
+struct RenderReport {
+    VideoInfo info;
+    Size field_size;
+    std::int64_t frames = 0;    ///< that reached the volume
+    std::int64_t damaged = 0;
+    double first_pts = 0;       ///< seconds
+    double last_pts = 0;
+    std::int64_t layers = 0;
+    std::int64_t step = 1;      ///< frames a layer
+    std::vector<Brick> bricks;  ///< in layers
+    std::size_t arrows = 0;
+    bool still = false;         ///< nothing in the volume is visible
+    std::string renderer;       ///< GL_RENDERER
+    std::string backend;
+};
+
+struct RenderedClip {
+    Picture picture;
+    RenderReport report;
+};
+
+/// Called now and then with the number of frames read.
+using FrameProgress = std::function<void(std::int64_t)>;
+
+/// The frames that each layer is to take, from what the container says of the clip's length.
+std::int64_t planned_step(const RenderJob& job, std::int64_t frames);
+
+/// The clip's frames between `start` and `end` as far as its header tells; 0 = unknown.
+std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options);
+
+/// The main job: frames → fields → bricks → renderer → picture. The GL context is opened last, when there is
+/// something to draw.
+RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress);
+
+}  // namespace vvr
