@@ -6,7 +6,7 @@
 #include "cli/option.h"
 #include "cli/plan.h"
 #include "cli/print.h"
-#include "cli/render_job.h"
+#include "cli/render_settings.h"
 
 namespace vvr {
 
@@ -67,17 +67,17 @@ std::string as_json(const FrameSource& source, const Plan& plan) {
 }  // namespace
 
 ExitStatus run_info(const Command& command, Arguments arguments, const Environment& environment) {
-    RenderJob job;
+    RenderSettings settings;
     bool json = false;
     CommandLine line(command.name, command.help);
     line.app().add_flag("--json", json, "for programs: null where the container does not say")->group(group::output);
-    add_options(line.app(), job);
+    add_options(line.app(), settings);
     if (!line.parse(arguments)) return ExitStatus::done;
-    apply(job.run, environment.log);
-    check(job);
+    apply(settings.run, environment.log);
+    check(settings);
 
-    const auto source = open_clip(job.input, false, job.run.threads);
-    const Plan plan = make_plan(job, *source);
+    const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
+    const Plan plan = make_plan(job_for(settings, source->info()), *source);
     print(json ? as_json(*source, plan) : as_text(*source, plan));
     return ExitStatus::done;
 }

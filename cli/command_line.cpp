@@ -30,16 +30,17 @@ std::vector<std::string> option_names(const CLI::App& app) {
 CommandLine::CommandLine(const std::string& command, const std::string& help) : command_(command), app_(help) {
     app_.name("vvr " + command);
     app_.formatter(std::make_shared<HelpText>());
-    app_.set_help_flag("-h,--help", "print this and end")->group(group::run);
-    app_.set_config("--config", "", "a file with long option names, `size = 1280x800`; the command line wins")
-        ->type_name("FILE")
-        ->group(group::run);
-    app_.config_formatter(std::make_shared<ConfigFile>(app_, command));
     // Leftovers are refused here, where the nearest option can be named.
     app_.allow_extras();
 }
 
 bool CommandLine::parse(std::span<const std::string> arguments) {
+    // Added last, so that they stand last in the help.
+    app_.set_help_flag("-h,--help", "print this and end")->group(group::run);
+    app_.set_config("--config", "", "a file with long option names, `size = 1280x800`; the command line wins")
+        ->type_name("FILE")
+        ->group(group::run);
+    app_.config_formatter(std::make_shared<ConfigFile>(app_, command_));
     // CLI11 takes them from the back.
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     try {

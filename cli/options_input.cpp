@@ -26,8 +26,8 @@ void add_options(CLI::App& app, InputOptions& options) {
     add_option(app, group::input, options.start, {"--start", "TIME", "0", "first frame: 250, 12.5s or 00:00:12.5"},
                parse_time);
     add_option(app, group::input, options.end, {"--end", "TIME", "", "where to stop, itself left out"}, parse_time);
-    add_integer(app, group::input, options.step, 1, 1'000'000,
-                {"--step", "FRAMES", "", "frames that share a layer of the volume"});
+    add_integer(app, group::input, options.step, 0, 1'000'000,
+                {"--step", "FRAMES", "", "frames that share a layer; 0 = as few as the window allows"});
     add_option(app, group::input, options.field_size,
                {"--field-size", "WxH", "", "size of the fields, or 'source'; long side 384 if not given"},
                parse_field_size);

@@ -15,7 +15,7 @@ struct InputOptions {
     std::string name;
     std::optional<Time> start;
     std::optional<Time> end;
-    int step = 1;  ///< frames a layer of the volume takes
+    int step = 0;  ///< frames a layer of the volume takes; 0 = as many as the window asks for
     Size field_size{0, 0};
     double rate = 25;
 };

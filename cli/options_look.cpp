@@ -5,19 +5,15 @@
 #include <fmt/format.h>
 
 #include "cli/option.h"
+#include "cli/render_clip.h"
 
 namespace vvr {
 
 namespace {
 
-const std::vector<std::string>& parts() {
-    static const std::vector<std::string> names{"volume", "arrows", "outline", "frames"};
-    return names;
-}
-
 std::vector<std::string> parse_parts(const std::string& text) {
     std::vector<std::string> shown;
-    for (const std::string& word : CLI::detail::split(text, ',')) shown.push_back(parse_name(word, parts()));
+    for (const std::string& word : CLI::detail::split(text, ',')) shown.push_back(parse_name(word, show_words()));
     return shown;
 }
 
@@ -30,7 +26,7 @@ bool LookOptions::shows(const std::string& part) const {
 void add_options(CLI::App& app, LookOptions& options) {
     add_option(app, group::look, options.show,
                {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
-                fmt::format("what is drawn, of {}", fmt::join(parts(), ", "))},
+                fmt::format("what is drawn, of {}", fmt::join(show_words(), ", "))},
                parse_parts);
     add_number(app, group::look, options.opacity, {0, 1000},
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});

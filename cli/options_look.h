@@ -9,7 +9,7 @@ namespace vvr {
 
 /// What the picture shows of the volume and the flow.
 struct LookOptions {
-    std::vector<std::string> show{"volume", "arrows", "outline"};
+    std::vector<std::string> show{"volume", "arrows", "outline", "frames"};
     double opacity = 1;      ///< factor on the extinction
     double glyph_scale = 1;  ///< factor on the arrows' size
 

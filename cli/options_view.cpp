@@ -58,10 +58,4 @@ View view_of(const ViewOptions& options) {
     return view;
 }
 
-std::unique_ptr<Layout> make_layout(const ViewOptions& options, Size field) {
-    LayoutShape shape = shape_for(field, options.radii.first, options.radii.second);
-    if (options.height) shape.y_s = *options.height;
-    return make_layout(options.layout, shape);
-}
-
 }  // namespace vvr

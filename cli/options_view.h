@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,8 +26,5 @@ struct ViewOptions {
 void add_options(CLI::App& app, ViewOptions& options);
 
 View view_of(const ViewOptions& options);
-
-/// The layout for fields of that size.
-std::unique_ptr<Layout> make_layout(const ViewOptions& options, Size field);
 
 }  // namespace vvr

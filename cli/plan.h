@@ -2,8 +2,7 @@
 
 #include <cstdint>
 
-#include "cli/render_job.h"
-#include "core/video/frame_source.h"
+#include "cli/render_clip.h"
 
 namespace vvr {
 
