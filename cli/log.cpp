@@ -31,9 +31,15 @@ std::shared_ptr<spdlog::logger> make_log() {
 
 void set_talk(spdlog::logger& log, Talk talk) {
     switch (talk) {
-        case Talk::quiet: log.set_level(spdlog::level::err); break;
-        case Talk::normal: log.set_level(spdlog::level::info); break;
-        case Talk::verbose: log.set_level(spdlog::level::debug); break;
+        case Talk::quiet:
+            log.set_level(spdlog::level::err);
+            break;
+        case Talk::normal:
+            log.set_level(spdlog::level::info);
+            break;
+        case Talk::verbose:
+            log.set_level(spdlog::level::debug);
+            break;
     }
 }
 

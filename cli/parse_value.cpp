@@ -78,8 +78,9 @@ std::pair<double, double> parse_pair(std::string_view text, char separator, Rang
     const auto a = number_within(parts[0], first);
     const auto b = parts.size() == 2 ? number_within(parts[1], second) : std::nullopt;
     if (!a || !b) {
-        refuse(text, fmt::format("two numbers with '{}' between them, the first from {} to {}, the second from {} to {}",
-                                 separator, first.low, first.high, second.low, second.high));
+        refuse(text,
+               fmt::format("two numbers with '{}' between them, the first from {} to {}, the second from {} to {}",
+                           separator, first.low, first.high, second.low, second.high));
     }
     return {*a, *b};
 }
@@ -107,10 +108,13 @@ Time parse_time(std::string_view text) {
     if (parts.size() > 3) refuse(text, wanted);
     double seconds = 0;
     for (const std::string_view part : parts) {
+        // Only the last part may have a fraction, and only the first may be 60 or more.
         const bool last = part.data() == parts.back().data();
-        const auto value = last ? number_within(part, {0, 59.9999999}) : number<unsigned>(part);
+        const bool first = part.data() == parts.front().data();
+        auto value = number_within(part, {0, first ? longest_clip : 59.9999999});
+        if (value && !last && *value != std::floor(*value)) value.reset();
         if (!value) refuse(text, wanted);
-        seconds = seconds * 60 + static_cast<double>(*value);
+        seconds = seconds * 60 + *value;
     }
     return {seconds, Time::Unit::seconds};
 }

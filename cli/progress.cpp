@@ -25,7 +25,7 @@ void write_stderr(std::string_view text) {
 Progress::Progress(std::string what, std::int64_t total, bool shown)
     : what_(std::move(what)), total_(total), shown_(shown) {}
 
-Progress::~Progress() {
+void Progress::clear() {
     if (shown_) write_stderr(clear_line);
 }
 

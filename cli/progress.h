@@ -11,11 +11,14 @@ class Progress {
   public:
     /// \param total frames that are expected, 0 = unknown
     Progress(std::string what, std::int64_t total, bool shown);
-    ~Progress();
+    ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void set(std::int64_t done);
+
+    /// Takes the bar away, so that something else can be said.
+    void clear();
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <csignal>
 #include <mutex>
 #include <thread>
-
-#include <csignal>
 
 namespace vvr {
 

@@ -26,7 +26,7 @@ TEST(SuggestTest, FindsTheNearestName) {
 }
 
 TEST(SuggestTest, Asks) {
-    EXPECT_EQ(did_you_mean("inof", names), "; did you mean 'info'?");
+    EXPECT_EQ(did_you_mean("inof", names), " (did you mean 'info'?)");
     EXPECT_EQ(did_you_mean("xyzzy", names), "");
 }
 

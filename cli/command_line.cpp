@@ -1,0 +1,83 @@
+#include "cli/command_line.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/config_file.h"
+#include "cli/help.h"
+#include "cli/option.h"
+#include "cli/print.h"
+#include "core/error.h"
+#include "core/suggest.h"
+
+namespace vvr {
+
+namespace {
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+}  // namespace
+
+CommandLine::CommandLine(const std::string& command, const std::string& help) : command_(command), app_(help) {
+    app_.name("vvr " + command);
+    app_.formatter(std::make_shared<HelpText>());
+    // Leftovers are refused here, where the nearest option can be named.
+    app_.allow_extras();
+}
+
+bool CommandLine::parse(std::span<const std::string> arguments) {
+    // Added last, so that they stand last in the help.
+    app_.set_help_flag("-h,--help", "print this and end")->group(group::run);
+    app_.set_config("--config", "", "a file with long option names, `size = 1280x800`; the command line wins")
+        ->type_name("FILE")
+        ->group(group::run);
+    app_.config_formatter(std::make_shared<ConfigFile>(app_, command_));
+    // CLI11 takes them from the back.
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        app_.parse(std::move(reversed));
+    } catch (const CLI::CallForHelp&) {
+        print(app_.help());
+        return false;
+    } catch (const CLI::FileError& error) {
+        throw Error(ErrorKind::io, fmt::format("cannot read the config file: {}", error.what()));
+    } catch (const CLI::ParseError& error) {
+        throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app_.get_name()));
+    }
+    refuse_leftovers();
+    return true;
+}
+
+void CommandLine::refuse_leftovers() const {
+    const std::vector<std::string> leftovers = app_.remaining();
+    if (leftovers.empty()) return;
+    const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
+    if (option == leftovers.end()) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many; `{} --help` says what it takes",
+                                                  leftovers.front(), app_.get_name()));
+    }
+    const std::string name = option->substr(0, option->find('='));
+    throw Error(ErrorKind::usage, fmt::format("{} has no option '{}'{}; `{} --help` lists them", app_.get_name(), name,
+                                              did_you_mean(name, option_names(app_)), app_.get_name()));
+}
+
+Metadata CommandLine::settings(const std::string& group) const {
+    Metadata settings;
+    for (const CLI::Option* option : app_.get_options()) {
+        if (option->get_group() != group || option->get_lnames().empty()) continue;
+        const std::string value = option->empty() ? option->get_default_str() : option->results().back();
+        if (!value.empty()) settings.emplace_back(option->get_lnames().front(), value);
+    }
+    return settings;
+}
+
+}  // namespace vvr

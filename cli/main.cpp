@@ -1,0 +1,17 @@
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/log.h"
+#include "cli/report_errors.h"
+#include "cli/signals.h"
+
+int main(int argc, char** argv) {
+    const auto log = vvr::make_log();
+    const auto status = vvr::report_errors(*log, [&] {
+        vvr::Signals signals;
+        const std::vector<std::string> arguments(argv + 1, argv + argc);
+        return vvr::run_command(arguments, vvr::Environment{*log, signals});
+    });
+    return static_cast<int>(status);
+}

@@ -1,0 +1,54 @@
+#include "cli/options_input.h"
+
+#include <memory>
+
+#include "cli/option.h"
+#include "core/video/frame_range.h"
+
+namespace vvr {
+
+namespace {
+
+Size parse_field_size(const std::string& text) {
+    return text == "source" ? Size{-1, -1} : parse_size(text);
+}
+
+std::optional<double> in(Time::Unit unit, const std::optional<Time>& time) {
+    return time && time->unit == unit ? std::optional(time->value) : std::nullopt;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, InputOptions& options) {
+    app.add_option("INPUT", options.name,
+                   "a video file, a folder or pattern of pictures (frames/%05d.png), - for stdin")
+        ->type_name("");
+    add_option(app, group::input, options.start, {"--start", "TIME", "0", "first frame: 250, 12.5s or 00:00:12.5"},
+               parse_time);
+    add_option(app, group::input, options.end, {"--end", "TIME", "", "where to stop, itself left out"}, parse_time);
+    add_integer(app, group::input, options.step, 0, 1'000'000,
+                {"--step", "FRAMES", "", "frames that share a layer; 0 = as few as the window allows"});
+    add_option(app, group::input, options.field_size,
+               {"--field-size", "WxH", "", "size of the fields, or 'source'; long side 384 if not given"},
+               parse_field_size);
+    add_number(app, group::input, options.rate, {0.001, 100'000},
+               {"--rate", "FPS", "", "frames a second of pictures and raw streams"});
+}
+
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads) {
+    SourceOptions source;
+    source.field_size = options.field_size;
+    source.colour = colour;
+    source.threads = threads;
+    source.rate = options.rate;
+    source.start = in(Time::Unit::seconds, options.start).value_or(0);
+    source.end = in(Time::Unit::seconds, options.end);
+    const auto first = in(Time::Unit::frames, options.start);
+    const auto last = in(Time::Unit::frames, options.end);
+    auto opened = open_source(options.name, source);
+    if (!first && !last) return opened;
+    return limit_frames(std::move(opened), static_cast<std::int64_t>(first.value_or(0)),
+                        last ? std::optional(static_cast<std::int64_t>(*last)) : std::nullopt);
+}
+
+}  // namespace vvr

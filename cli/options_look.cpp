@@ -1,0 +1,37 @@
+#include "cli/options_look.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/option.h"
+#include "cli/render_clip.h"
+
+namespace vvr {
+
+namespace {
+
+std::vector<std::string> parse_parts(const std::string& text) {
+    std::vector<std::string> shown;
+    for (const std::string& word : CLI::detail::split(text, ',')) shown.push_back(parse_name(word, show_words()));
+    return shown;
+}
+
+}  // namespace
+
+bool LookOptions::shows(const std::string& part) const {
+    return std::ranges::count(show, part) > 0;
+}
+
+void add_options(CLI::App& app, LookOptions& options) {
+    add_option(app, group::look, options.show,
+               {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
+                fmt::format("what is drawn, of {}", fmt::join(show_words(), ", "))},
+               parse_parts);
+    add_number(app, group::look, options.opacity, {0, 1000},
+               {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
+    add_number(app, group::look, options.glyph_scale, {0.01, 100},
+               {"--glyph-scale", "FACTOR", "", "factor on the arrows' size"});
+}
+
+}  // namespace vvr

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace vvr {
+
+/// What the picture shows of the volume and the flow.
+struct LookOptions {
+    std::vector<std::string> show{"volume", "arrows", "outline", "frames"};
+    double opacity = 1;      ///< factor on the extinction
+    double glyph_scale = 1;  ///< factor on the arrows' size
+
+    bool shows(const std::string& part) const;
+};
+
+void add_options(CLI::App& app, LookOptions& options);
+
+}  // namespace vvr

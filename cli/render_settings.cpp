@@ -1,0 +1,77 @@
+#include "cli/render_settings.h"
+
+#include "core/error.h"
+#include "core/fields/filter.h"
+
+namespace vvr {
+
+namespace {
+
+double seconds(const Time& time, double rate) {
+    if (time.unit == Time::Unit::seconds) return time.value;
+    return rate > 0 ? time.value / rate : 0;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, RenderSettings& settings) {
+    add_options(app, settings.input);
+    add_options(app, settings.fields);
+    add_options(app, settings.bricks);
+    add_options(app, settings.view);
+    add_options(app, settings.look);
+    add_options(app, settings.run);
+    add_options(app, settings.backend);
+}
+
+void check(const RenderSettings& settings) {
+    const InputOptions& input = settings.input;
+    if (input.name.empty()) {
+        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
+    }
+    if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
+        throw Error(ErrorKind::usage, "--end has to come after --start");
+    }
+}
+
+bool wants_colour(const RenderSettings& settings) {
+    return find_filter(settings.fields.filter).needs.colour || settings.look.shows("frames");
+}
+
+RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
+    RenderJob job;
+    job.input = settings.input.name;
+    if (settings.input.start) job.source.start = seconds(*settings.input.start, info.rate);
+    if (settings.input.end && (settings.input.end->unit == Time::Unit::seconds || info.rate > 0)) {
+        job.source.end = seconds(*settings.input.end, info.rate);
+    }
+    job.step = settings.input.step;
+    job.fields = settings.fields;
+    job.fields.threads = settings.run.threads;
+
+    job.bricks = settings.bricks.count;
+    if (const auto& brick = settings.bricks.length) {
+        if (brick->unit == Time::Unit::seconds) job.brick_seconds = brick->value;
+        if (brick->unit == Time::Unit::frames) job.brick_frames = static_cast<std::int64_t>(brick->value);
+    }
+
+    job.layout = settings.view.layout;
+    job.r_min = settings.view.radii.first;
+    job.r_max = settings.view.radii.second;
+    job.height = settings.view.height.value_or(0);
+    job.picture.size = settings.view.size;
+    job.picture.view = view_of(settings.view);
+    job.picture.slices = settings.view.slices;
+
+    job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.opacity = settings.look.opacity;
+    job.glyphs.frames *= settings.look.glyph_scale;
+    job.glyphs.cap *= settings.look.glyph_scale;
+    job.picture.glyphs.thickness *= static_cast<float>(settings.look.glyph_scale);
+
+    job.backend = settings.backend.backend;
+    job.device = settings.backend.device;
+    return job;
+}
+
+}  // namespace vvr

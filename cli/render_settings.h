@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options_bricks.h"
+#include "cli/options_fields.h"
+#include "cli/options_input.h"
+#include "cli/options_look.h"
+#include "cli/options_run.h"
+#include "cli/options_view.h"
+#include "cli/render_clip.h"
+
+namespace vvr {
+
+/// Every option that says how a picture comes about: `render` makes it, `info` only says what it would take.
+struct RenderSettings {
+    InputOptions input;
+    FieldOptions fields;
+    BrickOptions bricks;
+    ViewOptions view;
+    LookOptions look;
+    BackendOptions backend;
+    RunOptions run;
+};
+
+/// Adds all the groups of options.
+void add_options(CLI::App& app, RenderSettings& settings);
+
+/// What no single option can know: an input is there, times are in order.
+/// \throws Error usage
+void check(const RenderSettings& settings);
+
+/// Whether the fields or the picture want the frames in colour.
+bool wants_colour(const RenderSettings& settings);
+
+/// The job for a clip. Its source options only serve estimates, where the frame numbers that the user may have
+/// given count as times: the source itself is opened already, by the exact ones.
+RenderJob job_for(const RenderSettings& settings, const VideoInfo& info);
+
+}  // namespace vvr

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vvr {
+
+struct LibraryVersion {
+    std::string name;
+    std::string version;
+};
+
+/// Of the libraries that are loaded now, not of those that vvr was built with.
+std::vector<LibraryVersion> library_versions();
+
+/// vvr and its libraries, a line each. Asking OpenGL for its renderer takes longer than everything else that a
+/// version could say, so that is left to `vvr doctor`.
+std::string version_text();
+
+}  // namespace vvr
