@@ -69,6 +69,13 @@ Scene build_scene(const RenderJob& job, const Fields& fields, const Layout& layo
     return scene;
 }
 
+bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (transfer.visible({0, std::ranges::max(volume.layer(i).scalar.pixels())})) return false;
+    }
+    return true;
+}
+
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
     std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(),
@@ -108,7 +115,7 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
         fields = read_fields(job, source, step, progress);
     }
 
-    const Volume& volume = fields.volume;
+    Volume& volume = fields.volume;
     RenderedClip result;
     RenderReport& report = result.report;
     report.info = source.info();
@@ -127,6 +134,8 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     const Scene scene = build_scene(job, fields, *layout);
     report.arrows = scene.arrows.size();
 
+    report.still = nothing_visible(volume, default_transfer_function());
+
     const auto context = open_context(job.backend, job.device);
     report.renderer = context->renderer();
     report.backend = context->backend();
@@ -137,14 +146,10 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     renderer.set_transfer(default_transfer_function().scaled(job.opacity));
     if (job.show.contains("volume")) {
         for (std::size_t i = 0; i < report.bricks.size(); ++i) {
-            renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, report.bricks[i]));
+            const Brick& brick = report.bricks[i];
+            renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, brick));
+            volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
         }
-    }
-    const TransferFunction transfer = default_transfer_function();
-    report.still = true;
-    for (std::int64_t i = 0; i < volume.layers() && report.still; ++i) {
-        const auto pixels = volume.layer(i).scalar.pixels();
-        report.still = !transfer.visible({0, std::ranges::max(pixels)});
     }
     result.picture = to_picture(renderer.draw(scene));
     return result;

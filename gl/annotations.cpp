@@ -17,9 +17,8 @@ struct PictureVertex {
 
 }  // namespace
 
-Annotations::Annotations(const GladGLContext& gl, Size picture)
+Annotations::Annotations(const GladGLContext& gl)
     : gl_(&gl),
-      picture_(picture),
       line_program_(gl, "the lines", {shaders::line_vert}, {shaders::line_frag}),
       line_array_(gl),
       corners_(gl),
@@ -55,12 +54,13 @@ Annotations::Annotations(const GladGLContext& gl, Size picture)
     check_gl(gl, "setting up the annotations");
 }
 
-void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width) {
+void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width,
+                             Size picture) {
     if (lines.empty()) return;
     const GladGLContext& gl = *gl_;
     line_program_.use();
     line_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    line_program_.set("half_width", glm::vec2(width / picture_.width, width / picture_.height));
+    line_program_.set("half_width", glm::vec2(width / picture.width, width / picture.height));
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);
     gl.Enable(GL_BLEND);

@@ -11,17 +11,16 @@ namespace vvr {
 /// Draws what explains the volume: lines, and frames that stand in it.
 class Annotations {
   public:
-    Annotations(const GladGLContext& gl, Size picture);
+    explicit Annotations(const GladGLContext& gl);
 
-    /// Opaque lines of `width` pixels.
-    void draw_lines(std::span<const Segment> lines, const Camera& camera, double width);
+    /// Lines of `width` pixels of a picture of size `picture`.
+    void draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture);
 
     /// A frame standing at its time; opaque ones write depth.
     void draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera);
 
   private:
     const GladGLContext* gl_;
-    Size picture_;
     Program line_program_;
     GlVertexArray line_array_;
     GlBuffer corners_;

@@ -47,28 +47,27 @@ Framebuffer::Target Framebuffer::make_target(int samples) const {
     return target;
 }
 
-void Framebuffer::bind() const {
+void Framebuffer::bind(Size size) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
-    gl_->Viewport(0, 0, size_.width, size_.height);
+    gl_->Viewport(0, 0, size.width, size.height);
 }
 
-Plane<glm::vec4> Framebuffer::read() const {
+Plane<glm::vec4> Framebuffer::read(Size size) const {
     const GladGLContext& gl = *gl_;
     if (samples_ > 1) {
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer.id());
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer.id());
-        gl.BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
-                           GL_NEAREST);
+        gl.BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.framebuffer.id());
     } else {
         gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
     }
-    Plane<glm::vec4> picture(size_);
+    Plane<glm::vec4> picture(size);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl.ReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, picture.pixels().data());
+    gl.ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, picture.pixels().data());
     check_gl(gl, "reading the picture back");
-    for (int j = 0; j < size_.height / 2; ++j) {
-        std::ranges::swap_ranges(picture.row(j), picture.row(size_.height - 1 - j));
+    for (int j = 0; j < size.height / 2; ++j) {
+        std::ranges::swap_ranges(picture.row(j), picture.row(size.height - 1 - j));
     }
     return picture;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
 
 #include "core/plane.h"
@@ -17,10 +15,11 @@ class Framebuffer {
     /// \throws Error limit when the size or the samples are more than the driver takes, backend when it is incomplete
     Framebuffer(const GladGLContext& gl, Size size, int samples);
 
-    void bind() const;
+    /// Draws from now on into the lower left `size` of it.
+    void bind(Size size) const;
 
-    /// The picture as premultiplied RGBA, top row first.
-    Plane<glm::vec4> read() const;
+    /// Its lower left `size` as premultiplied RGBA, top row first.
+    Plane<glm::vec4> read(Size size) const;
 
   private:
     struct Target {

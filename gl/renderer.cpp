@@ -7,22 +7,30 @@
 
 namespace vvr {
 
+namespace {
+
+// A tile of so many samples takes 20 bytes a sample: the framebuffer's memory doesn't grow with the picture.
+constexpr std::int64_t tile_samples = 1536 * 1024;
+
+}  // namespace
+
 Renderer::Renderer(const Context& context, const Layout& layout, const RenderOptions& options)
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
       camera_(fit_camera(options.view, outline_points(layout), options.size)),
-      framebuffer_(context.gl(), options.size, options.samples),
+      tiles_(cut_tiles(options.size, tile_samples / options.samples)),
+      framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
       slicer_(context.gl(), layout),
       flow_geometry_(context.gl()),
-      annotations_(context.gl(), options.size) {}
+      annotations_(context.gl()) {}
 
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
     textures_.upload(number, texels);
     const double t_span = static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, texels.brick.count, brick_cells(texels, t_span, *layout_)});
+    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span, *layout_)});
 }
 
 std::vector<PlacedBrick> Renderer::place() const {
@@ -38,23 +46,32 @@ std::vector<PlacedBrick> Renderer::place() const {
 }
 
 Plane<glm::vec4> Renderer::draw(const Scene& scene) {
+    // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
+    const double spacing = window_.empty() ? 1 : 2 * layout_->shape().y_s / window_.front().size.height;
+    const SliceStack stack = stack_slices(camera_, *layout_, options_.slices, spacing);
+    Plane<glm::vec4> picture(options_.size);
+    for (const Tile& tile : tiles_) draw_tile(scene, stack, tile, picture);
+    return picture;
+}
+
+void Renderer::draw_tile(const Scene& scene, const SliceStack& stack, const Tile& tile, Plane<glm::vec4>& picture) {
     const GladGLContext& gl = *gl_;
-    framebuffer_.bind();
+    const Camera camera = camera_.cropped(tile, options_.size);
+    framebuffer_.bind(tile.size);
     gl.ClearColor(options_.background.x, options_.background.y, options_.background.z, 1);
     gl.DepthMask(GL_TRUE);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    annotations_.draw_lines(scene.outline, camera_, 1.0 + options_.size.height / 800.0);
-    flow_geometry_.draw(scene.arrows, camera_, options_.glyphs);
-
-    const std::vector<PlacedBrick> bricks = place();
-    // One voxel of the frame's rows: the finest that the data hold in two of the three directions.
-    const double voxel = bricks.empty() ? 1 : layout_->shape().y_s / (bricks.front().cells->ny() * 16.0);
-    slicer_.draw(bricks, textures_, camera_, stack_slices(camera_, *layout_, options_.slices, voxel));
-
-    for (const StandingFrame& frame : scene.frames) annotations_.draw_frame(frame, *layout_, camera_);
+    annotations_.draw_lines(scene.outline, camera, 1.0 + options_.size.height / 800.0, tile.size);
+    flow_geometry_.draw(scene.arrows, camera, options_.glyphs);
+    slicer_.draw(place(), textures_, camera, stack);
+    for (const StandingFrame& frame : scene.frames) annotations_.draw_frame(frame, *layout_, camera);
     check_gl(gl, "drawing the picture");
-    return framebuffer_.read();
+
+    const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
+    for (int j = 0; j < tile.size.height; ++j) {
+        std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
+    }
 }
 
 }  // namespace vvr

@@ -22,8 +22,8 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
-    int slices = 0;   ///< 0 = one a voxel
-    int samples = 4;  ///< a pixel, for smooth edges
+    int slices = 0;   ///< 0 = one for every two voxels
+    int samples = 4;  ///< a pixel, for smooth edges; 1 takes about half the time
     int ring = 8;                     ///< k, the bricks that are visible at a time
     std::int64_t window_layers = 0;  ///< n, the layers of a full window
     glm::vec3 background{1, 1, 1};
@@ -48,12 +48,15 @@ class Renderer {
     const Camera& camera() const { return camera_; }
 
   private:
+    void draw_tile(const Scene& scene, const SliceStack& stack, const Tile& tile, Plane<glm::vec4>& picture);
+
     /// Where each brick of the window stands: t_C by its share of the window's layers.
     std::vector<PlacedBrick> place() const;
 
     struct Held {
         std::int64_t number = 0;
         std::int64_t layers = 0;
+        Size size;  ///< of its frames
         BrickCells cells;
     };
 
@@ -61,6 +64,7 @@ class Renderer {
     const Layout* layout_;
     RenderOptions options_;
     Camera camera_;
+    std::vector<Tile> tiles_;
     Framebuffer framebuffer_;
     BrickTextures textures_;
     VolumeSlicer slicer_;

@@ -54,6 +54,10 @@ double Volume::t_of_frame(double frame) const {
     return (frame + 0.5) / static_cast<double>(layers() * step_);
 }
 
+void Volume::release_before(std::int64_t layer) {
+    for (std::int64_t i = 0; i < std::min(layer, layers()); ++i) layers_[static_cast<std::size_t>(i)].scalar = {};
+}
+
 void Volume::join_pairs() {
     std::vector<Layer> joined;
     joined.reserve(layers_.size());

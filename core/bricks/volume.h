@@ -46,6 +46,9 @@ class Volume {
 
     std::span<const FrameSeed> seeds() const { return seeds_; }
 
+    /// Gives back the memory of the scalars of all layers before `layer`; for when they have become textures.
+    void release_before(std::int64_t layer);
+
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
     double t_of_frame(double frame) const;
 

@@ -69,11 +69,17 @@ int cut_cell(const Cell& cell, int slice, std::array<glm::vec3, 6>& polygon) {
     return corners;
 }
 
+/// One bit for each side of the picture that a point of clip space lies beyond.
+unsigned outside_of(const glm::dvec4& p) {
+    return (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < -p.w ? 4U : 0U) | (p.y > p.w ? 8U : 0U);
+}
+
 /// The borders of cells in P-space and in slices, computed once for all the cells that share them.
 struct Lattice {
     Lattice(const PlacedBrick& brick, const Layout& layout, const Camera& camera, const SliceStack& stack)
         : nx(brick.cells->x.size()), ny(brick.cells->y.size()) {
         const BrickCells& cells = *brick.cells;
+        const glm::dmat4 clip_from_p = camera.clip_from_p();
         const double bulge = layout.sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
         for (const double t_b : cells.t) {
             const double t = std::lerp(brick.t_begin, brick.t_end, t_b);
@@ -83,6 +89,7 @@ struct Lattice {
                     const glm::dvec3 p = layout.p_from_c({x == cells.x.back() ? x * (1 + 2 * bulge) : x, y, t});
                     points.push_back(p);
                     depths.push_back((glm::dot(p - camera.eye, camera.forward) - stack.nearest) / stack.spacing);
+                    outside.push_back(outside_of(clip_from_p * glm::dvec4(p, 1)));
                 }
             }
         }
@@ -96,6 +103,7 @@ struct Lattice {
     std::size_t ny;
     std::vector<glm::dvec3> points;
     std::vector<double> depths;
+    std::vector<unsigned> outside;
 };
 
 /// Orders pieces by slice, the farthest first, by counting: there are many more pieces than slices.
@@ -110,7 +118,7 @@ std::vector<Piece> farthest_first(const std::vector<Piece>& pieces, int slices) 
 
 }  // namespace
 
-SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double voxel) {
+SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing) {
     double low = std::numeric_limits<double>::infinity();
     double high = 0;
     for (const glm::dvec3& p : outline_points(layout)) {
@@ -120,7 +128,7 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     }
     low = std::max(low, 0.0);
     SliceStack stack;
-    stack.count = count > 0 ? count : std::max(1, static_cast<int>(std::ceil((high - low) / voxel)));
+    stack.count = count > 0 ? count : std::max(1, static_cast<int>(std::ceil((high - low) / spacing)));
     stack.spacing = (high - low) / stack.count;
     stack.nearest = low + stack.spacing / 2;
     return stack;
@@ -138,11 +146,14 @@ SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const Trans
             for (int ix = 0; ix < cells.nx(); ++ix) {
                 if (!transfer.visible(cells.range(ix, iy, it))) continue;
                 Cell cell;
+                unsigned outside = ~0U;
                 for (int corner = 0; corner < 8; ++corner) {
                     const std::size_t at = lattice.at(ix + (corner & 1), iy + (corner >> 1 & 1), it + (corner >> 2));
                     cell.corners[static_cast<std::size_t>(corner)] = lattice.points[at];
                     cell.depth[static_cast<std::size_t>(corner)] = lattice.depths[at];
+                    outside &= lattice.outside[at];
                 }
+                if (outside != 0) continue;
                 const double t_b = (cells.t[static_cast<std::size_t>(it)] + cells.t[static_cast<std::size_t>(it) + 1]) / 2;
                 cell.t_reference = static_cast<float>(std::lerp(brick.t_begin, brick.t_end, t_b));
                 const auto [low, high] = std::ranges::minmax(cell.depth);

@@ -31,10 +31,11 @@ struct SliceMesh {
     std::vector<std::uint32_t> indices;
 };
 
-/// `count` slices through the volume as seen by `camera`; 0 = as many as make the spacing one voxel of `voxel` units.
-SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double voxel);
+/// `count` slices through the volume as seen by `camera`; 0 = as many as bring the spacing to `spacing` P-space units.
+SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
 
-/// Where the slices meet those cells of a brick that hold something visible: plane ∩ cell polygons, farthest first.
+/// Where the slices meet those cells of a brick that hold something visible and lie in the picture: plane ∩ cell
+/// polygons, farthest first.
 SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const TransferFunction& transfer,
                      const Camera& camera, const SliceStack& stack);
 

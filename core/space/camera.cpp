@@ -30,6 +30,33 @@ glm::dvec2 Camera::pixel(const glm::dvec3& p, Size picture) const {
     return {(clip.x / clip.w + 1) / 2 * picture.width, (1 - clip.y / clip.w) / 2 * picture.height};
 }
 
+Camera Camera::cropped(const Tile& tile, Size picture) const {
+    const glm::dvec2 scale = {static_cast<double>(picture.width) / tile.size.width,
+                              static_cast<double>(picture.height) / tile.size.height};
+    const glm::dvec2 middle = {(2.0 * tile.column + tile.size.width) / picture.width - 1,
+                               1 - (2.0 * tile.row + tile.size.height) / picture.height};
+    glm::dmat4 crop(1);
+    crop[0][0] = scale.x;
+    crop[1][1] = scale.y;
+    crop[3][0] = -middle.x * scale.x;
+    crop[3][1] = -middle.y * scale.y;
+    Camera camera = *this;
+    camera.projection = crop * projection;
+    return camera;
+}
+
+std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels) {
+    const int width = static_cast<int>(std::clamp<std::int64_t>(pixels, 1, picture.width));
+    const int height = static_cast<int>(std::clamp<std::int64_t>(pixels / width, 1, picture.height));
+    std::vector<Tile> tiles;
+    for (int row = 0; row < picture.height; row += height) {
+        for (int column = 0; column < picture.width; column += width) {
+            tiles.push_back({column, row, {std::min(width, picture.width - column), std::min(height, picture.height - row)}});
+        }
+    }
+    return tiles;
+}
+
 Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size picture) {
     const double azimuth = glm::radians(view.azimuth);
     const double elevation = glm::radians(view.elevation);

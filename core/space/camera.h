@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -16,6 +18,16 @@ struct View {
     double margin = 0.04;   ///< part of the picture left free on each side
 };
 
+/// A part of a picture, in pixels from its top left corner.
+struct Tile {
+    int column = 0;
+    int row = 0;
+    Size size;
+};
+
+/// Cuts a picture into tiles of at most `pixels` pixels: bands as long as that lets them be whole.
+std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels);
+
 /// A camera in P-space (left-handed).
 struct Camera {
     glm::dvec3 eye{0};
@@ -25,6 +37,9 @@ struct Camera {
     bool perspective = true;
 
     glm::dmat4 clip_from_p() const { return projection * view; }
+
+    /// The same view of only the part `tile` of a picture of size `picture`.
+    Camera cropped(const Tile& tile, Size picture) const;
 
     /// Pixel position (column, row from the top; pixel centres at .5) of a point of P-space.
     glm::dvec2 pixel(const glm::dvec3& p, Size picture) const;

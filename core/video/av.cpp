@@ -1,6 +1,7 @@
 #include "core/video/av.h"
 
 #include <array>
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <string_view>
@@ -23,14 +24,13 @@ void AvFrameFree::operator()(AVFrame* frame) const {
 namespace av {
 namespace {
 
-// These two do what libav does without them. Their addresses mark a context as ours, so that the log callback, which
-// libav calls for every context of the process, never takes another library's opaque pointer for a Log.
+// Their addresses mark a context as ours, so that the log callback, which libav calls for every context of the
+// process, never takes another library's opaque pointer for a Log. Decoders have no use for an encoder's callback.
 int never_interrupt(void*) {
     return 0;
 }
-
-AVPixelFormat default_format(AVCodecContext* context, const AVPixelFormat* formats) {
-    return avcodec_default_get_format(context, formats);
+int never_encode(AVCodecContext*, AVPacket*, int) {
+    return AVERROR(ENOSYS);
 }
 
 Error out_of_memory() {
@@ -63,12 +63,14 @@ void Log::attach(AVFormatContext& context) {
 
 void Log::attach(AVCodecContext& context) {
     av_log_set_callback(&Log::receive);
-    context.get_format = &default_format;
+    context.get_encode_buffer = &never_encode;
     context.opaque = this;
 }
 
 void Log::receive(void* context, int level, const char* format, va_list arguments) {
-    if (!context || level > AV_LOG_ERROR) return;
+    // Filling holes in a damaged frame is no error to libav, and with threads the frame's own mark of it gets lost.
+    const bool is_concealment = std::string_view(format).starts_with("concealing");
+    if (!context || (level > AV_LOG_ERROR && !is_concealment)) return;
     const AVClass* kind = *static_cast<const AVClass**>(context);
     if (!kind || !kind->class_name) return;
 
@@ -79,7 +81,7 @@ void Log::receive(void* context, int level, const char* format, va_list argument
             log = static_cast<Log*>(owner->interrupt_callback.opaque);
     } else if (kind == avcodec_get_class()) {
         const auto* owner = static_cast<const AVCodecContext*>(context);
-        if (owner->get_format == &default_format) log = static_cast<Log*>(owner->opaque);
+        if (owner->get_encode_buffer == &never_encode) log = static_cast<Log*>(owner->opaque);
     }
     if (!log) return;
 
@@ -96,6 +98,12 @@ void Log::keep(const std::string& line) {
     if (last == std::string::npos) return;
     const std::lock_guard lock(mutex_);
     last_ = clean.substr(first, last - first + 1);
+    ++errors_;
+}
+
+std::int64_t Log::errors() const {
+    const std::lock_guard lock(mutex_);
+    return errors_;
 }
 
 std::string Log::text(int code) const {

@@ -56,12 +56,16 @@ class Log {
     /// The logged text where there is one, else the words for `code`.
     std::string text(int code) const;
 
+    /// Errors logged so far.
+    std::int64_t errors() const;
+
   private:
     static void receive(void* context, int level, const char* format, va_list arguments);
     void keep(const std::string& line);
 
     mutable std::mutex mutex_;
     std::string last_;
+    std::int64_t errors_ = 0;
 };
 
 /// No picture of more pixels is decoded: three times an 8K frame.

@@ -47,25 +47,24 @@ double duration_of(const AVFormatContext& format, const AVStream& stream) {
 
 }  // namespace
 
-FileSource::FileSource(Input input, const SourceOptions& options) : input_(std::move(input)), options_(options) {
-    open();
-    ahead_ = decode();
-    if (!ahead_)
+FileSource::FileSource(Input input, const SourceOptions& options)
+    : options_(options), reader_(std::move(input), options.rate, options.threads) {
+    auto first = reader_.next();
+    const auto& name = reader_.input().name;
+    if (!first.image)
         throw Error(
             ErrorKind::not_video,
             fmt::format(
                 "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
-                input_.name, avcodec_get_name(demuxer_->stream().codecpar->codec_id), decoder_->damaged(),
-                demuxer_->log().text(AVERROR_INVALIDDATA)));
-    origin_ = clock_.origin().value_or(0);
-    describe(*ahead_->image);
+                name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
+                reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
+    describe(*first.image);
     if (options_.start <= 0) {
-        index_ = 1;
+        ahead_ =
+            std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
         return;
     }
-
-    Demuxer scan(input_, Demuxer::Kind::video, options_.rate);
-    start_ = find_start(scan, origin_ + options_.start);
+    start_ = reader_.find(options_.start);
     rewind();
     ahead_ = next();
     if (!ahead_)
@@ -73,26 +72,17 @@ FileSource::FileSource(Input input, const SourceOptions& options) : input_(std::
             ErrorKind::usage,
             fmt::format(
                 "'{}' has no frame from {} s to {}: its frames run from 0 s to about {:.3f} s; change --start or --end",
-                input_.name, options_.start, options_.end ? fmt::format("{} s", *options_.end) : "its end",
-                info_.duration));
-}
-
-void FileSource::open() {
-    ahead_.reset();
-    decoder_.reset();
-    demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.rate);
-    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, options_.threads);
-    clock_ = Clock(demuxer_->frame_duration());
-    index_ = 0;
+                name, options_.start, options_.end ? fmt::format("{} s", *options_.end) : "its end", info_.duration));
 }
 
 void FileSource::describe(const AVFrame& first) {
-    auto& format = demuxer_->format();
-    auto& stream = demuxer_->stream();
+    auto& format = reader_.demuxer().format();
+    auto& stream = reader_.demuxer().stream();
     orientation_ = orientation_of(stream);
-    ahead_->orientation = orientation_;
+    // A time typed in decimals means the frame that it names.
+    tick_ = av_q2d(stream.time_base) / 2;
     const std::string formats = format.iformat->name;
-    info_.name = input_.name;
+    info_.name = reader_.input().name;
     info_.container = formats.substr(0, formats.find(','));
     info_.codec = avcodec_get_name(stream.codecpar->codec_id);
     info_.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_);
@@ -103,35 +93,21 @@ void FileSource::describe(const AVFrame& first) {
 }
 
 void FileSource::rewind() {
-    open();
-    if (start_.packets == 0) return;
-    const auto packet = av::make_packet();
-    for (std::int64_t i = 0; i < start_.packets; ++i)
-        if (!demuxer_->read(*packet)) return;
-    clock_ = Clock(demuxer_->frame_duration(), origin_);
-    index_ = start_.frames;
-}
-
-std::unique_ptr<DecodedFrame> FileSource::decode() {
-    auto image = decoder_->next();
-    if (!image) return nullptr;
-    const double pts = clock_(demuxer_->seconds(image->best_effort_timestamp));
-    return std::make_unique<DecodedFrame>(DecodedFrame{0, pts, orientation_, std::move(image)});
+    ahead_.reset();
+    reader_.rewind(start_);
+    index_ = start_.packets > 0 ? start_.frames : 0;
 }
 
 std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return std::move(ahead_);
-    // Half a tick of the container's clock: a time typed in decimals means the frame that it names.
-    const double tick = av_q2d(demuxer_->stream().time_base) / 2;
-    while (auto frame = decode()) {
-        if (options_.end && frame->pts >= *options_.end - tick) return nullptr;
-        if (frame->pts >= options_.start - tick) {
-            frame->index = index_++;
-            return frame;
-        }
+    for (;;) {
+        auto [image, time] = reader_.next();
+        if (!image || (options_.end && time >= *options_.end - tick_)) return nullptr;
+        if (time >= options_.start - tick_)
+            return std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)});
         if (start_.packets == 0) ++index_;
+        reader_.forget_damage();
     }
-    return nullptr;
 }
 
 std::vector<Frame> FileSource::sample(int count) {
@@ -143,17 +119,18 @@ std::vector<Frame> FileSource::sample(int count) {
 
 /// None where the clip has fewer key frames than asked for, or where they don't decode by themselves.
 std::vector<Frame> FileSource::sample_key_frames(int count) const {
-    Demuxer scan(input_, Demuxer::Kind::video, options_.rate);
-    const auto end = options_.end ? std::optional(origin_ + *options_.end) : std::nullopt;
-    const auto keys = find_key_packets(scan, origin_ + options_.start, end, count);
+    const double origin = reader_.origin();
+    Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
+    const auto end = options_.end ? std::optional(origin + *options_.end) : std::nullopt;
+    const auto keys = find_key_packets(scan, origin + options_.start, end, count);
     if (keys.seen < count) return {};
 
-    Decoder decoder(scan, input_.name, 1);
+    Decoder decoder(scan, reader_.input().name, 1);
     Scaler scale(*this);
     std::vector<Frame> frames;
     for (const auto& packet : keys.kept)
         if (auto image = decoder.decode_alone(*packet)) {
-            const double pts = scan.seconds(image->best_effort_timestamp).value_or(origin_) - origin_;
+            const double pts = scan.seconds(image->best_effort_timestamp).value_or(origin) - origin;
             frames.push_back(scale({0, pts, orientation_, std::move(image)}));
         }
     if (frames.size() < keys.kept.size() / 2 + 1) return {};

@@ -4,12 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/video/clock.h"
-#include "core/video/decoder.h"
-#include "core/video/demuxer.h"
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
+#include "core/video/video_reader.h"
 
 namespace vvr {
 
@@ -22,28 +20,23 @@ class FileSource final : public FrameSource {
     Size field_size() const override { return field_size_; }
     bool colour() const override { return options_.colour; }
     std::unique_ptr<DecodedFrame> next() override;
-    std::int64_t damaged() const override { return decoder_->damaged(); }
+    std::int64_t damaged() const override { return reader_.damaged(); }
     void rewind() override;
     std::vector<Frame> sample(int count) override;
 
   private:
-    void open();
     void describe(const AVFrame& first);
-    std::unique_ptr<DecodedFrame> decode();
     std::vector<Frame> sample_key_frames(int count) const;
 
-    Input input_;
     SourceOptions options_;
+    VideoReader reader_;
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double origin_ = 0;  ///< the first frame's time on the container's clock
+    double tick_ = 0;  ///< half a tick of the container's clock, seconds
     Start start_;
 
-    std::unique_ptr<Demuxer> demuxer_;
-    std::unique_ptr<Decoder> decoder_;
-    Clock clock_{0};
-    std::int64_t index_ = 0;
+    std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
 };
 

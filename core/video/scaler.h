@@ -27,11 +27,11 @@ class Scaler {
     Frame operator()(const DecodedFrame& decoded);
 
   private:
-    class Converter;
+    struct Parts;
 
     Size size_;
     bool colour_;
-    std::unique_ptr<Converter> converter_;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace vvr
