@@ -86,10 +86,10 @@ download_opencv_doc() {
 
 # A scene made by the test programs, for where there is no network.
 generate_scene() {
-    local clip=.cache/scene.y4m
     mkdir -p .cache
-    [ -s "$clip" ] || build/release/tests/scene/vvr-scene crossing "$clip" >&2
-    [ -s "$clip" ]
+    [ -s .cache/left_bag.y4m ] && return
+    build/release/tests/scene/vvr-scene left_bag .cache/part.y4m --frames 600
+    mv .cache/part.y4m .cache/left_bag.y4m
 }
 
 # The name of the demo's clip, on stdout: real footage, else a generated scene.
@@ -99,6 +99,6 @@ demo_clip() {
     else
         say "opencv-doc can't be had here, so this uses a generated scene"
         generate_scene
-        echo .cache/scene.y4m
+        echo .cache/left_bag.y4m
     fi
 }
