@@ -35,7 +35,7 @@ void check(const RenderSettings& settings) {
 }
 
 bool wants_colour(const RenderSettings& settings) {
-    return find_filter(settings.fields.filter).needs.colour || settings.look.shows("frames");
+    return find_filter(settings.fields.filter).traits.colour || settings.look.shows("frames");
 }
 
 RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
