@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/option.h"
 #include "cli/options_output.h"
+#include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/render_clip.h"
 #include "cli/render_settings.h"
@@ -51,8 +52,9 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
 RenderedClip render(const RenderSettings& settings, spdlog::logger& log) {
     const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
     const RenderJob job = job_for(settings, source->info());
-    Progress progress("frames", expected_frames(source->info(), job.source),
-                      !settings.run.quiet && stderr_is_terminal());
+    const Plan plan = make_plan(job, *source);
+    check_memory(plan);
+    Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
     RenderedClip clip = render_clip(job, *source, [&](std::int64_t frames) { progress.set(frames); });
     progress.clear();
     log_report(clip.report, log);

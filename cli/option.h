@@ -71,6 +71,7 @@ CLI::Option* add_name(CLI::App& app, const char* group, std::string& target, std
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;
+    names.reserve(std::size(table));
     for (const auto& row : table) names.emplace_back(row.name);
     return names;
 }
