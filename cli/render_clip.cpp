@@ -12,7 +12,7 @@ namespace vvr {
 namespace {
 
 // Arrows at so many times along the arc leave each other room.
-constexpr std::int64_t arrow_times = 100;
+constexpr std::int64_t arrow_times = 80;
 
 /// The volume of a clip, and the frames at its ends.
 struct Fields {

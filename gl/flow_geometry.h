@@ -10,8 +10,8 @@ namespace vvr {
 
 /// How arrows look.
 struct GlyphStyle {
-    float thickness = 0.045F;                  ///< P-space units a unit of the reference glyph's radius
-    glm::vec2 speed_range{0.3F, 4.0F};         ///< pixels a frame at the ends of the colour scale
+    float thickness = 0.05F;                  ///< P-space units a unit of the reference glyph's radius
+    glm::vec2 speed_range{0.3F, 6.0F};         ///< pixels a frame at the ends of the colour scale
     glm::vec3 slow_colour{0.98F, 0.72F, 0.20F};
     glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
 };
