@@ -32,6 +32,13 @@ void add_options(CLI::App& app, LookOptions& options) {
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
     add_number(app, group::look, options.glyph_scale, {0.01, 100},
                {"--glyph-scale", "FACTOR", "", "factor on the arrows' size"});
+    add_integer(app, group::look, options.traces.steps, 1, 100'000,
+                {"--trace-steps", "COUNT", "", "steps of a traceline"});
+    add_number(app, group::look, options.traces.dt, {1e-3, 1000},
+               {"--trace-dt", "FRAMES", "", "length of a traceline's step in time"});
+    add_number(app, group::look, options.traces.time_velocity, {-1000, 1000},
+               {"--time-velocity", "NUMBER", "",
+                "frames along the arc that flow takes a frame; 0 = arrows and tracelines stay in their frame"});
 }
 
 }  // namespace vvr

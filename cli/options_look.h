@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/scene/traceline.h"
+
 namespace vvr {
 
 /// What the picture shows of the volume and the flow.
@@ -12,6 +14,7 @@ struct LookOptions {
     std::vector<std::string> show{"volume", "arrows", "outline", "frames"};
     double opacity = 1;      ///< factor on the extinction
     double glyph_scale = 1;  ///< factor on the arrows' size
+    TraceOptions traces;
 
     bool shows(const std::string& part) const;
 };

@@ -26,9 +26,10 @@ Fields read_fields(const RenderJob& job, FrameSource& source, std::int64_t step,
     FieldOptions options = job.fields;
     const std::int64_t expected = expected_frames(source.info(), job.source);
     options.flow.every = std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
-    if (!job.show.contains("arrows")) options.flow.method = "none";
+    if (!job.show.contains("arrows") && !job.show.contains("tracelines")) options.flow.method = "none";
 
     Fields result{Volume(source.field_size(), job.max_layers, step, options.flow.every), {}, {}, {}};
+    if (job.show.contains("tracelines")) result.volume.keep_flow();
     result.summary = compute_fields(source, options, [&](Frame&& frame, Field&& field) {
         result.volume.add(field);
         if (result.volume.frames() == 1) result.first = frame;
@@ -60,6 +61,7 @@ Plane<Bgr> standing_picture(const Frame& frame) {
 Scene build_scene(const RenderJob& job, const Fields& fields, const Layout& layout) {
     Scene scene;
     if (job.show.contains("arrows")) scene.arrows = arrows(fields.volume, layout, job.glyphs);
+    if (job.show.contains("tracelines")) scene.tracelines = tracelines(fields.volume, layout, job.traces);
     if (job.show.contains("outline")) scene.outline = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
     if (job.show.contains("frames")) {
         constexpr float opacity = 0.5F;
@@ -86,7 +88,7 @@ Picture to_picture(const Plane<glm::vec4>& drawn) {
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "outline", "frames"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames"};
     return words;
 }
 

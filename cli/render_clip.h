@@ -9,6 +9,7 @@
 #include "core/fields/options.h"
 #include "core/image/picture.h"
 #include "core/scene/glyph.h"
+#include "core/scene/traceline.h"
 #include "core/video/frame_source.h"
 #include "gl/renderer.h"
 
@@ -34,6 +35,7 @@ struct RenderJob {
     RenderOptions picture;  ///< ring and window_layers are found out
     double opacity = 1;
     GlyphOptions glyphs;
+    TraceOptions traces;
     std::set<std::string> show = {"volume", "arrows", "outline", "frames"};
 
     std::string backend = "auto";

@@ -65,6 +65,8 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
     job.opacity = settings.look.opacity;
+    job.traces = settings.look.traces;
+    job.glyphs.time_velocity = settings.look.traces.time_velocity;
     job.glyphs.frames *= settings.look.glyph_scale;
     job.glyphs.cap *= settings.look.glyph_scale;
     job.picture.glyphs.thickness *= static_cast<float>(settings.look.glyph_scale);

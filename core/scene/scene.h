@@ -6,6 +6,7 @@
 
 #include "core/plane.h"
 #include "core/scene/glyph.h"
+#include "core/scene/traceline.h"
 #include "core/space/layout.h"
 
 namespace vvr {
@@ -27,6 +28,7 @@ struct StandingFrame {
 /// The geometry that is drawn with the volume.
 struct Scene {
     std::vector<Glyph> arrows;
+    Tracelines tracelines;
     std::vector<Segment> outline;
     std::vector<StandingFrame> frames;
 };
