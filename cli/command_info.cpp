@@ -7,6 +7,7 @@
 #include "cli/plan.h"
 #include "cli/print.h"
 #include "cli/render_settings.h"
+#include "cli/words.h"
 
 namespace vvr {
 
@@ -33,8 +34,8 @@ std::string as_text(const FrameSource& source, const Plan& plan) {
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     text += "a render of it\n";
     line("fields", text_of(source.field_size()));
-    line("volume", fmt::format("{}{} layers, {} frame{} each", plan.frames > 0 ? "" : "up to ", plan.layers, plan.step,
-                               plan.step == 1 ? "" : "s"));
+    line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
+                               counted(plan.step, "frame")));
     line("bricks", fmt::to_string(plan.bricks));
     line("memory", fmt::format("about {} MB", plan.bytes / 1'000'000));
     return text;

@@ -49,7 +49,8 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         print(app_.help());
         return false;
     } catch (const CLI::FileError& error) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the config file: {}", error.what()));
+        throw Error(ErrorKind::io, fmt::format("cannot read config file '{}'; check the name and its permissions",
+                                               app_.get_config_ptr()->as<std::string>()));
     } catch (const CLI::ParseError& error) {
         throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app_.get_name()));
     }
@@ -66,7 +67,7 @@ void CommandLine::refuse_leftovers() const {
                                                   leftovers.front(), app_.get_name()));
     }
     const std::string name = option->substr(0, option->find('='));
-    throw Error(ErrorKind::usage, fmt::format("{} has no option '{}'{}; `{} --help` lists them", app_.get_name(), name,
+    throw Error(ErrorKind::usage, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
                                               did_you_mean(name, option_names(app_)), app_.get_name()));
 }
 

@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/render_clip.h"
 #include "cli/render_settings.h"
+#include "cli/words.h"
 #include "core/image/picture_file.h"
 
 namespace vvr {
@@ -39,11 +40,12 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
     log.debug("backend {}: {}", report.backend, report.renderer);
     log.debug("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows);
     if (report.damaged > 0) {
-        log.warn("'{}': {} damaged packets; the picture shows the {} frames that decode", name, report.damaged,
-                 report.frames);
+        log.warn("'{}': {}; the picture shows {} that decoded", name, counted(report.damaged, "damaged packet"),
+                 counted(report.frames, "frame"));
     }
     if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
-    if (report.step > 1) log.info("the clip is longer than the window: {} frames share a layer", report.step);
+    if (report.step > 1)
+        log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
 RenderedClip render(const RenderSettings& settings, spdlog::logger& log) {
@@ -81,8 +83,9 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
         write_picture(output.path, clip.picture, describe(line, clip.report));
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {} frames in {} layers and {} bricks, {:.1f} s", output.path.string(),
-                         clip.report.frames, clip.report.layers, clip.report.bricks.size(), took.count());
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(clip.report.frames, "frame"),
+                         counted(clip.report.layers, "layer"),
+                         counted(static_cast<std::int64_t>(clip.report.bricks.size()), "brick"), took.count());
     return ExitStatus::done;
 }
 

@@ -67,7 +67,7 @@ Size parse_size(std::string_view text) {
     if (!width || !height) refuse(text, "a size like 1280x800");
     for (const std::int64_t side : {*width, *height}) {
         if (side < 1 || side > largest_side) {
-            refuse(text, fmt::format("a size within reach: each side has to be 1..{} pixels", largest_side));
+            refuse(text, fmt::format("a size from 1x1 to {0}x{0}", largest_side));
         }
     }
     return {static_cast<int>(*width), static_cast<int>(*height)};

@@ -107,6 +107,7 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
 }
 
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress) {
+    const auto context = open_context(job.backend, job.device);
     const std::int64_t expected = expected_frames(source.info(), job.source);
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -138,7 +139,6 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
 
     report.still = nothing_visible(volume, default_transfer_function());
 
-    const auto context = open_context(job.backend, job.device);
     report.renderer = context->renderer();
     report.backend = context->backend();
     RenderOptions options = job.picture;

@@ -76,8 +76,8 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames);
 /// The clip's frames between `start` and `end` as far as its header tells; 0 = unknown.
 std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options);
 
-/// The main job: frames → fields → bricks → renderer → picture. The GL context is opened last, when there is
-/// something to draw.
+/// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
+/// to be read in vain.
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress);
 
 }  // namespace vvr

@@ -34,16 +34,15 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout)
 
 void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
     transfer_ = transfer;
-    std::array<glm::vec4, 256> table;
+    // Fine enough to be read without interpolation, which would take the software rasteriser four fetches.
+    std::array<glm::vec4, 1021> table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const glm::dvec4 optical = transfer.at(static_cast<double>(i));
+        const glm::dvec4 optical = transfer.at(static_cast<double>(i) / 4);
         table[i] = glm::vec4(optical.x, optical.y, optical.z, optical.w * std::numbers::log2e);
     }
     gl_->BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(table.size()), 1, 0, GL_RGBA, GL_FLOAT,
                     table.data());
     check_gl(*gl_, "uploading the transfer function");

@@ -8,7 +8,8 @@ namespace vvr {
 
 namespace {
 
-constexpr int cell_side = 16;
+// Voxels. Smaller cells leave out more of what is empty, larger ones make fewer triangles; measured on street scenes.
+constexpr int cell_side = 12;
 
 std::vector<double> borders(int cells) {
     std::vector<double> result(static_cast<std::size_t>(cells) + 1);

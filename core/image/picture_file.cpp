@@ -48,9 +48,9 @@ const Format& format_of(const std::filesystem::path& path) {
     if (format != formats.end()) return *format;
     const std::vector<std::string> known = picture_endings();
     throw Error(ErrorKind::usage,
-                fmt::format("cannot write '{}': {} is not an output format; there are {}{}", path.string(),
-                            ending.empty() ? "a name without an ending" : "'" + ending + "'", fmt::join(known, " "),
-                            did_you_mean(ending, known)));
+                fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
+                            ending.empty() ? "a name without an ending" : "'" + ending + "'",
+                            did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
 /// The picture's values as the file wants them, without alpha where `channels` is 3.

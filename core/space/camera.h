@@ -13,7 +13,7 @@ namespace vvr {
 /// Where the viewer stands. At azimuth 0 before the open side; positive azimuth walks to the viewer's right.
 struct View {
     double azimuth = 0;     ///< degrees
-    double elevation = 38;  ///< degrees above the floor
+    double elevation = 46;  ///< degrees above the floor
     double fov = 30;        ///< vertical field of view in degrees; 0 = orthographic
     double margin = 0.04;   ///< part of the picture left free on each side
 };

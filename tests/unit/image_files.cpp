@@ -149,8 +149,8 @@ TEST_F(ImageTest, EndingsInCapitalsCount) {
 TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
     const Error error = error_of([&] { check_picture_path(file("a.pgn")); });
     EXPECT_EQ(error.kind(), ErrorKind::usage);
-    expect_text(error, "'.pgn' is not an output format; there are .png .exr .tif .tiff .jpg .jpeg");
-    expect_text(error, "did you mean '.png'?");
+    expect_text(error,
+                "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg");
     expect_text(error_of([&] { check_picture_path(file("a")); }), "a name without an ending");
 }
 

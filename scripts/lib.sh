@@ -1,0 +1,104 @@
+# What the scripts share. To be sourced; leaves the caller in the project's root folder.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf '==> %s\n' "$*" >&2; }
+
+die() {
+    printf '%s: %s\n' "${0##*/}" "$*" >&2
+    exit 1
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        die "'$*' needs root, and there is no sudo; run it as root, then start again"
+    fi
+}
+
+apt_get() { DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 "$@"; }
+
+update_package_lists() {
+    say "apt-get update"
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update >&2
+}
+
+# The packages of packages.txt that are not installed, one a line.
+missing_packages() {
+    local wanted
+    wanted=$(sed 's/#.*//' scripts/packages.txt)
+    # dpkg-query fails when it has never heard of a package, which is an answer too.
+    # shellcheck disable=SC2086
+    { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |
+        awk '$2 == "installed" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted | sort -u)
+}
+
+install_packages() {
+    command -v dpkg-query >/dev/null || die "this is not Debian; install what scripts/packages.txt lists, by your own means"
+    local missing
+    missing=$(missing_packages)
+    if [ -z "$missing" ]; then
+        say "all packages of scripts/packages.txt are installed"
+        return
+    fi
+    say "installing" $missing
+    # shellcheck disable=SC2086
+    if ! apt_get install --no-install-recommends --simulate $missing >/dev/null 2>&1; then
+        update_package_lists
+    fi
+    # shellcheck disable=SC2086
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >&2
+}
+
+build() {
+    if [ ! -e build/release/build.ninja ]; then
+        say "configuring build/release"
+        cmake --preset release >&2
+    fi
+    say "building build/release"
+    cmake --build --preset release >&2
+}
+
+# One file out of Debian's opencv-doc, kept in .cache. Fails when the package can't be had.
+fetch_vtest() {
+    local clip=.cache/vtest.avi folder
+    [ -s "$clip" ] && return
+    command -v apt-get >/dev/null || return 1
+    mkdir -p .cache
+    say "fetching vtest.avi out of Debian's opencv-doc"
+    folder=$(mktemp -d .cache/deb.XXXXXX)
+    download_opencv_doc "$folder" || { update_package_lists && download_opencv_doc "$folder"; } || true
+    if compgen -G "$folder/*.deb" >/dev/null &&
+        dpkg-deb --fsys-tarfile "$folder"/*.deb |
+            tar -xO ./usr/share/doc/opencv-doc/examples/data/vtest.avi >"$folder/vtest.avi"; then
+        mv "$folder/vtest.avi" "$clip"
+    fi
+    rm -rf "$folder"
+    [ -s "$clip" ]
+}
+
+download_opencv_doc() {
+    (cd "$1" && apt_get -o APT::Sandbox::User=root download opencv-doc >/dev/null 2>&1)
+}
+
+# A scene made by the test programs, for where there is no network.
+generate_scene() {
+    mkdir -p .cache
+    [ -s .cache/left_bag.y4m ] && return
+    build/release/tests/scene/vvr-scene left_bag .cache/part.y4m --frames 600
+    mv .cache/part.y4m .cache/left_bag.y4m
+}
+
+# The name of the demo's clip, on stdout: real footage, else a generated scene.
+demo_clip() {
+    if fetch_vtest; then
+        echo .cache/vtest.avi
+    else
+        say "opencv-doc can't be had here, so this uses a generated scene"
+        generate_scene
+        echo .cache/left_bag.y4m
+    fi
+}

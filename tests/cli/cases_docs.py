@@ -1,0 +1,58 @@
+"""What README and docs/ say is true: their commands run, the list of options is the program's own."""
+
+import re
+import subprocess
+
+from harness import case, check
+
+
+def commands(text):
+    """The commands of the ```sh blocks that follow a line `<!-- test -->`."""
+    return re.findall(r"<!-- test -->\n+```sh\n(.*?)```", text, flags=re.DOTALL)
+
+
+def run_commands(t, page):
+    """Runs a page's commands in a folder where the clip that it names is."""
+    blocks = commands((t.source / page).read_text())
+    check(blocks, f"{page} has no commands to test")
+    t.clip("clip.avi")
+    (t.path("bin")).mkdir()
+    t.path("bin/vvr").symlink_to(t.vvr_path)
+    for block in blocks:
+        done = t.run(["bash", "-euc", f'PATH="{t.path("bin")}:$PATH"\n{block}'])
+        check(done.status == 0, str(done))
+
+
+@case
+def readme_commands(t):
+    run_commands(t, "README.md")
+
+
+@case
+def formats_commands(t):
+    run_commands(t, "docs/formats.md")
+
+
+@case
+def reliability_commands(t):
+    run_commands(t, "docs/reliability.md")
+
+
+@case
+def cli_page_is_up_to_date(t):
+    page = subprocess.run([t.source / "scripts" / "cli-page", t.vvr_path], stdout=subprocess.PIPE, check=True).stdout
+    check(page == (t.source / "docs" / "cli.md").read_bytes(), "docs/cli.md is old; make it with scripts/cli-page")
+
+
+@case
+def links_lead_somewhere(t):
+    for page in [t.source / "README.md", *(t.source / "docs").glob("*.md")]:
+        for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):
+            check((page.parent / link).exists(), f"{page.name} links to {link}, which is not there")
+
+
+@case
+def scripts_are_sound(t):
+    for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh"):
+        done = t.run(["bash", "-n", str(t.source / "scripts" / name)])
+        check(done.status == 0, str(done))

@@ -1,0 +1,140 @@
+"""Where pictures go, and that they are whole or not there."""
+
+import os
+import resource
+import subprocess
+
+from harness import case, check
+
+
+@case
+def every_format(t):
+    t.clip()
+    for ending in ("png", "exr", "tif", "tiff", "jpg", "jpeg"):
+        t.render("clip.avi", output=f"out.{ending}").expect(0)
+        check(t.path(f"out.{ending}").stat().st_size > 500, f"out.{ending} is small")
+
+
+@case
+def same_bytes_every_time(t):
+    t.clip()
+    for name in ("a.png", "b.png", "a.exr", "b.exr"):
+        t.render("clip.avi", "--backend", "software", output=name).expect(0)
+    for ending in ("png", "exr"):
+        check(t.path(f"a.{ending}").read_bytes() == t.path(f"b.{ending}").read_bytes(), f"two {ending} files differ")
+
+
+@case
+def settings_stand_in_the_picture(t):
+    t.clip()
+    t.ffmpeg("-i", "clip.avi", "-frames:v", "1", "empty-scene.png")
+    t.render("clip.avi", "--camera", "-12,34", "--reference", str(t.path("empty-scene.png"))).expect(0)
+    data = t.path("out.png").read_bytes()
+    for text in (b"vvr:camera\0-12,34", b"vvr:threshold\0", b"vvr:frames\0" + b"20", b"Software\0vvr ", b"vvr:renderer\0"):
+        check(text in data, f"{text} is not in the picture")
+    check(str(t.folder).encode() not in data, "the picture names a folder")
+
+
+@case
+def unknown_format(t):
+    t.clip()
+    t.render("clip.avi", output="out.pgn").expect(
+        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg")
+    t.render("clip.avi", output="out").expect(1, "a name without an ending is not an output format")
+    t.expect_files("clip.avi")
+
+
+@case
+def missing_folder(t):
+    t.clip()
+    t.render("clip.avi", output="none/out.png").expect(2, "there is no folder 'none'", "mkdir -p 'none'")
+    t.expect_files("clip.avi")
+
+
+@case
+def folder_that_cannot_be_written(t):
+    t.clip()
+    t.render("clip.avi", output="/proc/out.png").expect(2, "'/proc'", "choose another folder")
+    t.path("locked").mkdir()
+    t.path("locked").chmod(0o555)
+    if os.geteuid() != 0:
+        t.render("clip.avi", output="locked/out.png").expect(2, "Permission denied")
+    t.path("folder.png").mkdir()
+    t.render("clip.avi", output="folder.png").expect(2, "it is a folder")
+    t.expect_files("clip.avi", "folder.png", "locked")
+
+
+@case
+def folder_is_checked_before_the_clip_is_read(t):
+    t.render("none.avi", output="none/out.png").expect(2, "there is no folder 'none'")
+
+
+@case
+def full_disk_by_file_size_limit(t):
+    t.clip()
+    t.write("before.png", "an older picture")
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+
+    t.render("clip.avi", output="before.png", preexec_fn=limit).expect(2, "cannot write 'before.png'", "File too large")
+    t.render("clip.avi", preexec_fn=limit).expect(2, "cannot write 'out.png'", "free some space")
+    check(t.path("before.png").read_text() == "an older picture", "the older picture was touched")
+    t.expect_files("before.png", "clip.avi")
+
+
+@case
+def full_disk_on_a_tiny_file_system(t):
+    t.clip()
+    t.path("tiny").mkdir()
+    # In a mount namespace of its own, so that it goes away by itself; only root may do it.
+    script = f'mount -t tmpfs -o size=4k none tiny && "{t.vvr_path}" render clip.avi -o tiny/out.png; echo $? && ls -A tiny'
+    result = t.run(["unshare", "--mount", "bash", "-c", script])
+    if "vvr:" not in result.err:
+        print("not permitted to mount here, so only full_disk_by_file_size_limit tells")
+        return
+    check(result.out == "2\n", str(result))
+    check("No space left on device" in result.err, str(result))
+
+
+@case
+def replaces_an_older_picture(t):
+    t.clip()
+    t.write("out.png", "an older picture")
+    t.render("clip.avi").expect(0)
+    t.expect_picture()
+    t.expect_files("clip.avi", "out.png")
+
+
+@case
+def nothing_on_stdout(t):
+    t.clip()
+    result = t.render("clip.avi").expect(0, "vvr: 'out.png': 20 frames in 20 layers and 8 bricks", out="")
+    check("\r" not in result.err and "\033" not in result.err, "a progress bar without a terminal")
+
+
+@case
+def quiet_is_quiet(t):
+    t.clip()
+    result = t.render("clip.avi", "--quiet").expect(0, out="")
+    check(result.err == "", str(result))
+    t.render("none.avi", "--quiet").expect(2, "none.avi")
+
+
+@case
+def verbose_says_more(t):
+    t.clip()
+    t.render("clip.avi", "--verbose").expect(0, "backend ", "arrows")
+
+
+@case
+def reader_that_has_seen_enough(t):
+    result = t.run(["bash", "-c", f'set -o pipefail; "{t.vvr_path}" render --help | head -n 1'])
+    check(result.status == 0 and result.err == "" and result.out.count("\n") == 1, str(result))
+
+
+@case
+def stdout_that_cannot_be_written(t):
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run([t.vvr_path, "--version"], stdout=full, stderr=subprocess.PIPE, check=False)
+    check(done.returncode == 2 and b"cannot write to stdout: No space left" in done.stderr, str(done))

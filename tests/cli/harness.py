@@ -1,0 +1,99 @@
+"""What the command line's tests share: a registry of cases, and the means to make clips and run vvr."""
+
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+from dataclasses import dataclass
+
+CASES = {}
+
+
+def case(function):
+    """Registers a test; its name is the function's."""
+    assert function.__name__ not in CASES, function.__name__
+    CASES[function.__name__] = function
+    return function
+
+
+def check(condition, text):
+    if not condition:
+        raise AssertionError(text)
+
+
+@dataclass
+class Result:
+    command: str
+    status: int
+    out: str
+    err: str
+
+    def expect(self, status, *texts, out=""):
+        """The exit status, parts of what stderr says, and all that stdout says (None: whatever)."""
+        check(self.status == status, f"{self}\nexpected status {status}")
+        for text in texts:
+            check(text in self.err, f"{self}\nexpected on stderr: {text}")
+        check(out is None or self.out == out, f"{self}\nexpected on stdout: {out!r}")
+        return self
+
+    def __str__(self):
+        return f"$ {self.command}\nstatus {self.status}\nstdout: {self.out}\nstderr: {self.err}"
+
+
+class Bench:
+    """A folder of its own for one case, with ways to fill it and to run vvr in it."""
+
+    def __init__(self, vvr, source):
+        self.vvr_path = vvr
+        self.source = pathlib.Path(source)
+        self._folder = tempfile.TemporaryDirectory(prefix="vvr-cli-")
+        self.folder = pathlib.Path(self._folder.name)
+
+    def close(self):
+        self._folder.cleanup()
+
+    def run(self, command, **options):
+        options = {"cwd": self.folder, "stdin": subprocess.DEVNULL, "timeout": 120} | options
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False, **options)
+        text = command if isinstance(command, str) else " ".join(map(str, command))
+        return Result(text, done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace"))
+
+    def vvr(self, *arguments, **options):
+        return self.run([self.vvr_path, *arguments], **options)
+
+    def render(self, clip, *arguments, output="out.png", **options):
+        """A small and quick picture."""
+        return self.vvr("render", clip, "-o", output, "--size", "160x100", *arguments, **options)
+
+    def path(self, name):
+        return self.folder / name
+
+    def write(self, name, content):
+        data = content if isinstance(content, bytes) else content.encode()
+        self.path(name).write_bytes(data)
+        return name
+
+    def ffmpeg(self, *arguments):
+        done = self.run(["ffmpeg", "-v", "error", "-y", *arguments])
+        check(done.status == 0, str(done))
+
+    def clip(self, name="clip.avi", seconds=2, size="64x48", codec=("-c:v", "mpeg4", "-g", "5")):
+        """A clip in which much moves, 10 frames a second."""
+        self.ffmpeg("-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration={seconds}", *codec, name)
+        return name
+
+    def files(self):
+        """Everything in the folder, hidden files too."""
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def expect_files(self, *names):
+        check(self.files() == sorted(names), f"expected the files {sorted(names)}, there are {self.files()}")
+
+    def picture_size(self, name):
+        probe = self.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0", name])
+        return tuple(int(number) for number in re.findall(r"\d+", probe.out))
+
+    def expect_picture(self, name="out.png", size=(160, 100)):
+        check(os.path.exists(self.path(name)), f"there is no {name}")
+        check(self.picture_size(name) == size, f"{name} is {self.picture_size(name)}, not {size}")

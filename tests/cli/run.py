@@ -1,0 +1,29 @@
+"""Runs one test of the command line, or lists their names: run.py --list | run.py VVR SOURCE CASE."""
+
+import sys
+
+import cases_backend  # noqa: F401
+import cases_docs  # noqa: F401
+import cases_input  # noqa: F401
+import cases_options  # noqa: F401
+import cases_output  # noqa: F401
+import cases_process  # noqa: F401
+from harness import CASES, Bench
+
+
+def main():
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(CASES))
+        return
+    vvr, source, name = sys.argv[1:]
+    bench = Bench(vvr, source)
+    try:
+        CASES[name](bench)
+    except AssertionError as failure:
+        sys.exit(f"{name}: {failure}")
+    finally:
+        bench.close()
+
+
+if __name__ == "__main__":
+    main()

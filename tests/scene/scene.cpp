@@ -1,0 +1,58 @@
+#include "tests/scene/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/scene/texture.h"
+
+namespace vvr::scene {
+namespace {
+
+struct Entry {
+    std::string_view name;
+    Scene (*make)(const Options&);
+};
+constexpr std::array table{Entry{"left_bag", make_left_bag},
+                           Entry{"walkers", make_walkers},
+                           Entry{"spinning_sphere", make_spinning_sphere},
+                           Entry{"shifted_texture", make_shifted_texture},
+                           Entry{"still", make_still},
+                           Entry{"one_object_a_second", make_one_object_a_second}};
+
+/// Four even numbers added up are close to normal, and a sum of bits of one hash is cheap.
+double normal(std::uint64_t value) {
+    const std::uint64_t bits = hash(value);
+    double sum = 0;
+    for (int shift = 0; shift < 64; shift += 16) sum += static_cast<double>((bits >> shift) & 0xffff) / 65536;
+    return (sum - 2) * std::sqrt(3.0);
+}
+
+}  // namespace
+
+Plane<Bgr> Scene::frame(int i) const {
+    auto picture = story_->paint(i);
+    double light = options_.frames > 1 ? options_.drift * i / (options_.frames - 1) : 0;
+    if (i >= options_.jump_at) light += options_.jump;
+    if (light == 0 && options_.noise <= 0) return picture;
+
+    std::uint64_t pixel = hash(options_.seed * 0x10001 + static_cast<std::uint64_t>(i));
+    for (Bgr& colour : picture.pixels()) {
+        const double add = light + (options_.noise > 0 ? options_.noise * normal(pixel++) : 0);
+        for (auto& channel : colour)
+            channel = static_cast<std::uint8_t>(std::clamp(std::lround(channel + add), 0L, 255L));
+    }
+    return picture;
+}
+
+Scene make_scene(std::string_view name, const Options& options) {
+    std::string names;
+    for (const auto& entry : table) {
+        if (entry.name == name) return entry.make(options);
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    throw std::invalid_argument("no scene named '" + std::string(name) + "'; there are " + names);
+}
+
+}  // namespace vvr::scene

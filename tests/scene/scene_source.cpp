@@ -1,0 +1,63 @@
+#include "tests/scene/scene_source.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+extern "C" {
+#include <libavutil/frame.h>
+}
+
+namespace vvr::scene {
+namespace {
+
+AvFrame to_av(const Plane<Bgr>& picture) {
+    AvFrame frame(av_frame_alloc());
+    if (!frame) throw std::bad_alloc();
+    frame->width = picture.width();
+    frame->height = picture.height();
+    frame->format = AV_PIX_FMT_BGR24;
+    if (av_frame_get_buffer(frame.get(), 0) < 0) throw std::bad_alloc();
+    for (int j = 0; j < picture.height(); ++j) {
+        const auto row = std::as_bytes(picture.row(j));
+        std::copy(row.begin(), row.end(), reinterpret_cast<std::byte*>(frame->data[0] + j * frame->linesize[0]));
+    }
+    return frame;
+}
+
+class SceneSource final : public FrameSource {
+  public:
+    SceneSource(Scene scene, const SourceOptions& options)
+        : scene_(std::move(scene)),
+          info_{"scene",        "scene", "none", scene_.size(), scene_.rate(), scene_.frames() / scene_.rate(),
+                scene_.frames()},
+          field_size_(field_size_for(scene_.size(), options.field_size)),
+          colour_(options.colour) {}
+
+    const VideoInfo& info() const override { return info_; }
+    Size field_size() const override { return field_size_; }
+    bool colour() const override { return colour_; }
+    std::int64_t damaged() const override { return 0; }
+    void rewind() override { next_ = 0; }
+
+    std::unique_ptr<DecodedFrame> next() override {
+        if (next_ >= scene_.frames()) return nullptr;
+        const int i = next_++;
+        return std::make_unique<DecodedFrame>(DecodedFrame{i, i / scene_.rate(), {}, to_av(scene_.frame(i))});
+    }
+
+  private:
+    Scene scene_;
+    VideoInfo info_;
+    Size field_size_;
+    bool colour_;
+    int next_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_scene(Scene scene, const SourceOptions& options) {
+    return std::make_unique<SceneSource>(std::move(scene), options);
+}
+
+}  // namespace vvr::scene
