@@ -107,6 +107,15 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
 }
 
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress) {
+    RenderedClip clip;
+    clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
+        if (number == 0) clip.picture = std::move(picture);
+    });
+    return clip;
+}
+
+RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+                         const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
     const std::int64_t expected = expected_frames(source.info(), job.source);
     std::int64_t step = planned_step(job, expected);
@@ -119,8 +128,7 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     }
 
     Volume& volume = fields.volume;
-    RenderedClip result;
-    RenderReport& report = result.report;
+    RenderReport report;
     report.info = source.info();
     report.field_size = source.field_size();
     report.frames = fields.summary.frames;
@@ -134,7 +142,7 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     LayoutShape shape = shape_for(volume.size(), job.r_min, job.r_max);
     if (job.height > 0) shape.y_s = job.height;
     const auto layout = make_layout(job.layout, shape);
-    const Scene scene = build_scene(job, fields, *layout);
+    Scene scene = build_scene(job, fields, *layout);
     report.arrows = scene.arrows.size();
 
     report.still = nothing_visible(volume, default_transfer_function());
@@ -153,8 +161,9 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
             volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
         }
     }
-    result.picture = to_picture(renderer.draw(scene));
-    return result;
+    renderer.set_scene(std::move(scene));
+    for (int i = 0; i < job.pictures; ++i) sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+    return report;
 }
 
 }  // namespace vvr

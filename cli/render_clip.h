@@ -32,6 +32,7 @@ struct RenderJob {
     double r_max = 1;
     double height = 0;  ///< y_s; 0 = square pixels
 
+    int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;  ///< ring and window_layers are found out
     double opacity = 1;
     GlyphOptions glyphs;
@@ -79,5 +80,13 @@ std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options
 /// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
 /// to be read in vain.
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress);
+
+/// Takes each picture of a job with its number from 0 on.
+using PictureSink = std::function<void(const RenderReport& report, int number, Picture&& picture)>;
+
+/// The same for all `job.pictures`: only the phase of the tracelines' texture changes from one to the next, and the
+/// last is followed by the first.
+RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+                         const PictureSink& sink);
 
 }  // namespace vvr

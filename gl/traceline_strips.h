@@ -9,9 +9,9 @@ namespace vvr {
 
 /// How tracelines look; their colours are those of the arrows.
 struct TraceStyle {
-    float width = 0.008F;         ///< P-space units
-    float least_width = 2;        ///< pixels
-    float stripe_length = 0.03F;  ///< P-space units from one dark stripe to the next
+    float width = 0.0045F;        ///< P-space units
+    float least_width = 1.6F;       ///< pixels
+    float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
     float shade = 0.3F;           ///< what is left of the colour in a dark stripe
 };
 

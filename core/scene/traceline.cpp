@@ -7,9 +7,6 @@ namespace vvr {
 
 namespace {
 
-// Field pixels; a particle that takes shorter steps has come to rest.
-constexpr double rest = 1e-6;
-
 /// The part of the way from `from`, inside, to `to` that lies between `low` and `high`.
 double inside_share(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& low, const glm::dvec3& high) {
     double share = 1;
@@ -52,8 +49,9 @@ std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, con
     std::vector<glm::dvec3> points = {start};
     for (int i = 0; i < options.steps; ++i) {
         const glm::dvec3 from = points.back();
-        const glm::dvec3 step = glm::dvec3(volume.flow().at(from), options.time_velocity) * options.dt;
-        if (!(glm::length(step) > rest)) break;
+        const glm::dvec2 flow = volume.flow().at(from);
+        if (!(glm::length(flow) > options.rest)) break;
+        const glm::dvec3 step = glm::dvec3(flow, options.time_velocity) * options.dt;
         const double share = inside_share(from, from + step, low, high);
         points.push_back(glm::clamp(from + share * step, low, high));
         if (share < 1) break;

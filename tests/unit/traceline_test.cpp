@@ -89,8 +89,9 @@ TEST(Trace, EndsExactlyOnTheBorder) {
 
 TEST(Trace, EndsWhereNothingMoves) {
     EXPECT_EQ(trace(volume_of({20, 20}, 2, still, {}), {3, 4, 0}, {}).size(), 1U);
-    const auto waits = trace(volume_of({20, 20}, 9, still, {}), {3, 4, 0}, {.steps = 5, .time_velocity = 1});
-    EXPECT_EQ(waits.back(), glm::dvec3(3, 4, 5)) << "with v_t time carries it on";
+    const auto stops = [](double, double, int frame) { return glm::dvec2(frame < 4 ? 1 : 0, 0); };
+    const auto points = trace(volume_of({20, 20}, 9, stops, {}), {3, 4, 0}, {.steps = 8, .time_velocity = 1});
+    EXPECT_EQ(points.back(), glm::dvec3(7, 4, 4)) << "time does not carry it on";
 }
 
 class BentTraceline : public testing::TestWithParam<std::string> {};
