@@ -38,8 +38,8 @@ struct Format {
 
 constexpr std::array formats{
     Format{".gif", "gif", {"gif", "gif"}, AV_PIX_FMT_PAL8, "loop=0"},
-    Format{".mp4", "mp4", {"libx264", "mpeg4"}, AV_PIX_FMT_YUV420P, "crf=17:preset=medium:b=12000000"},
-    Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, AV_PIX_FMT_YUV420P, "crf=20:b=12000000:cpu-used=4:deadline=good"},
+    Format{".mp4", "mp4", {"libx264", "mpeg4"}, AV_PIX_FMT_YUV420P, "crf=17,preset=medium,b=12000000,x264-params=log=-1"},
+    Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, AV_PIX_FMT_YUV420P, "crf=20,b=12000000,cpu-used=4,deadline=good"},
 };
 
 std::string lower_ending(const std::filesystem::path& path) {
@@ -122,7 +122,7 @@ struct AnimationFile::Encoder {
         context->log_level_offset = 1000;  // what encoders tell is not for our stderr
         if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
         AVDictionary* options = nullptr;
-        av_dict_parse_string(&options, kind.quality, "=", ":", 0);
+        av_dict_parse_string(&options, kind.quality, "=", ",", 0);
         const int opened = avcodec_open2(context.get(), codec, &options);
         stream = avformat_new_stream(container.get(), nullptr);
         const int described = stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
