@@ -28,6 +28,14 @@ void add_options(CLI::App& app, LookOptions& options) {
                {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
                 fmt::format("what is drawn, of {}", fmt::join(show_words(), ", "))},
                parse_parts);
+    add_option(app, group::look, options.transfer,
+               {"--transfer", "NAME", options.transfer,
+                fmt::format("colour and opacity of the volume's values: {}, or a file of points",
+                            fmt::join(names_of(transfer_functions()), ", "))},
+               [](const std::string& given) {
+                   find_transfer(given);  // now, not when the clip has been read
+                   return given;
+               });
     add_number(app, group::look, options.opacity, {0, 1000},
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
     add_number(app, group::look, options.glyph_scale, {0.01, 100},

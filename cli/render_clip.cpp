@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/fields/pipeline.h"
+#include "core/scene/overlay.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -62,13 +63,32 @@ Scene build_scene(const RenderJob& job, const Fields& fields, const Layout& layo
     Scene scene;
     if (job.show.contains("arrows")) scene.arrows = arrows(fields.volume, layout, job.glyphs);
     if (job.show.contains("tracelines")) scene.tracelines = tracelines(fields.volume, layout, job.traces);
-    if (job.show.contains("outline")) scene.outline = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
+    if (job.show.contains("outline")) scene.lines = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
     if (job.show.contains("frames")) {
         constexpr float opacity = 0.5F;
         scene.frames.push_back({0, standing_picture(fields.first), opacity});
         scene.frames.push_back({1, standing_picture(fields.last), opacity});
     }
     return scene;
+}
+
+/// Fig. 5: what the renderer makes of its bricks.
+void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
+                  const TransferFunction& transfer, Scene& scene) {
+    const auto add = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
+    if (job.show.contains("boxes")) {
+        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+    }
+    if (job.show.contains("slices")) {
+        constexpr int shown = 20;
+        const Camera camera = job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size)
+                                             : renderer.camera();
+        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+    }
 }
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
@@ -88,7 +108,7 @@ Picture to_picture(const Plane<glm::vec4>& drawn) {
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "boxes", "slices"};
     return words;
 }
 
@@ -145,15 +165,17 @@ RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameP
     Scene scene = build_scene(job, fields, *layout);
     report.arrows = scene.arrows.size();
 
-    report.still = nothing_visible(volume, default_transfer_function());
+    report.still = nothing_visible(volume, job.transfer);
 
     report.renderer = context->renderer();
     report.backend = context->backend();
     RenderOptions options = job.picture;
     options.ring = static_cast<int>(report.bricks.size());
     options.window_layers = volume.layers();
+    options.hold_box = job.show.contains("boxes") || job.show.contains("slices");
     Renderer renderer(*context, *layout, options);
-    renderer.set_transfer(default_transfer_function().scaled(job.opacity));
+    const TransferFunction transfer = job.transfer.scaled(job.opacity);
+    renderer.set_transfer(transfer);
     if (job.show.contains("volume")) {
         for (std::size_t i = 0; i < report.bricks.size(); ++i) {
             const Brick& brick = report.bricks[i];
@@ -161,6 +183,7 @@ RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameP
             volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
         }
     }
+    add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     for (int i = 0; i < job.pictures; ++i) sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
     return report;

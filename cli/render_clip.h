@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,9 +35,11 @@ struct RenderJob {
 
     int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;  ///< ring and window_layers are found out
-    double opacity = 1;
+    TransferFunction transfer = default_transfer_function();
+    double opacity = 1;     ///< factor on its extinctions
     GlyphOptions glyphs;
     TraceOptions traces;
+    std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
     std::set<std::string> show = {"volume", "arrows", "outline", "frames"};
 
     std::string backend = "auto";

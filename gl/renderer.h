@@ -23,6 +23,7 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
+    bool hold_box = false;  ///< the camera holds the layout's box, not only the volume in it
     int slices = 0;   ///< 0 = one for every two voxels
     int samples = 4;  ///< a pixel, for smooth edges; 1 takes about half the time
     int ring = 8;                     ///< k, the bricks that are visible at a time
@@ -60,11 +61,14 @@ class Renderer {
 
     const Camera& camera() const { return camera_; }
 
-  private:
-    void draw_tile(const SliceStack& stack, double phase, const Tile& tile, Plane<glm::vec4>& picture);
+    /// The slices that the volume would be cut into for `camera`.
+    SliceStack slices(const Camera& camera) const;
 
     /// Where each brick of the window stands: t_C by its share of the window's layers.
     std::vector<PlacedBrick> place() const;
+
+  private:
+    void draw_tile(const SliceStack& stack, double phase, const Tile& tile, Plane<glm::vec4>& picture);
 
     struct Held {
         std::int64_t number = 0;

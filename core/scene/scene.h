@@ -29,7 +29,7 @@ struct StandingFrame {
 struct Scene {
     std::vector<Glyph> arrows;
     Tracelines tracelines;
-    std::vector<Segment> outline;
+    std::vector<Segment> lines;
     std::vector<StandingFrame> frames;
 };
 
