@@ -86,6 +86,9 @@ void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures
         const double layers = static_cast<double>(brick.layers);
         const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
         program_.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
+        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each; the next brick was cut
+        // while it drew the last one, so waiting costs nothing.
+        gl.Finish();
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),

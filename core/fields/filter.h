@@ -2,21 +2,25 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "core/fields/field.h"
 #include "core/fields/options.h"
-#include "core/fields/reference.h"
+#include "core/fields/planes.h"
 #include "core/video/frame.h"
 
 namespace vvr {
 
-/// What a filter may look at. What its row doesn't ask for may be null.
+/// What a filter may look at. What its row doesn't ask for may be empty or null.
 struct FilterInput {
     const Frame& frame;
-    const Frame* previous;  ///< null at the first frame
-    const Flow* flow;
+    const Planes& smooth;                        ///< the frame, smoothed as the options ask
+    const Planes* previous;                      ///< the same of the frame before; null at the first
+    const Plane<std::uint8_t>& object;           ///< the difference object
+    const Plane<std::uint8_t>* previous_object;  ///< of the frame before; null at the first
+    const Flow& flow;                            ///< empty where none was computed
 };
 
 /// Turns frames into a scalar field: one 8-bit value a pixel, 0 = uninteresting.
@@ -24,24 +28,30 @@ class Filter {
   public:
     virtual ~Filter() = default;
 
-    /// The field of `input.frame`, of the frame's size. Called from several threads at once.
-    virtual Plane<std::uint8_t> operator()(const FilterInput& input) const = 0;
+    /// The field of `input.frame`, of the frame's size. Called from several threads at once, in any order, unless
+    /// the filter's row says `in_order`.
+    virtual Plane<std::uint8_t> operator()(const FilterInput& input) = 0;
 };
 
-/// What has to be there before a filter can work.
-struct FilterNeeds {
-    bool reference = false;
-    bool colour = false;  ///< works better with it
-    bool previous = false;
-    bool flow = false;
+/// What a filter needs, and what it gives.
+struct FilterTraits {
+    bool object = false;        ///< needs the difference object, and with it a reference frame
+    bool colour = false;        ///< sees more when frames have colour
+    bool previous = false;      ///< needs the frame before
+    bool flow = false;          ///< needs flow at every frame
+    bool in_order = false;      ///< must see every frame once and in order
+    bool min_area = true;       ///< whether small blobs are removed
+    bool shows_object = false;  ///< what isn't 0 is an object, and seeds may lie on it
+    int threshold = 0;          ///< default of --threshold
+    int gain = 1;               ///< by which values are multiplied after the threshold
 };
 
 /// One row of the filter table.
 struct FilterRow {
     std::string_view name;
     std::string_view help;
-    FilterNeeds needs;
-    std::unique_ptr<Filter> (*make)(const FieldOptions& options, const Reference& reference);
+    FilterTraits traits;
+    std::unique_ptr<Filter> (*make)(const FieldOptions& options);
 };
 
 /// Every filter.
@@ -51,8 +61,21 @@ std::span<const FilterRow> filters();
 /// \throws Error usage when there is none
 const FilterRow& find_filter(std::string_view name);
 
-/// Difference against the reference frame: the largest of the channels' differences, twice, 255 at most, and 0
-/// below the threshold (§4, Fig. 4a). Twice, because people and bags seldom differ by more than half the range.
-std::unique_ptr<Filter> make_difference(const FieldOptions& options, const Reference& reference);
+/// Whether frames with colour make a better field: to be asked before a source is opened.
+bool wants_colour(const FieldOptions& options);
+
+/// Values of the `bands` filter, the 4-band difference volume of Daniel and Chen (IEEE Visualization 2003): what became
+/// of a pixel from one frame to the next. Nothing else is between them, so a transfer function can colour each.
+enum class Band : std::uint8_t { background = 0, uncovered = 85, still_covered = 170, newly_covered = 255 };
+
+std::unique_ptr<Filter> make_difference(const FieldOptions& options);
+std::unique_ptr<Filter> make_temporal(const FieldOptions& options);
+std::unique_ptr<Filter> make_hull(const FieldOptions& options);
+std::unique_ptr<Filter> make_bands(const FieldOptions& options);
+std::unique_ptr<Filter> make_edges(const FieldOptions& options);
+std::unique_ptr<Filter> make_flow_magnitude(const FieldOptions& options);
+std::unique_ptr<Filter> make_luminance(const FieldOptions& options);
+std::unique_ptr<Filter> make_mog2(const FieldOptions& options);
+std::unique_ptr<Filter> make_knn(const FieldOptions& options);
 
 }  // namespace vvr

@@ -14,8 +14,21 @@ namespace vvr {
 /// A frame as a flow method wants it: made once a frame, used for the flow of every frame near it.
 struct FlowFrame {
     Plane<std::uint8_t> grey;
-    Plane<float> smooth;  ///< what `FlowMethod::prepare` made of it
+    std::vector<Plane<float>> levels;  ///< what the method made of it: smoothed, and smaller from one to the next
 };
+
+/// A part of a picture: columns x to x + width - 1, rows y to y + height - 1.
+struct Rect {
+    int x = 0;
+    int y = 0;
+    Size size;
+
+    friend bool operator==(const Rect&, const Rect&) = default;
+};
+
+/// Parts of a picture, none of which overlap, that hold all points that are not 0 and `margin` pixels about each: the
+/// whole picture where that is most of it, none where all is 0.
+std::vector<Rect> parts_about(const Plane<std::uint8_t>& object, int margin);
 
 /// Estimates the optical flow of one frame from the frames about it.
 class FlowMethod {
@@ -25,12 +38,15 @@ class FlowMethod {
     /// Frames needed on each side of the one whose flow is wanted.
     virtual int reach() const = 0;
 
-    /// The part of the work that depends on one frame alone.
-    virtual Plane<float> prepare(const Plane<std::uint8_t>& grey) const = 0;
+    /// Pixels by which a part must be larger than what is wanted, so that what lies outside doesn't count.
+    virtual int margin() const = 0;
 
-    /// The flow of the middle one of `frames`, which are 2 reach() + 1; past the clip's ends the end frame stands
-    /// again. Called from several threads at once.
-    virtual Flow operator()(std::span<const FlowFrame* const> frames) const = 0;
+    /// The part of the work that depends on one frame alone.
+    virtual FlowFrame prepare(const Plane<std::uint8_t>& grey) const = 0;
+
+    /// The flow in a part of the middle one of `frames`, which are 2 reach() + 1; past the clip's ends the end
+    /// frame stands again. Called from several threads at once.
+    virtual Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const = 0;
 };
 
 /// One row of the flow table.
@@ -40,15 +56,24 @@ struct FlowRow {
     std::unique_ptr<FlowMethod> (*make)(const FlowOptions& options);
 };
 
+/// A kind of derivatives.
+struct DerivativeRow {
+    std::string_view name;
+    std::string_view help;
+};
+
+/// "barron" and "cube".
+std::span<const DerivativeRow> derivative_kinds();
+
 /// Every flow method; "none", which makes nothing, among them.
 std::span<const FlowRow> flow_methods();
 
 /// The method that the options ask for; null for "none".
-/// \throws Error usage when there is no such method
+/// \throws Error usage when there is no such method, or a value is out of its range
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options);
 
-/// Horn and Schunck's method as the paper has it (§4.1): derivatives after Barron, Fleet and Beauchemin 1994, Jacobi
-/// steps from zero.
 std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options);
+std::unique_ptr<FlowMethod> make_dis(const FlowOptions& options);
+std::unique_ptr<FlowMethod> make_farneback(const FlowOptions& options);
 
 }  // namespace vvr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace vvr {
@@ -8,25 +9,41 @@ namespace vvr {
 /// §4.1. Units: pixels of the field, grey levels 0..255.
 struct FlowOptions {
     std::string method = "horn-schunck";  ///< a name in the flow table, or "none"
-    double alpha = 10;                    ///< weight of smoothness; the paper's "λ = 100" is α² = 100
-    int iterations = 60;
-    double pre_smooth = 1.5;  ///< σ of the Gaussian before derivatives, in x, y and t; 0 = none
-    std::int64_t every = 1;   ///< flow and seeds at frames whose index is a multiple of it
+    std::string solver = "pyramid";       ///< a name in the solver table
+    std::string derivatives = "barron";   ///< "barron" or "cube", for the solvers jacobi and multigrid
+    std::optional<double> alpha{};  ///< weight of smoothness (the paper's "λ = 100" is α² = 100); else the solver's
+    std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
+    std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
+    std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
+    bool everywhere = false;             ///< in the whole frame, not only about what the object covers
 };
 
-/// §4.2's three phases.
+/// §4.2's three phases: points of a grid that move, put in an order, and some of them taken.
 struct SeedOptions {
-    int grid = 12;               ///< grid interval in field pixels
-    double min_magnitude = 0.3;  ///< pixels a frame
+    int grid = 12;                    ///< grid interval in field pixels
+    double min_magnitude = 0.3;       ///< pixels a frame
+    std::string order = "magnitude";  ///< a name in the table of seed orders
+    std::string select = "all";       ///< "all", "first:N", or "random:N" or "random:N:NUMBER" with a seed number
 };
 
 struct FieldOptions {
-    std::string filter = "difference";  ///< a name in the filter table
-    std::string reference = "median";   ///< a name in the reference table, or a picture file
-    int threshold = 24;                 ///< grey levels; differences below it become 0
+    std::string filter = "difference";    ///< a name in the filter table
+    std::string reference = "median";     ///< a name in the reference table, or a picture file
+    std::optional<int> threshold{};       ///< grey levels; values below it become 0; else the filter's own
+    double smooth = 0.7;                  ///< σ in field pixels of the smoothing before a comparison, 0 = none
+    int min_area = 20;                    ///< field pixels; blobs of fewer become 0
+    std::string illumination = "global";  ///< a name in the illumination table: changes of light that don't count
+    std::string roi{};                    ///< where to look: polygons or a picture; empty = everywhere
+    std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};
     SeedOptions seeds{};
-    int threads = 0;  ///< 0 = one for each core
+    double start = 0;             ///< seconds; frames before it serve as neighbours, but give no field
+    std::optional<double> end{};  ///< seconds; the same for frames at it or after it
+    int threads = 0;              ///< 0 = one for each core
 };
+
+/// Checks every value and every name; `compute_fields` does so first.
+/// \throws Error usage with the option, what was found and what is allowed
+void validate(const FieldOptions& options);
 
 }  // namespace vvr

@@ -1,21 +1,21 @@
 #include "core/fields/pipeline.h"
 
 #include <algorithm>
-#include <deque>
-#include <exception>
-#include <mutex>
+#include <cstddef>
+#include <memory>
 #include <thread>
 #include <utility>
-#include <vector>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <opencv2/core/utility.hpp>
 
 #include "core/error.h"
-#include "core/fields/filter.h"
-#include "core/fields/flow.h"
-#include "core/fields/seeds.h"
+#include "core/fields/clip_reader.h"
+#include "core/fields/frame_work.h"
+#include "core/fields/region.h"
 
 namespace vvr {
 namespace {
@@ -23,18 +23,17 @@ namespace {
 using oneapi::tbb::filter_mode;
 using oneapi::tbb::make_filter;
 
-/// A frame on its way through the pipeline. Its neighbours look at it too, so nothing is moved out of it.
-struct Shot {
-    Frame frame;
-    Plane<std::uint8_t> object;  ///< the difference object, where seeds need it
-    FlowFrame flow_frame;
-    std::once_flag prepared;
-};
-using ShotPtr = std::shared_ptr<Shot>;
+/// Keeps OpenCV from starting threads of its own within ours: frames are what is shared out here, and its dense
+/// inverse search gives other results for another number of threads.
+class OneThreadInOpenCv {
+  public:
+    OneThreadInOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+    ~OneThreadInOpenCv() { cv::setNumThreads(before_); }
+    OneThreadInOpenCv(const OneThreadInOpenCv&) = delete;
+    OneThreadInOpenCv& operator=(const OneThreadInOpenCv&) = delete;
 
-/// A frame with those about it: `shots[before]` is the frame, the others are null past the clip's ends.
-struct Neighbourhood {
-    std::vector<ShotPtr> shots;
+  private:
+    int before_;
 };
 
 struct Result {
@@ -42,84 +41,25 @@ struct Result {
     Field field;
 };
 
-/// What all frames share.
-class Work {
-  public:
-    Work(const Reference& reference, const FieldOptions& options)
-        : options_(options), row_(find_filter(options.filter)), filter_(row_.make(options, reference)) {
-        flow_ = make_flow(options.flow);
-        reach_ = flow_ ? flow_->reach() : row_.needs.previous ? 1 : 0;
-    }
+/// Runs a pipeline on so many threads. More than there are cores is the caller's choice; oneTBB would grumble about
+/// it on stderr.
+void run(const oneapi::tbb::filter<void, void>& pipeline, int threads) {
+    using oneapi::tbb::global_control;
+    const std::size_t allowed = global_control::active_value(global_control::max_allowed_parallelism);
+    const global_control control(global_control::max_allowed_parallelism,
+                                 std::max(static_cast<std::size_t>(threads), allowed));
+    // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
+    oneapi::tbb::task_arena(threads).execute(
+        [&] { oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads), pipeline); });
+}
 
-    int reach() const { return reach_; }
-
-    Result operator()(const Neighbourhood& about) const {
-        Shot& here = *about.shots[static_cast<std::size_t>(reach_)];
-        Result result{here.frame, {}};
-        Field& field = result.field;
-        field.index = here.frame.index;
-        field.pts = here.frame.pts;
-        if (flow_ && here.frame.index % options_.flow.every == 0) field.flow = flow(about);
-        const Shot* before = reach_ > 0 ? about.shots[static_cast<std::size_t>(reach_) - 1].get() : nullptr;
-        field.scalar = (*filter_)({here.frame, before ? &before->frame : nullptr, &field.flow});
-        if (!field.flow.u.empty()) field.seeds = make_seeds(field.flow, field.scalar, options_.seeds);
-        return result;
-    }
-
-  private:
-    // Past an end of the clip the end's frame stands again.
-    Flow flow(const Neighbourhood& about) const {
-        const int count = static_cast<int>(about.shots.size());
-        std::vector<const FlowFrame*> frames(about.shots.size());
-        for (int step : {-1, 1}) {
-            Shot* nearest = nullptr;
-            for (int k = reach_; k >= 0 && k < count; k += step) {
-                if (about.shots[static_cast<std::size_t>(k)]) nearest = about.shots[static_cast<std::size_t>(k)].get();
-                frames[static_cast<std::size_t>(k)] = &prepared(*nearest);
-            }
-        }
-        return (*flow_)(frames);
-    }
-
-    // The first neighbour that asks does it; frames that no flow looks at cost nothing.
-    const FlowFrame& prepared(Shot& shot) const {
-        std::call_once(shot.prepared, [&] { shot.flow_frame = {shot.frame.grey, flow_->prepare(shot.frame.grey)}; });
-        return shot.flow_frame;
-    }
-
-    FieldOptions options_;
-    const FilterRow& row_;
-    std::unique_ptr<Filter> filter_;
-    std::unique_ptr<FlowMethod> flow_;
-    int reach_ = 0;
-};
-
-/// Holds back the last frames until their neighbours have come.
-class Window {
-  public:
-    explicit Window(int reach) : shots_(static_cast<std::size_t>(2 * reach + 1)) {}
-
-    /// Takes the next frame, or null after the last one; the neighbourhood of the frame `reach` steps before it.
-    Neighbourhood push(ShotPtr shot) {
-        shots_.pop_front();
-        shots_.push_back(std::move(shot));
-        return {{shots_.begin(), shots_.end()}};
-    }
-
-  private:
-    std::deque<ShotPtr> shots_;
-};
-
-}  // namespace
-
-std::int64_t compute_fields(const FrameReader& read, const Reference& reference, const FieldOptions& options,
-                            const FieldSink& sink) {
-    const Work work(reference, options);
-    const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-    Window window(work.reach());
-    int still_to_come = work.reach();  // empty turns after the last frame, to push the last ones out of the window
+std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& options, const FieldSink& sink) {
+    int turns_left = work.reach();  // empty ones after the last frame, so that the last ones get their neighbours
     bool ended = false;
     std::int64_t frames = 0;
+    const auto is_wanted = [&](const Frame& frame) {
+        return frame.pts >= options.start && (!options.end || frame.pts < *options.end);
+    };
 
     const auto source =
         make_filter<void, FrameJob>(filter_mode::serial_in_order, [&](oneapi::tbb::flow_control& control) -> FrameJob {
@@ -127,21 +67,18 @@ std::int64_t compute_fields(const FrameReader& read, const Reference& reference,
                 if (FrameJob job = read()) return job;
                 ended = true;
             }
-            if (still_to_come-- == 0) control.stop();
+            if (turns_left-- == 0) control.stop();
             return {};
         });
-    const auto make_frame = make_filter<FrameJob, ShotPtr>(filter_mode::parallel, [](const FrameJob& job) {
-        if (!job) return ShotPtr{};
-        auto shot = std::make_shared<Shot>();
-        shot->frame = job();
-        return shot;
-    });
-    const auto gather = make_filter<ShotPtr, Neighbourhood>(filter_mode::serial_in_order,
-                                                            [&](ShotPtr shot) { return window.push(std::move(shot)); });
-    const auto compute = make_filter<Neighbourhood, std::shared_ptr<Result>>(
+    const auto begin = make_filter<FrameJob, std::shared_ptr<Shot>>(
+        filter_mode::parallel, [&](const FrameJob& job) { return job ? work.begin(job()) : std::shared_ptr<Shot>{}; });
+    const auto gather = make_filter<std::shared_ptr<Shot>, Neighbourhood>(
+        filter_mode::serial_in_order, [&](std::shared_ptr<Shot> shot) { return work.gather(std::move(shot)); });
+    const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
         filter_mode::parallel, [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
-            if (!about.shots[static_cast<std::size_t>(work.reach())]) return nullptr;
-            return std::make_shared<Result>(work(about));
+            const Shot* const here = about[static_cast<std::size_t>(work.reach())].get();
+            if (here == nullptr || !is_wanted(here->frame)) return nullptr;
+            return std::make_shared<Result>(Result{here->frame, work.finish(about)});
         });
     const auto deliver = make_filter<std::shared_ptr<Result>, void>(
         filter_mode::serial_in_order, [&](const std::shared_ptr<Result>& result) {
@@ -149,18 +86,39 @@ std::int64_t compute_fields(const FrameReader& read, const Reference& reference,
             ++frames;
             sink(std::move(result->frame), std::move(result->field));
         });
-
-    // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
-    // More threads than cores is the caller's choice; oneTBB would grumble about it on stderr.
-    const auto workers =
-        std::max(static_cast<std::size_t>(threads),
-                 oneapi::tbb::global_control::active_value(oneapi::tbb::global_control::max_allowed_parallelism));
-    const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism, workers);
-    oneapi::tbb::task_arena(threads).execute([&] {
-        oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
-                                       source & make_frame & gather & compute & deliver);
-    });
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    run(source & begin & gather & finish & deliver, options.threads > 0 ? options.threads : cores);
     return frames;
+}
+
+}  // namespace
+
+std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
+                            const FieldSink& sink) {
+    validate(options);
+    const OneThreadInOpenCv one_thread;
+    FrameWork work(scene, options);
+    return run(read, work, options, sink);
+}
+
+FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
+    validate(options);
+    EmptyScene scene{.reference = {}, .region = make_region(options, source.field_size(), source.info().size)};
+    if (needs_reference(options)) scene.reference = make_reference(source, options.reference);
+
+    const OneThreadInOpenCv one_thread;
+    FrameWork work(scene, options);
+    ClipReader read(source, options, work.reach(), work.remembers());
+    FieldSummary summary;
+    summary.frames = run([&] { return read(); }, work, options, sink);
+    summary.damaged = source.damaged();
+    summary.reference = std::move(scene.reference);
+    if (summary.frames == 0) {
+        throw Error(ErrorKind::not_video,
+                    fmt::format("{}: no frame could be decoded between {} s and {}", source.info().name, options.start,
+                                options.end ? fmt::format("{} s", *options.end) : "its end"));
+    }
+    return summary;
 }
 
 }  // namespace vvr

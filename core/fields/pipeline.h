@@ -22,11 +22,20 @@ struct FieldSummary {
 
 /// Reads every frame of `source` once, in order, and gives its field to `sink`: decoding in order, fields in
 /// parallel, `sink` in order (§3's video processing sub-system). Memory doesn't depend on the clip's length, and the
-/// fields don't depend on the number of threads.
+/// fields depend neither on the number of threads nor, but for what learns as it goes (`running`, `mog2`, `knn`), on
+/// where `options.start` and `options.end` cut.
 ///
-/// \throws Error not_video when not one frame decodes, usage for a name that isn't in its table; whatever `sink`
-/// throws.
+/// \throws Error usage for options that can't be, not_video when not one frame decodes; whatever `sink` throws.
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink);
+
+/// What is known of a scene before its first frame.
+struct EmptyScene {
+    Reference reference;         ///< may be empty where `needs_reference` says so
+    Plane<std::uint8_t> region;  ///< 0 = not to be looked at; empty = look everywhere
+};
+
+/// Whether these options lead to a comparison with the empty scene: for the filter, or for where seeds may lie.
+bool needs_reference(const FieldOptions& options);
 
 /// Makes one frame. Called once, from any thread.
 using FrameJob = std::function<Frame()>;
@@ -36,7 +45,7 @@ using FrameReader = std::function<FrameJob()>;
 
 /// The same for frames that come from anywhere else; all must be of one size.
 /// \returns the number of frames that reached the sink
-std::int64_t compute_fields(const FrameReader& read, const Reference& reference, const FieldOptions& options,
+std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink);
 
 }  // namespace vvr

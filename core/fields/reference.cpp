@@ -1,8 +1,18 @@
 #include "core/fields/reference.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <vector>
+#include <filesystem>
+#include <memory>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "core/fields/choice.h"
+#include "core/fields/cv_view.h"
+#include "core/video/scaler.h"
 
 namespace vvr {
 namespace {
@@ -48,7 +58,102 @@ Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
     return result;
 }
 
+// An odd number, so that the median is the middle value; who stays in one place for less than half of the clip is
+// not part of the scene.
+constexpr int frames_for_median = 31;
+
+Reference median_of_clip(FrameSource& clip) {
+    return median_reference(clip.sample(frames_for_median));
+}
+
+/// The clip's first frames, every `step`-th.
+std::vector<Frame> first_frames(FrameSource& clip, int count, int step) {
+    Scaler scale(clip);
+    std::vector<Frame> frames;
+    clip.rewind();
+    for (int f = 0; f < count * step; ++f) {
+        const std::unique_ptr<DecodedFrame> decoded = clip.next();
+        if (!decoded) break;
+        if (f % step == 0) frames.push_back(scale(*decoded));
+    }
+    clip.rewind();
+    return frames;
+}
+
+Reference first_frame(FrameSource& clip) {
+    return median_reference(first_frames(clip, 1, 1));
+}
+
+// A stream can't be looked at to its end: two seconds of 25 frames must do to begin with.
+Reference first_seconds(FrameSource& clip) {
+    return median_reference(first_frames(clip, 25, 2));
+}
+
+constexpr std::array rows{
+    ReferenceRow{"median", "the median of each pixel over the whole clip", median_of_clip},
+    ReferenceRow{"first", "the first frame", first_frame},
+    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds},
+};
+
+bool is_in_table(const std::string& kind) {
+    return std::ranges::find(rows, kind, &ReferenceRow::name) != rows.end();
+}
+
+// How far the reference moves toward a frame: settled after some four seconds of 25 frames.
+constexpr float pace = 1.F / 32;
+
+// Objects have soft edges that are below the threshold; the reference stays away from them.
+constexpr int edge = 3;
+
+template <class T>
+void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
+            std::size_t channels, float gain, std::uint8_t* out) {
+    const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        exact[i] *= gain;
+        if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
+        out[i] = static_cast<std::uint8_t>(std::lround(std::min(exact[i], 255.F)));
+    }
+}
+
 }  // namespace
+
+std::span<const ReferenceRow> reference_kinds() {
+    return rows;
+}
+
+void validate_reference(const std::string& kind) {
+    // Whatever could be a file's name is looked for when it is needed.
+    if (kind.find_first_of("./") == std::string::npos && !std::filesystem::exists(kind)) {
+        choose("--reference", kind, rows, ", or the name of a picture");
+    }
+}
+
+Reference make_reference(FrameSource& clip, const std::string& kind) {
+    validate_reference(kind);
+    if (is_in_table(kind)) return choose("--reference", kind, rows).make(clip);
+    SourceOptions options;
+    options.field_size = clip.field_size();
+    options.colour = clip.colour();
+    const auto picture = open_source(kind, options);
+    Frame frame = Scaler(*picture)(*picture->next());
+    return {std::move(frame.grey), std::move(frame.colour)};
+}
+
+RunningReference::RunningReference(const Reference& start)
+    : now_(start), grey_(start.grey.pixels().begin(), start.grey.pixels().end()) {
+    for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
+}
+
+void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, double gain) {
+    Plane<std::uint8_t> near_object(object.size());
+    cv::Mat out = cv_view(near_object);
+    cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
+    const auto light = static_cast<float>(gain);
+    follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, now_.grey.pixels().data());
+    if (colour_.empty() || frame.colour.empty()) return;
+    follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
+}
 
 Reference median_reference(std::span<const Frame> frames) {
     if (frames.empty()) return {};

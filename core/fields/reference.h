@@ -2,23 +2,58 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "core/plane.h"
+#include "core/fields/planes.h"
 #include "core/video/frame.h"
+#include "core/video/frame_source.h"
 
 namespace vvr {
 
 /// The empty scene that the difference filter compares with (§4, Fig. 4a).
-struct Reference {
-    Plane<std::uint8_t> grey;
-    Plane<Bgr> colour;  ///< empty for frames without colour
+using Reference = Planes;
 
-    bool empty() const { return grey.empty(); }
+/// One row of the reference table: where the empty scene comes from.
+struct ReferenceRow {
+    std::string_view name;
+    std::string_view help;
+    Reference (*make)(FrameSource& clip);
 };
 
-/// The median of every pixel over `frames`, channel by channel: what was seen in more than half of them. With an
-/// even number of frames it is the upper of the two middle values. Frames must be of one size; none gives an
-/// empty reference.
+/// "median", "first", "running".
+std::span<const ReferenceRow> reference_kinds();
+
+/// The empty scene of a clip, after a row of the table or from a picture file, which is brought to the clip's field
+/// size. Leaves the clip at its first frame.
+/// \throws Error as validate_reference; io or not_video for a picture that can't be read
+Reference make_reference(FrameSource& clip, const std::string& kind);
+
+/// \throws Error usage for what is neither in the table nor the name of a file
+void validate_reference(const std::string& kind);
+
+/// The median of every pixel over pictures, channel by channel: what was seen in more than half of them. With an
+/// even number of pictures it is the upper of the two middle values. All must be of one size; none gives an empty
+/// reference.
 Reference median_reference(std::span<const Frame> frames);
+
+/// A reference that follows slow changes of the scene for as long as a stream lasts. Where there is an object it
+/// waits, so a bag that was left behind is never swallowed.
+class RunningReference {
+  public:
+    explicit RunningReference(const Reference& start);
+
+    const Reference& now() const { return now_; }
+
+    /// Takes in a frame with its difference object. `gain` is by how much the light has changed since the last one:
+    /// places behind objects must follow it too.
+    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, double gain);
+
+  private:
+    Reference now_;
+    std::vector<float> grey_;
+    std::vector<float> colour_;
+};
 
 }  // namespace vvr

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/fields/field.h"
@@ -8,8 +11,37 @@
 
 namespace vvr {
 
-/// The seeds of one frame (§4.2): points of a grid where the flow reaches the least magnitude and `object` is not 0.
-/// \param object of the flow's size
-std::vector<Seed> make_seeds(const Flow& flow, const Plane<std::uint8_t>& object, const SeedOptions& options);
+/// What is known of one frame when its seeds are chosen. All planes are of one size.
+struct SeedInput {
+    std::int64_t index = 0;  ///< of the frame
+    const Flow& flow;
+    const Plane<std::uint8_t>& object;  ///< seeds lie where it isn't 0; its value is the criterion "difference"
+    const Plane<std::uint16_t>& age;    ///< frames for which a point has been part of an object; may be empty
+};
+
+/// One row of the table of seed orders. The largest weight comes first.
+struct SeedOrderRow {
+    std::string_view name;
+    std::string_view help;
+    bool needs_age;
+    float (*weight)(const SeedInput& input, int i, int j);
+};
+
+std::span<const SeedOrderRow> seed_orders();
+
+/// How many of the points in order are taken.
+struct SeedSelection {
+    enum class Kind { all, first, random } kind = Kind::all;
+    std::size_t count = 0;
+    std::uint64_t number = 1;  ///< for random: another one, other points
+};
+
+/// \throws Error usage for anything but "all", "first:N", "random:N", "random:N:NUMBER"
+SeedSelection parse_seed_selection(const std::string& text);
+
+/// The seeds of one frame by the three phases of §4.2: points of a grid that are part of the object and move by the
+/// least magnitude or more; in order, the most important first; of which some are taken. Random ones depend on the
+/// frame's index and the seed number alone, and keep their order.
+std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options);
 
 }  // namespace vvr

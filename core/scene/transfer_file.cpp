@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -51,8 +50,10 @@ double number_in(std::string_view word, const Column& column, const std::string&
 
 std::string read_text(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (stream && !std::filesystem::is_directory(path)) return text;
+    std::ostringstream text;
+    // A stream takes a folder for a file until it reads; then its buffer throws, which << turns into a state.
+    if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (stream.is_open() && !stream.bad() && text && !std::filesystem::is_directory(path)) return text.str();
     throw Error(ErrorKind::io, fmt::format("cannot read transfer function '{}': {}", path.string(),
                                            std::generic_category().message(errno != 0 ? errno : EIO)));
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <utility>
+
+#include <opencv2/video/background_segm.hpp>
+
+#include "core/fields/cv_view.h"
+#include "core/fields/filter.h"
+
+namespace vvr {
+
+/// A filter around one of OpenCV's background models, which learn the scene as frames go by. Shadows are not asked
+/// for: they would come as a third value.
+class BackgroundModel final : public Filter {
+  public:
+    explicit BackgroundModel(cv::Ptr<cv::BackgroundSubtractor> model) : model_(std::move(model)) {}
+
+    Plane<std::uint8_t> operator()(const FilterInput& input) override {
+        Plane<std::uint8_t> result(input.frame.grey.size());
+        cv::Mat out = cv_view(result);
+        model_->apply(input.smooth.colour.empty() ? cv_view(input.smooth.grey) : cv_view(input.smooth.colour), out);
+        return result;
+    }
+
+  private:
+    cv::Ptr<cv::BackgroundSubtractor> model_;
+};
+
+// Frames that the models remember: OpenCV's own default.
+constexpr int background_history = 500;
+
+}  // namespace vvr

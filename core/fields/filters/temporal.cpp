@@ -1,0 +1,28 @@
+#include "core/fields/choice.h"
+#include "core/fields/filter.h"
+#include "core/fields/illumination.h"
+
+namespace vvr {
+namespace {
+
+class Temporal final : public Filter {
+  public:
+    explicit Temporal(const FieldOptions& options)
+        : illumination_(choose("--illumination", options.illumination, illuminations())) {}
+
+    Plane<std::uint8_t> operator()(const FilterInput& input) override {
+        if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
+        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth));
+    }
+
+  private:
+    const IlluminationRow& illumination_;
+};
+
+}  // namespace
+
+std::unique_ptr<Filter> make_temporal(const FieldOptions& options) {
+    return std::make_unique<Temporal>(options);
+}
+
+}  // namespace vvr

@@ -1,0 +1,50 @@
+#include <array>
+
+#include "core/fields/choice.h"
+#include "core/fields/flow.h"
+#include "core/fields/flows/solvers.h"
+
+namespace vvr {
+namespace {
+
+constexpr std::array solvers{
+    SolverRow{"pyramid",
+              "coarse to fine with warping, for motion of many pixels a frame",
+              {.alpha = 12, .iterations = 3, .pre_smooth = 0.8},
+              make_pyramid},
+    SolverRow{"multigrid",
+              "the paper's equations solved to the end, for motion under two pixels a frame",
+              {.alpha = 10, .iterations = 2, .pre_smooth = 1.5},
+              make_multigrid},
+    SolverRow{"jacobi",
+              "the paper's: a number of steps from zero",
+              {.alpha = 10, .iterations = 60, .pre_smooth = 1.5},
+              make_jacobi},
+};
+
+constexpr std::array derivatives{
+    DerivativeRow{"barron", "five points along x, y and t (Barron, Fleet and Beauchemin 1994)"},
+    DerivativeRow{"cube", "the cube of 2x2x2 pixels (Horn and Schunck 1981)"},
+};
+
+}  // namespace
+
+std::span<const DerivativeRow> derivative_kinds() {
+    return derivatives;
+}
+
+std::span<const SolverRow> flow_solvers() {
+    return solvers;
+}
+
+std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options) {
+    const SolverRow& row = choose("--solver", options.solver, solvers);
+    SolverSettings settings = row.defaults;
+    if (options.alpha) settings.alpha = *options.alpha;
+    if (options.iterations) settings.iterations = *options.iterations;
+    if (options.pre_smooth) settings.pre_smooth = *options.pre_smooth;
+    settings.cube = choose("--derivatives", options.derivatives, derivatives).name == "cube";
+    return row.make(settings);
+}
+
+}  // namespace vvr

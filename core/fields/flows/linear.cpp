@@ -1,0 +1,104 @@
+#include <array>
+#include <vector>
+
+#include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/fields/flows/solvers.h"
+#include "core/fields/flows/weighted_sum.h"
+
+namespace vvr {
+namespace {
+
+Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<const float> taps) {
+    Plane<float> result(frames.front()->size());
+    std::vector<const float*> inputs;
+    for (const Plane<float>* frame : frames) inputs.push_back(frame->pixels().data());
+    weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
+    return result;
+}
+
+/// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels a frame.
+class Linear : public FlowMethod {
+  public:
+    explicit Linear(const SolverSettings& settings)
+        : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
+          iterations_(settings.iterations),
+          cube_(settings.cube),
+          taps_(gaussian_taps(settings.pre_smooth)) {}
+
+    int reach() const override {
+        const auto smoothing = static_cast<int>(taps_.size() / 2);
+        return cube_ ? smoothing + 1 : smoothing + 2;
+    }
+
+    FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {smoothed(grey, taps_)}}; }
+
+    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+        std::vector<const Plane<float>*> planes;
+        for (const FlowFrame* frame : frames) planes.push_back(&frame->levels.front());
+        return solve(cube_ ? cube(planes, part) : barron_derivatives(planes, taps_, part));
+    }
+
+  protected:
+    virtual Flow solve(const PlaneStack& derivatives) const = 0;
+
+    float alpha2() const { return alpha2_; }
+    int iterations() const { return iterations_; }
+
+  private:
+    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    PlaneStack cube(std::span<const Plane<float>* const> planes, const Rect& part) const {
+        const std::size_t middle = planes.size() / 2;
+        const std::size_t first = planes[middle + 1] == planes[middle] ? middle - 1 : middle;
+        if (taps_.size() == 1) return cube_derivatives(*planes[first], *planes[first + 1], part);
+        const std::size_t before = first - taps_.size() / 2;
+        return cube_derivatives(along_time(planes.subspan(before, taps_.size()), taps_),
+                                along_time(planes.subspan(before + 1, taps_.size()), taps_), part);
+    }
+
+    float alpha2_;
+    int iterations_;
+    bool cube_;
+    std::vector<float> taps_;
+};
+
+class Jacobi final : public Linear {
+  public:
+    using Linear::Linear;
+
+    // What a step tells a point comes from the points beside it.
+    int margin() const override { return iterations(); }
+
+  private:
+    Flow solve(const PlaneStack& derivatives) const override {
+        LinearSystem system(derivatives, alpha2());
+        system.relax(iterations());
+        return system.flow();
+    }
+};
+
+class FullMultigrid final : public Linear {
+  public:
+    using Linear::Linear;
+
+    int margin() const override { return 32; }
+
+  private:
+    Flow solve(const PlaneStack& derivatives) const override {
+        Multigrid grids(derivatives, alpha2());
+        grids.solve(iterations());
+        return grids.finest().flow();
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<FlowMethod> make_jacobi(const SolverSettings& settings) {
+    return std::make_unique<Jacobi>(settings);
+}
+std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings) {
+    return std::make_unique<FullMultigrid>(settings);
+}
+
+}  // namespace vvr

@@ -1,0 +1,211 @@
+#include "core/fields/flows/linear_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fields/flows/linear_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vvr::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<float, 16>;
+using Vec = hn::Vec<Tag>;
+
+// The mask's sums over one row: left + 2 · here + right.
+HWY_INLINE Vec across(Tag d, const float* p, Vec here) {
+    return hn::MulAdd(hn::Set(d, 2.F), here, hn::Add(hn::LoadU(d, p - 1), hn::LoadU(d, p + 1)));
+}
+
+// The mask over three rows' sums, without its centre.
+HWY_INLINE Vec mask(Tag d, Vec above, Vec row, Vec below, Vec here) {
+    return hn::NegMulAdd(hn::Set(d, 4.F), here, hn::MulAdd(hn::Set(d, 2.F), row, hn::Add(above, below)));
+}
+
+// A strip one vector wide from the first row to the last: each row's sums are taken once and serve three rows.
+void relax(const RelaxRows& p, int width, int count) {
+    const Tag d;
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const float* u = p.u + x;
+        const float* v = p.v + x;
+        Vec u_above = across(d, u - p.pitch, hn::Load(d, u - p.pitch));
+        Vec v_above = across(d, v - p.pitch, hn::Load(d, v - p.pitch));
+        Vec u_here = hn::Load(d, u);
+        Vec v_here = hn::Load(d, v);
+        Vec u_row = across(d, u, u_here);
+        Vec v_row = across(d, v, v_here);
+        for (int j = 0; j < count; ++j) {
+            const std::ptrdiff_t at = j * p.pitch + x;
+            const Vec u_next = hn::Load(d, p.u + at + p.pitch);
+            const Vec v_next = hn::Load(d, p.v + at + p.pitch);
+            const Vec u_below = across(d, p.u + at + p.pitch, u_next);
+            const Vec v_below = across(d, p.v + at + p.pitch, v_next);
+            const Vec n_u = mask(d, u_above, u_row, u_below, u_here);
+            const Vec n_v = mask(d, v_above, v_row, v_below, v_here);
+            const Vec m12 = hn::Load(d, p.m12 + at);
+            hn::Store(hn::MulAdd(hn::Load(d, p.m11 + at), n_u, hn::MulAdd(m12, n_v, hn::Load(d, p.c1 + at))), d,
+                      p.next_u + at);
+            hn::Store(hn::MulAdd(hn::Load(d, p.m22 + at), n_v, hn::MulAdd(m12, n_u, hn::Load(d, p.c2 + at))), d,
+                      p.next_v + at);
+            u_above = u_row;
+            v_above = v_row;
+            u_row = u_below;
+            v_row = v_below;
+            u_here = u_next;
+            v_here = v_next;
+        }
+    }
+}
+
+// g gᵀ has rank one, so its inverse needs no determinant that would lose digits: (g gᵀ + a)⁻¹ g = g / (a + |g|²).
+void invert_rank_one(const float* gx, const float* gy, const float* gt, float a, float* const out[5], int width) {
+    const Tag d;
+    const Vec va = hn::Set(d, a);
+    const Vec twelfth = hn::Set(d, 1.F / 12);
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const Vec dx = hn::Load(d, gx + x);
+        const Vec dy = hn::Load(d, gy + x);
+        const Vec yy = hn::MulAdd(dy, dy, va);
+        const Vec scale = hn::Div(hn::Set(d, 1.F), hn::MulAdd(dx, dx, yy));
+        const Vec mean = hn::Mul(scale, twelfth);
+        const Vec change = hn::Mul(hn::Load(d, gt + x), scale);
+        hn::Store(hn::Mul(yy, mean), d, out[0] + x);
+        hn::Store(hn::Neg(hn::Mul(hn::Mul(dx, dy), mean)), d, out[1] + x);
+        hn::Store(hn::Mul(hn::MulAdd(dx, dx, va), mean), d, out[2] + x);
+        hn::Store(hn::Neg(hn::Mul(dx, change)), d, out[3] + x);
+        hn::Store(hn::Neg(hn::Mul(dy, change)), d, out[4] + x);
+    }
+}
+
+void invert(const float* const in[5], float a, float* const out[5], int width) {
+    const Tag d;
+    const Vec va = hn::Set(d, a);
+    const Vec scale = hn::Set(d, a / 12);
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const Vec j11 = hn::Load(d, in[0] + x);
+        const Vec j12 = hn::Load(d, in[1] + x);
+        const Vec j22 = hn::Load(d, in[2] + x);
+        const Vec f1 = hn::Load(d, in[3] + x);
+        const Vec f2 = hn::Load(d, in[4] + x);
+        // J is a mean of g gᵀ, so its determinant is not below 0, whatever rounding makes of it.
+        const Vec own = hn::Max(hn::NegMulAdd(j12, j12, hn::Mul(j11, j22)), hn::Zero(d));
+        const Vec det = hn::MulAdd(va, hn::Add(hn::Add(j11, j22), va), own);
+        const Vec inverse = hn::Div(hn::Set(d, 1.F), det);
+        const Vec i11 = hn::Mul(hn::Add(j22, va), inverse);
+        const Vec i12 = hn::Neg(hn::Mul(j12, inverse));
+        const Vec i22 = hn::Mul(hn::Add(j11, va), inverse);
+        hn::Store(hn::Mul(i11, scale), d, out[0] + x);
+        hn::Store(hn::Mul(i12, scale), d, out[1] + x);
+        hn::Store(hn::Mul(i22, scale), d, out[2] + x);
+        hn::Store(hn::MulAdd(i11, f1, hn::Mul(i12, f2)), d, out[3] + x);
+        hn::Store(hn::MulAdd(i12, f1, hn::Mul(i22, f2)), d, out[4] + x);
+    }
+}
+
+void multiply(const float* gx, const float* gy, const float* gt, float* const out[5], int width) {
+    const Tag d;
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const Vec dx = hn::Load(d, gx + x);
+        const Vec dy = hn::Load(d, gy + x);
+        const Vec dt = hn::Neg(hn::Load(d, gt + x));
+        hn::Store(hn::Mul(dx, dx), d, out[0] + x);
+        hn::Store(hn::Mul(dx, dy), d, out[1] + x);
+        hn::Store(hn::Mul(dy, dy), d, out[2] + x);
+        hn::Store(hn::Mul(dx, dt), d, out[3] + x);
+        hn::Store(hn::Mul(dy, dt), d, out[4] + x);
+    }
+}
+
+HWY_INLINE Vec laplacian(Tag d, const float* above, const float* row, const float* below, Vec here) {
+    const Vec sums =
+        mask(d, across(d, above, hn::Load(d, above)), across(d, row, here), across(d, below, hn::Load(d, below)), here);
+    return hn::MulSub(sums, hn::Set(d, 1.F / 12), here);
+}
+
+void residual(const ResidualRow& p, float a, float* r1, float* r2, int width) {
+    const Tag d;
+    const Vec va = hn::Set(d, a);
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const Vec u = hn::Load(d, p.u + x);
+        const Vec v = hn::Load(d, p.v + x);
+        const Vec j12 = hn::Load(d, p.j_and_f[1] + x);
+        const Vec f1 =
+            hn::MulAdd(va, laplacian(d, p.u_above + x, p.u + x, p.u_below + x, u), hn::Load(d, p.j_and_f[3] + x));
+        const Vec f2 =
+            hn::MulAdd(va, laplacian(d, p.v_above + x, p.v + x, p.v_below + x, v), hn::Load(d, p.j_and_f[4] + x));
+        hn::Store(hn::NegMulAdd(hn::Load(d, p.j_and_f[0] + x), u, hn::NegMulAdd(j12, v, f1)), d, r1 + x);
+        hn::Store(hn::NegMulAdd(j12, u, hn::NegMulAdd(hn::Load(d, p.j_and_f[2] + x), v, f2)), d, r2 + x);
+    }
+}
+
+void pairs(const float* upper, const float* lower, float* out, int width) {
+    const Tag d;
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        Vec a, b, c, e;
+        hn::LoadInterleaved2(d, upper + 2 * x, a, b);
+        hn::LoadInterleaved2(d, lower + 2 * x, c, e);
+        hn::Store(hn::Mul(hn::Add(hn::Add(a, b), hn::Add(c, e)), hn::Set(d, 0.25F)), d, out + x);
+    }
+}
+
+void interpolate(const float* near, const float* far, float* fine, int width) {
+    const Tag d;
+    const Vec most = hn::Set(d, 0.75F);
+    const Vec rest = hn::Set(d, 0.25F);
+    const auto down = [&](int x) HWY_ATTR {
+        return hn::MulAdd(most, hn::LoadU(d, near + x), hn::Mul(rest, hn::LoadU(d, far + x)));
+    };
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+        const Vec here = hn::Mul(most, down(x));
+        Vec even, odd;
+        hn::LoadInterleaved2(d, fine + 2 * x, even, odd);
+        even = hn::Add(even, hn::MulAdd(rest, down(x - 1), here));
+        odd = hn::Add(odd, hn::MulAdd(rest, down(x + 1), here));
+        hn::StoreInterleaved2(even, odd, d, fine + 2 * x);
+    }
+}
+
+}  // namespace vvr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vvr {
+
+HWY_EXPORT(relax);
+HWY_EXPORT(invert_rank_one);
+HWY_EXPORT(invert);
+HWY_EXPORT(multiply);
+HWY_EXPORT(residual);
+HWY_EXPORT(pairs);
+HWY_EXPORT(interpolate);
+
+void relax_rows(const RelaxRows& rows, int width, int count) {
+    HWY_DYNAMIC_DISPATCH(relax)(rows, width, count);
+}
+
+void invert_gradients(const float* gx, const float* gy, const float* gt, float a, float* const m_and_c[5], int width) {
+    HWY_DYNAMIC_DISPATCH(invert_rank_one)(gx, gy, gt, a, m_and_c, width);
+}
+
+void invert_tensors(const float* const j_and_f[5], float a, float* const m_and_c[5], int width) {
+    HWY_DYNAMIC_DISPATCH(invert)(j_and_f, a, m_and_c, width);
+}
+
+void products(const float* gx, const float* gy, const float* gt, float* const j_and_f[5], int width) {
+    HWY_DYNAMIC_DISPATCH(multiply)(gx, gy, gt, j_and_f, width);
+}
+
+void residual_row(const ResidualRow& row, float a, float* r1, float* r2, int width) {
+    HWY_DYNAMIC_DISPATCH(residual)(row, a, r1, r2, width);
+}
+
+void mean_of_pairs(const float* upper, const float* lower, float* out, int width) {
+    HWY_DYNAMIC_DISPATCH(pairs)(upper, lower, out, width);
+}
+
+void add_interpolated(const float* near, const float* far, float* fine, int coarse_width) {
+    HWY_DYNAMIC_DISPATCH(interpolate)(near, far, fine, coarse_width);
+}
+
+}  // namespace vvr
+#endif

@@ -1,0 +1,208 @@
+#include "core/fields/flows/linear_system.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <hwy/aligned_allocator.h>
+
+#include "core/fields/flows/linear_kernels.h"
+
+namespace vvr {
+namespace {
+
+// Rows that one step takes at a time, and steps that run through the picture together, each a row behind the one
+// before: what they touch, some 40 rows of nine planes, stays in the second-level cache. Measured; both are flat.
+constexpr int rows_at_a_time = 16;
+constexpr int steps_together = 24;
+
+// Below this size no grid is coarser.
+constexpr int coarsest = 6;
+
+Size half(Size size) {
+    return {(size.width + 1) / 2, (size.height + 1) / 2};
+}
+
+}  // namespace
+
+LinearSystem::LinearSystem(Size size, float a) : a_(a), work_(size, work_planes), data_(size, data_planes) {}
+
+LinearSystem::LinearSystem(const PlaneStack& derivatives, float a) : LinearSystem(derivatives.size(), a) {
+    for (int j = 0; j < size().height; ++j) {
+        const float* const gx = derivatives.row(along_x, j);
+        const float* const gy = derivatives.row(along_y, j);
+        const float* const gt = derivatives.row(along_t, j);
+        float* const m_and_c[] = {work_.row(m11, j), work_.row(m12, j), work_.row(m22, j), work_.row(c1, j),
+                                  work_.row(c2, j)};
+        float* const j_and_f[] = {data_.row(j11, j), data_.row(j12, j), data_.row(j22, j), data_.row(f1, j),
+                                  data_.row(f2, j)};
+        invert_gradients(gx, gy, gt, a_, m_and_c, size().width);
+        products(gx, gy, gt, j_and_f, size().width);
+    }
+}
+
+void LinearSystem::invert() {
+    for (int j = 0; j < size().height; ++j) {
+        const float* const j_and_f[] = {data_.row(j11, j), data_.row(j12, j), data_.row(j22, j), data_.row(f1, j),
+                                        data_.row(f2, j)};
+        float* const m_and_c[] = {work_.row(m11, j), work_.row(m12, j), work_.row(m22, j), work_.row(c1, j),
+                                  work_.row(c2, j)};
+        invert_tensors(j_and_f, a_, m_and_c, size().width);
+    }
+}
+
+void LinearSystem::set(const Plane<float>& new_u, const Plane<float>& new_v) {
+    for (int j = 0; j < size().height; ++j) {
+        std::ranges::copy(new_u.row(j), work_.row(u(), j));
+        std::ranges::copy(new_v.row(j), work_.row(v(), j));
+    }
+    work_.extend(u());
+    work_.extend(v());
+}
+
+// Step k works a row above step k - 1. Where it writes stands the flow of step k - 2, which nobody needs any more: its
+// last reader was step k - 1 at the row below, just before.
+void LinearSystem::relax(int steps) {
+    const int height = size().height;
+    while (steps > 0) {
+        const int together = std::min(steps, steps_together);
+        for (int j = 0; j < height + together - 1; j += rows_at_a_time) {
+            for (int k = 0; k < together; ++k) {
+                const int first = std::max(j - k, 0);
+                const int last = std::min(j - k + rows_at_a_time, height);
+                if (first >= last) continue;
+                const bool even = (turn_ + k) % 2 == 0;
+                const int next_u = even ? u_odd : u_even;
+                const int next_v = even ? v_odd : v_even;
+                relax_rows({.u = work_.row(even ? u_even : u_odd, first),
+                            .v = work_.row(even ? v_even : v_odd, first),
+                            .m11 = work_.row(m11, first),
+                            .m12 = work_.row(m12, first),
+                            .m22 = work_.row(m22, first),
+                            .c1 = work_.row(c1, first),
+                            .c2 = work_.row(c2, first),
+                            .next_u = work_.row(next_u, first),
+                            .next_v = work_.row(next_v, first),
+                            .pitch = work_.pitch()},
+                           size().width, last - first);
+                work_.extend(next_u, first, last);
+                work_.extend(next_v, first, last);
+            }
+        }
+        turn_ = (turn_ + together) % 2;
+        steps -= together;
+    }
+}
+
+LinearSystem LinearSystem::coarser() const {
+    LinearSystem coarse(half(size()), a_ / 4);
+    const int width = size().width;
+    for (int j = 0; j < coarse.size().height; ++j) {
+        const int lower = std::min(2 * j + 1, size().height - 1);
+        for (const int plane : {j11, j12, j22, f1, f2}) {
+            float* const out = coarse.data_.row(plane, j);
+            mean_of_pairs(data_.row(plane, 2 * j), data_.row(plane, lower), out, coarse.size().width);
+            if (width % 2 == 1) {
+                out[width / 2] = (data_.row(plane, 2 * j)[width - 1] + data_.row(plane, lower)[width - 1]) / 2;
+            }
+        }
+    }
+    coarse.invert();
+    return coarse;
+}
+
+template <class Take>
+void LinearSystem::for_each_residual(Take take) const {
+    const auto width = static_cast<std::size_t>(size().width);
+    const std::size_t room = (width + 63) / 32 * 32;
+    const auto r1 = hwy::AllocateAligned<float>(room);
+    const auto r2 = hwy::AllocateAligned<float>(room);
+    for (int j = 0; j < size().height; ++j) {
+        residual_row(
+            {.u_above = work_.row(u(), j - 1),
+             .u = work_.row(u(), j),
+             .u_below = work_.row(u(), j + 1),
+             .v_above = work_.row(v(), j - 1),
+             .v = work_.row(v(), j),
+             .v_below = work_.row(v(), j + 1),
+             .j_and_f = {data_.row(j11, j), data_.row(j12, j), data_.row(j22, j), data_.row(f1, j), data_.row(f2, j)}},
+            a_, r1.get(), r2.get(), size().width);
+        r1[width] = r1[width - 1];
+        r2[width] = r2[width - 1];
+        take(j, r1.get(), r2.get());
+    }
+}
+
+void LinearSystem::hand_down_residual(LinearSystem& coarse) const {
+    const int coarse_width = coarse.size().width;
+    const std::size_t room = static_cast<std::size_t>(coarse_width + 63) / 32 * 64;
+    const std::array upper{hwy::AllocateAligned<float>(room), hwy::AllocateAligned<float>(room)};
+    for_each_residual([&](int j, const float* r1, const float* r2) {
+        if (j % 2 == 0) {
+            std::copy_n(r1, size().width + 1, upper[0].get());
+            std::copy_n(r2, size().width + 1, upper[1].get());
+            if (j + 1 < size().height) return;
+        }
+        mean_of_pairs(upper[0].get(), r1, coarse.data_.row(f1, j / 2), coarse_width);
+        mean_of_pairs(upper[1].get(), r2, coarse.data_.row(f2, j / 2), coarse_width);
+    });
+    coarse.invert();
+    coarse.work_.clear(coarse.u());
+    coarse.work_.clear(coarse.v());
+}
+
+void LinearSystem::add(const LinearSystem& coarse) {
+    for (int j = 0; j < size().height; ++j) {
+        const int near = j / 2;
+        const int far = j % 2 == 0 ? near - 1 : near + 1;
+        add_interpolated(coarse.work_.row(coarse.u(), near), coarse.work_.row(coarse.u(), far), work_.row(u(), j),
+                         coarse.size().width);
+        add_interpolated(coarse.work_.row(coarse.v(), near), coarse.work_.row(coarse.v(), far), work_.row(v(), j),
+                         coarse.size().width);
+    }
+    work_.extend(u());
+    work_.extend(v());
+}
+
+double LinearSystem::residual() const {
+    double sum = 0;
+    for_each_residual([&](int, const float* r1, const float* r2) {
+        for (int i = 0; i < size().width; ++i) sum += double{r1[i]} * r1[i] + double{r2[i]} * r2[i];
+    });
+    return std::sqrt(sum / (static_cast<double>(size().width) * size().height));
+}
+
+Multigrid::Multigrid(const PlaneStack& derivatives, float a) {
+    grids_.emplace_back(derivatives, a);
+    while (std::max(grids_.back().size().width, grids_.back().size().height) > coarsest) {
+        grids_.push_back(grids_.back().coarser());
+    }
+}
+
+void Multigrid::solve(int cycles) {
+    grids_.back().relax(2 * coarsest);
+    for (std::size_t k = grids_.size() - 1; k-- > 0;) {
+        grids_[k].add(grids_[k + 1]);
+        for (int i = 0; i < cycles; ++i) cycle(k);
+    }
+}
+
+void Multigrid::improve(int cycles) {
+    for (int i = 0; i < cycles; ++i) cycle(0);
+}
+
+void Multigrid::cycle(std::size_t from) {
+    const std::size_t last = grids_.size() - 1;
+    for (std::size_t k = from; k < last; ++k) {
+        grids_[k].relax(2);
+        grids_[k].hand_down_residual(grids_[k + 1]);
+    }
+    grids_[last].relax(2 * coarsest);
+    for (std::size_t k = last; k-- > from;) {
+        grids_[k].add(grids_[k + 1]);
+        grids_[k].relax(1);
+    }
+}
+
+}  // namespace vvr

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <vector>
+
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/plane_stack.h"
+
+namespace vvr {
+
+/// One grid of the linear equations to which Horn and Schunck's energy leads: at each point
+///
+///     J w + a (w - mean(w)) = f,   J = g gᵀ,  f = -g g_t,  a = α²
+///
+/// with the mean over the mask 1/6, 1/12 of [HS81]. Their fixed-point iteration (§4.1) is Jacobi's for it.
+class LinearSystem {
+  public:
+    /// The equations of derivatives, with w = 0.
+    LinearSystem(const PlaneStack& derivatives, float a);
+
+    Size size() const { return work_.size(); }
+
+    /// Jacobi steps.
+    void relax(int steps);
+
+    /// Takes a flow as w.
+    void set(const Plane<float>& u, const Plane<float>& v);
+
+    Flow flow() const { return {work_.plane(u()), work_.plane(v())}; }
+
+    /// The same equations on a grid of half the size: J and f are means over 2×2 points, a is a quarter because the
+    /// distance between points is twice as long.
+    LinearSystem coarser() const;
+
+    /// Gives the coarser system the residual of this one as its f, and w = 0.
+    void hand_down_residual(LinearSystem& coarse) const;
+
+    /// Adds the coarser system's w, interpolated linearly.
+    void add(const LinearSystem& coarse);
+
+    /// Root of the mean of the residual's square.
+    double residual() const;
+
+  private:
+    enum WorkPlane { u_even, v_even, u_odd, v_odd, m11, m12, m22, c1, c2, work_planes };
+    enum DataPlane { j11, j12, j22, f1, f2, data_planes };
+
+    LinearSystem(Size size, float a);
+
+    int u() const { return turn_ == 0 ? u_even : u_odd; }
+    int v() const { return turn_ == 0 ? v_even : v_odd; }
+    void invert();
+
+    template <class Take>
+    void for_each_residual(Take take) const;
+
+    float a_;
+    PlaneStack work_;  ///< flow before and after a step, taking turns, and the coefficients of a step
+    PlaneStack data_;  ///< J and f
+    int turn_ = 0;
+};
+
+/// Solves the equations to the truth by full multigrid (Brandt 1977): from the coarsest grid up, on each grid `cycles`
+/// V-cycles. Because Jacobi's iteration with this mask damps every wave that the coarser grid can't hold by a factor
+/// of three or more a step, a cycle takes the residual down by about ten.
+class Multigrid {
+  public:
+    Multigrid(const PlaneStack& derivatives, float a);
+
+    /// From w = 0.
+    void solve(int cycles);
+
+    /// From the flow given with `finest().set`.
+    void improve(int cycles);
+
+    LinearSystem& finest() { return grids_.front(); }
+
+  private:
+    void cycle(std::size_t from);
+
+    std::vector<LinearSystem> grids_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,88 @@
+#include "core/fields/flows/median.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fields/flows/median.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vvr::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<float, 16>;
+using Vec = hn::Vec<Tag>;
+
+HWY_INLINE void order(Vec& a, Vec& b) {
+    const Vec low = hn::Min(a, b);
+    b = hn::Max(a, b);
+    a = low;
+}
+
+/// Three rows with a border of one value on the left and a vector's length on the right.
+void median_row(const float* above, const float* row, const float* below, float* out, int width) {
+    const Tag d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const float* const rows[3] = {above, row, below};
+    for (int x = 0; x < width; x += lanes) {
+        // Sort each column; the median of nine is that of the largest small, the middle of the middle and the
+        // smallest large one.
+        Vec low[3], middle[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            low[k] = hn::LoadU(d, rows[0] + x + k);
+            middle[k] = hn::LoadU(d, rows[1] + x + k);
+            high[k] = hn::LoadU(d, rows[2] + x + k);
+            order(low[k], middle[k]);
+            order(middle[k], high[k]);
+            order(low[k], middle[k]);
+        }
+        Vec a = hn::Max(hn::Max(low[0], low[1]), low[2]);
+        order(middle[0], middle[1]);
+        Vec b = hn::Max(middle[0], hn::Min(middle[1], middle[2]));
+        Vec c = hn::Min(hn::Min(high[0], high[1]), high[2]);
+        order(a, b);
+        b = hn::Max(a, hn::Min(b, c));
+        hn::StoreU(b, d, out + x);
+    }
+}
+
+}  // namespace vvr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vvr {
+
+HWY_EXPORT(median_row);
+
+Plane<float> median_of_nine(const Plane<float>& plane) {
+    constexpr int lanes = 16;  // of the longest vector that is used
+    const auto width = static_cast<std::size_t>(plane.width());
+    const std::size_t room = width + 2 * lanes;
+    std::vector<float> wide(3 * room);
+    const auto widen = [&](int j) {
+        float* const to = wide.data() + static_cast<std::size_t>((j + 3) % 3) * room;
+        const std::span<const float> from = plane.row(std::clamp(j, 0, plane.height() - 1));
+        to[0] = from.front();
+        std::ranges::copy(from, to + 1);
+        to[width + 1] = from.back();
+        return to;
+    };
+    Plane<float> result(plane.size());
+    std::vector<float> out(room);
+    const float* above = widen(-1);
+    const float* row = widen(0);
+    for (int j = 0; j < plane.height(); ++j) {
+        const float* const below = widen(j + 1);
+        HWY_DYNAMIC_DISPATCH(median_row)(above, row, below, out.data(), plane.width());
+        std::copy_n(out.begin(), width, result.row(j).begin());
+        above = row;
+        row = below;
+    }
+    return result;
+}
+
+}  // namespace vvr
+#endif

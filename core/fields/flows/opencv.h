@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+
+#include <opencv2/core.hpp>
+
+#include "core/fields/cv_view.h"
+#include "core/fields/flow.h"
+
+namespace vvr {
+
+/// A flow method of OpenCV: what they have in common is all but one call.
+class OpenCvFlow : public FlowMethod {
+  public:
+    int reach() const override { return 1; }
+    int margin() const override { return 32; }
+
+    FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {}}; }
+
+    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+        const std::size_t first = frames[2] == frames[1] ? 0 : 1;
+        const cv::Rect rect(part.x, part.y, part.size.width, part.size.height);
+        cv::Mat both;
+        estimate(cv_view(frames[first]->grey)(rect).clone(), cv_view(frames[first + 1]->grey)(rect).clone(), both);
+        Flow flow{Plane<float>(part.size), Plane<float>(part.size)};
+        std::array planes{cv_view(flow.u), cv_view(flow.v)};
+        cv::split(both, planes.data());
+        return flow;
+    }
+
+  protected:
+    virtual void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const = 0;
+};
+
+}  // namespace vvr

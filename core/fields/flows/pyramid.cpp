@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/fields/flows/median.h"
+#include "core/fields/flows/solvers.h"
+#include "core/fields/flows/warp.h"
+
+namespace vvr {
+namespace {
+
+// The coarsest scale: a picture of less holds nothing that can be followed.
+constexpr int smallest_side = 16;
+
+Size half(Size size) {
+    return {(size.width + 1) / 2, (size.height + 1) / 2};
+}
+
+/// Half the size. The new points lie between the old ones, so four taps are symmetric: (1, 3, 3, 1)/8.
+Plane<float> reduced(const Plane<float>& plane) {
+    const Size size = half(plane.size());
+    Plane<float> rows({plane.width(), size.height});
+    const auto at = [](std::span<const float> values, int i) {
+        return values[static_cast<std::size_t>(std::clamp(i, 0, static_cast<int>(values.size()) - 1))];
+    };
+    for (int j = 0; j < size.height; ++j) {
+        const std::array rows_in{plane.row(std::max(2 * j - 1, 0)), plane.row(2 * j),
+                                 plane.row(std::min(2 * j + 1, plane.height() - 1)),
+                                 plane.row(std::min(2 * j + 2, plane.height() - 1))};
+        const std::span<float> out = rows.row(j);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            out[i] = (rows_in[0][i] + rows_in[3][i] + 3 * (rows_in[1][i] + rows_in[2][i])) / 8;
+        }
+    }
+    Plane<float> result(size);
+    for (int j = 0; j < size.height; ++j) {
+        const std::span<const float> in = std::as_const(rows).row(j);
+        for (int i = 0; i < size.width; ++i) {
+            result.at(i, j) = (at(in, 2 * i - 1) + at(in, 2 * i + 2) + 3 * (at(in, 2 * i) + at(in, 2 * i + 1))) / 8;
+        }
+    }
+    return result;
+}
+
+/// A flow of half the size, brought to `size`: linear between points, and twice as long.
+Plane<float> enlarged(const Plane<float>& coarse, Size size) {
+    Plane<float> fine(size);
+    for (int j = 0; j < size.height; ++j) {
+        const int far_row = std::clamp(j / 2 + (j % 2 == 0 ? -1 : 1), 0, coarse.height() - 1);
+        const std::span<const float> near = coarse.row(j / 2);
+        const std::span<const float> far = coarse.row(far_row);
+        const auto down = [&](int i) {
+            const auto k = static_cast<std::size_t>(std::clamp(i, 0, coarse.width() - 1));
+            return 1.5F * near[k] + 0.5F * far[k];
+        };
+        for (int i = 0; i < size.width; ++i) {
+            fine.at(i, j) = 0.75F * down(i / 2) + 0.25F * down(i / 2 + (i % 2 == 0 ? -1 : 1));
+        }
+    }
+    return fine;
+}
+
+/// Part `part` of a plane.
+Plane<float> cut(const Plane<float>& plane, const Rect& part) {
+    Plane<float> result(part.size);
+    for (int j = 0; j < part.size.height; ++j) {
+        std::copy_n(plane.row(part.y + j).begin() + part.x, part.size.width, result.row(j).begin());
+    }
+    return result;
+}
+
+class Pyramid final : public FlowMethod {
+  public:
+    explicit Pyramid(const SolverSettings& settings)
+        : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
+          warps_(settings.iterations),
+          taps_(gaussian_taps(settings.pre_smooth)) {}
+
+    int reach() const override { return 1; }
+    int margin() const override { return 24; }
+
+    FlowFrame prepare(const Plane<std::uint8_t>& grey) const override {
+        FlowFrame frame{grey, {smoothed(grey, taps_)}};
+        while (std::min(frame.levels.back().width(), frame.levels.back().height()) >= 2 * smallest_side) {
+            frame.levels.push_back(reduced(frame.levels.back()));
+        }
+        return frame;
+    }
+
+    // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
+    Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
+        const std::size_t first = frames[2] == frames[1] ? 0 : 1;
+        const std::vector<Plane<float>>& here = frames[first]->levels;
+        const std::vector<Plane<float>>& next = frames[first + 1]->levels;
+        const std::vector<Rect> parts = parts_of(part, here);
+        Flow flow;
+        for (std::size_t k = here.size(); k-- > 0;) {
+            const Size size = parts[k].size;
+            flow = k + 1 == here.size() ? Flow{Plane<float>(size), Plane<float>(size)}
+                                        : Flow{enlarged(flow.u, size), enlarged(flow.v, size)};
+            improve(flow, cut(here[k], parts[k]), next[k], parts[k]);
+        }
+        const Rect wanted{part.x - parts[0].x, part.y - parts[0].y, part.size};
+        return wanted.size == parts[0].size ? flow : Flow{cut(flow.u, wanted), cut(flow.v, wanted)};
+    }
+
+  private:
+    // The part at every scale; at the finest a little larger than asked for, so that all cover the same points.
+    static std::vector<Rect> parts_of(const Rect& part, const std::vector<Plane<float>>& levels) {
+        const int cell = 1 << (levels.size() - 1);
+        const int x = part.x / cell * cell;
+        const int y = part.y / cell * cell;
+        std::vector<Rect> parts;
+        Size size{part.x + part.size.width - x, part.y + part.size.height - y};
+        for (std::size_t k = 0; k < levels.size(); ++k) {
+            parts.push_back({x >> k, y >> k, size});
+            size = half(size);
+        }
+        return parts;
+    }
+
+    void improve(Flow& flow, const Plane<float>& here, const Plane<float>& next, const Rect& part) const {
+        for (int i = 0; i < warps_; ++i) {
+            Multigrid grids(warped_derivatives(here, next, flow, part), alpha2_);
+            grids.finest().set(flow.u, flow.v);
+            grids.improve(1);
+            const Flow solved = grids.finest().flow();
+            flow = {median_of_nine(solved.u), median_of_nine(solved.v)};
+        }
+    }
+
+    float alpha2_;
+    int warps_;
+    std::vector<float> taps_;
+};
+
+}  // namespace
+
+std::unique_ptr<FlowMethod> make_pyramid(const SolverSettings& settings) {
+    return std::make_unique<Pyramid>(settings);
+}
+
+}  // namespace vvr

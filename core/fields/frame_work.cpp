@@ -1,0 +1,151 @@
+#include "core/fields/frame_work.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/fields/choice.h"
+#include "core/fields/clean.h"
+#include "core/fields/seeds.h"
+
+namespace vvr {
+namespace {
+
+// Grey levels by which an object stands out where the filter itself compares nothing with the empty scene.
+constexpr int object_threshold = 24;
+
+/// One more where there is an object, 0 elsewhere.
+Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object) {
+    Plane<std::uint16_t> age(object.size());
+    for (std::size_t i = 0; i < age.pixels().size(); ++i) {
+        const int then = before.empty() ? 0 : before.pixels()[i];
+        const int most = std::numeric_limits<std::uint16_t>::max();
+        age.pixels()[i] = static_cast<std::uint16_t>(object.pixels()[i] == 0 ? 0 : std::min(then + 1, most));
+    }
+    return age;
+}
+
+void paste(const Flow& part, const Rect& where, Flow& whole) {
+    for (int j = 0; j < where.size.height; ++j) {
+        std::ranges::copy(part.u.row(j), whole.u.row(where.y + j).begin() + where.x);
+        std::ranges::copy(part.v.row(j), whole.v.row(where.y + j).begin() + where.x);
+    }
+}
+
+}  // namespace
+
+bool needs_reference(const FieldOptions& options) {
+    const FilterTraits& traits = find_filter(options.filter).traits;
+    return traits.object || (options.flow.method != "none" && !traits.shows_object);
+}
+
+FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
+    : options_(options),
+      row_(find_filter(options.filter)),
+      region_(scene.region),
+      filter_(row_.make(options)),
+      flow_(make_flow(options.flow)) {
+    if (needs_reference(options)) {
+        const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
+        object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_);
+    }
+    needs_age_ = flow_ != nullptr && choose("--seed-order", options.seeds.order, seed_orders()).needs_age;
+    remembers_ = row_.traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
+    reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous ? 1 : 0);
+    last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
+}
+
+std::shared_ptr<Shot> FrameWork::begin(Frame frame) const {
+    auto shot = std::make_shared<Shot>();
+    shot->frame = std::move(frame);
+    shot->smooth = smoothed(shot->frame.grey, shot->frame.colour, options_.smooth);
+    if (object_ && !object_->adapts()) shot->object = object_->find(shot->smooth);
+    return shot;
+}
+
+Neighbourhood FrameWork::gather(std::shared_ptr<Shot> shot) {
+    if (shot) {
+        if (object_ && object_->adapts()) shot->object = object_->find_and_adapt(shot->smooth);
+        if (row_.traits.in_order) shot->foreground = filtered(*shot, nullptr, {});
+        if (needs_age_) {
+            const Shot* const before = last_.back().get();
+            shot->age = aged(before ? before->age : Plane<std::uint16_t>{},
+                             row_.traits.in_order ? shot->foreground : shot->object);
+        }
+    }
+    last_.pop_front();
+    last_.push_back(std::move(shot));
+    return {last_.begin(), last_.end()};
+}
+
+Field FrameWork::finish(const Neighbourhood& about) const {
+    const auto middle = static_cast<std::size_t>(reach_);
+    const Shot& here = *about[middle];
+    const Shot* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
+    const FilterTraits& traits = row_.traits;
+    Field field;
+    field.index = here.frame.index;
+    field.pts = here.frame.pts;
+    if (traits.in_order) {
+        field.scalar = here.foreground;
+    } else if (!traits.flow) {
+        field.scalar = filtered(here, before, {});
+    }
+    const Plane<std::uint8_t>& object = traits.shows_object ? field.scalar : here.object;
+    if (flow_ && (traits.flow || here.frame.index % options_.flow.every == 0)) field.flow = flow_of(about, object);
+    if (traits.flow) {
+        field.scalar = flow_ ? filtered(here, before, field.flow) : Plane<std::uint8_t>(here.frame.grey.size());
+    }
+    if (!field.flow.u.empty() && here.frame.index % options_.flow.every == 0) {
+        field.seeds =
+            make_seeds({here.frame.index, field.flow, traits.flow ? here.object : object, here.age}, options_.seeds);
+    }
+    return field;
+}
+
+Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, const Flow& flow) const {
+    Plane<std::uint8_t> scalar = (*filter_)({.frame = shot.frame,
+                                             .smooth = shot.smooth,
+                                             .previous = before ? &before->smooth : nullptr,
+                                             .object = shot.object,
+                                             .previous_object = before ? &before->object : nullptr,
+                                             .flow = flow});
+    // The difference object is clean already, and what is made of it as well.
+    if (!row_.traits.object) {
+        clean(scalar,
+              {.threshold = options_.threshold.value_or(row_.traits.threshold),
+               .gain = row_.traits.gain,
+               .min_area = row_.traits.min_area ? options_.min_area : 0},
+              region_);
+    }
+    return scalar;
+}
+
+// Where nothing is shown nothing needs to be known: only parts of the picture about the object are looked at, larger
+// than it by what the method wants. Past an end of the clip the end's frame stands again.
+Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& shown) const {
+    const Size size = about[static_cast<std::size_t>(reach_)]->frame.grey.size();
+    Flow flow{Plane<float>(size), Plane<float>(size)};
+    const std::vector<Rect> parts = options_.flow.everywhere || row_.traits.flow ? std::vector<Rect>{{0, 0, size}}
+                                                                                 : parts_about(shown, flow_->margin());
+    if (parts.empty()) return flow;
+    const int reach = flow_->reach();
+    std::vector<const FlowFrame*> frames(static_cast<std::size_t>(2 * reach + 1));
+    for (const int step : {-1, 1}) {
+        Shot* nearest = nullptr;
+        for (int k = 0; k <= reach; ++k) {
+            Shot* const shot = about[static_cast<std::size_t>(reach_ + step * k)].get();
+            if (shot != nullptr) nearest = shot;
+            frames[static_cast<std::size_t>(reach + step * k)] = &prepared(*nearest);
+        }
+    }
+    for (const Rect& part : parts) paste((*flow_)(frames, part), part, flow);
+    return flow;
+}
+
+const FlowFrame& FrameWork::prepared(Shot& shot) const {
+    std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame.grey); });
+    return shot.flow_frame;
+}
+
+}  // namespace vvr

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/fields/field.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/object.h"
+#include "core/fields/options.h"
+#include "core/fields/pipeline.h"
+
+namespace vvr {
+
+/// A frame on its way through the pipeline. Its neighbours look at it too, so nothing is moved out of it.
+struct Shot {
+    Frame frame;
+    Planes smooth;
+    Plane<std::uint8_t> object;      ///< the difference object, where something needs it
+    Plane<std::uint8_t> foreground;  ///< what a filter gave that must see frames in order
+    Plane<std::uint16_t> age;        ///< frames for which each pixel has been part of the object
+    FlowFrame flow_frame;            ///< made by the first neighbour that asks for it
+    std::once_flag flow_frame_made;
+};
+
+/// A frame in the middle of those about it; past the clip's ends the others are null.
+using Neighbourhood = std::vector<std::shared_ptr<Shot>>;
+
+/// All that is done with a frame between the source and the sink, in three steps.
+class FrameWork {
+  public:
+    FrameWork(const EmptyScene& scene, const FieldOptions& options);
+    FrameWork(const FrameWork&) = delete;
+    FrameWork& operator=(const FrameWork&) = delete;
+
+    /// Frames on each side that a frame's field depends on.
+    int reach() const { return reach_; }
+
+    /// Whether a field depends on all frames before it.
+    bool remembers() const { return remembers_; }
+
+    /// What needs the frame alone. From several threads at once.
+    std::shared_ptr<Shot> begin(Frame frame) const;
+
+    /// What needs the frames in order; null after the last one. The neighbourhood of the frame `reach` steps before.
+    Neighbourhood gather(std::shared_ptr<Shot> shot);
+
+    /// What needs the neighbours. From several threads at once, unless the filter has to see frames in order, and
+    /// then `gather` has seen to it.
+    Field finish(const Neighbourhood& about) const;
+
+  private:
+    Plane<std::uint8_t> filtered(const Shot& shot, const Shot* before, const Flow& flow) const;
+    Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& shown) const;
+    const FlowFrame& prepared(Shot& shot) const;
+
+    FieldOptions options_;
+    const FilterRow& row_;
+    Plane<std::uint8_t> region_;
+    std::unique_ptr<Filter> filter_;
+    std::unique_ptr<FlowMethod> flow_;
+    std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object
+    bool needs_age_ = false;
+    bool remembers_ = false;
+    int reach_ = 0;
+    std::deque<std::shared_ptr<Shot>> last_;  ///< the last 2 reach + 1 frames that were gathered
+};
+
+}  // namespace vvr

@@ -1,0 +1,134 @@
+#include "core/fields/region.h"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "core/fields/cv_view.h"
+#include "core/video/frame_source.h"
+#include "core/video/scaler.h"
+
+namespace vvr {
+namespace {
+
+using Polygon = std::vector<cv::Point2d>;
+
+// Far beyond any picture, and still safe in the fixed-point arithmetic of the rasteriser.
+constexpr double farthest = 100000;
+
+/// Anything that begins with a number and a comma is meant as a polygon, not as a file's name.
+bool is_polygon_list(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return false;
+    double x = 0;
+    const std::size_t begin = text.find_first_not_of(' ');
+    const char* const end = text.data() + comma;
+    return begin < comma && std::from_chars(text.data() + begin, end, x).ptr == end;
+}
+
+class Parser {
+  public:
+    Parser(const std::string& option, std::string_view text) : option_(option), text_(text) {}
+
+    std::vector<Polygon> polygons() {
+        std::vector<Polygon> result(1);
+        while (true) {
+            skip_spaces();
+            if (at_ == text_.size() || text_[at_] == ';') {
+                if (result.back().size() < 3) fail("a polygon has at least three points");
+                if (at_ == text_.size()) return result;
+                ++at_;
+                result.emplace_back();
+                continue;
+            }
+            const double x = number();
+            if (at_ == text_.size() || text_[at_] != ',') fail("expected ',' and the y of the point");
+            ++at_;
+            const double y = number();
+            result.back().push_back({x, y});
+        }
+    }
+
+  private:
+    void skip_spaces() {
+        while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    }
+
+    double number() {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+        if (error != std::errc()) fail("expected a number");
+        if (!(std::abs(value) <= farthest)) fail(fmt::format("a coordinate must be within ±{}", farthest));
+        at_ = static_cast<std::size_t>(end - text_.data());
+        return value;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
+                                "between polygons, or the name of a picture",
+                                option_, what, at_ + 1, text_));
+    }
+
+    std::string option_;
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+void draw(Plane<std::uint8_t>& plane, const std::vector<Polygon>& polygons, Size video) {
+    // Sixteenths of a pixel; OpenCV's whole numbers are centres of pixels, ours are corners.
+    constexpr int shift = 4;
+    const double scale_x = static_cast<double>(plane.width()) / video.width;
+    const double scale_y = static_cast<double>(plane.height()) / video.height;
+    for (const Polygon& polygon : polygons) {
+        std::vector<cv::Point> points;
+        for (const cv::Point2d& p : polygon) {
+            points.emplace_back(static_cast<int>(std::lround((p.x * scale_x - 0.5) * (1 << shift))),
+                                static_cast<int>(std::lround((p.y * scale_y - 0.5) * (1 << shift))));
+        }
+        cv::Mat out = cv_view(plane);
+        cv::fillPoly(out, std::vector{points}, 255, cv::LINE_8, shift);
+    }
+}
+
+Plane<std::uint8_t> area(const std::string& option, const std::string& text, Size field, Size video) {
+    if (is_polygon_list(text)) {
+        Plane<std::uint8_t> plane(field);
+        draw(plane, Parser(option, text).polygons(), video);
+        return plane;
+    }
+    SourceOptions options;
+    options.field_size = field;
+    const auto picture = open_source(text, options);
+    Plane<std::uint8_t> plane = Scaler(*picture)(*picture->next()).grey;
+    for (std::uint8_t& p : plane.pixels()) p = p >= 128 ? 255 : 0;
+    return plane;
+}
+
+}  // namespace
+
+void validate_region(const std::string& option, const std::string& text) {
+    if (is_polygon_list(text)) Parser(option, text).polygons();
+}
+
+Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {
+    if (options.roi.empty() && options.mask.empty()) return {};
+    Plane<std::uint8_t> region =
+        options.roi.empty() ? Plane<std::uint8_t>(field, 255) : area("--roi", options.roi, field, video);
+    if (!options.mask.empty()) {
+        const Plane<std::uint8_t> mask = area("--mask", options.mask, field, video);
+        for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+            if (mask.pixels()[i] != 0) region.pixels()[i] = 0;
+        }
+    }
+    return region;
+}
+
+}  // namespace vvr

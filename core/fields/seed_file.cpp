@@ -1,0 +1,144 @@
+#include "core/fields/seed_file.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/fields/read_file.h"
+
+namespace vvr {
+namespace {
+
+constexpr std::string_view first_line = "vvr-seeds 1";
+constexpr int largest_side = 65536;
+
+/// The lines of a text that are neither empty nor a comment, cut in words.
+class Lines {
+  public:
+    Lines(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+    bool next() {
+        while (!text_.empty()) {
+            ++number_;
+            const std::size_t end = std::min(text_.find('\n'), text_.size());
+            std::string_view line = text_.substr(0, end);
+            text_.remove_prefix(std::min(end + 1, text_.size()));
+            if (line.ends_with('\r')) line.remove_suffix(1);
+            line_ = line;
+            split();
+            if (!words_.empty() && !words_.front().starts_with('#')) return true;
+        }
+        ++number_;
+        words_.clear();
+        return false;
+    }
+
+    const std::vector<std::string_view>& words() const { return words_; }
+    std::string_view line() const { return line_; }
+
+    template <class Number>
+    Number number(std::size_t word) const {
+        Number value{};
+        const std::string_view text = words_[word];
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size()) fail(fmt::format("'{}' is not a number", text));
+        return value;
+    }
+
+    float finite(std::size_t word) const {
+        const auto value = number<float>(word);
+        if (!std::isfinite(value)) fail(fmt::format("'{}' is not a finite number", words_[word]));
+        return value;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(ErrorKind::io,
+                    fmt::format("{}:{}: {}; docs/formats.md has the format of seed lists", name_, number_, what));
+    }
+
+  private:
+    void split() {
+        words_.clear();
+        std::size_t at = 0;
+        while ((at = line_.find_first_not_of(" \t", at)) != std::string_view::npos) {
+            const std::size_t end = std::min(line_.find_first_of(" \t", at), line_.size());
+            words_.push_back(line_.substr(at, end - at));
+            at = end;
+        }
+    }
+
+    std::string_view text_;
+    std::string name_;
+    std::string_view line_;
+    std::vector<std::string_view> words_;
+    int number_ = 0;
+};
+
+void expect(Lines& lines, std::string_view keyword, std::size_t numbers) {
+    if (!lines.next()) lines.fail(fmt::format("the file ends where a line '{} ...' should be", keyword));
+    if (lines.words().front() != keyword || lines.words().size() != numbers + 1) {
+        lines.fail(fmt::format("expected '{}' and {} number{}, found '{}'", keyword, numbers, numbers == 1 ? "" : "s",
+                               lines.line()));
+    }
+}
+
+Seed parse_point(const Lines& lines, Size size) {
+    if (lines.words().size() != 5) {
+        lines.fail(fmt::format("a point is 'x y u v flag', found '{}'", lines.line()));
+    }
+    Seed seed{lines.finite(0), lines.finite(1), lines.finite(2), lines.finite(3)};
+    const auto right = static_cast<float>(size.width - 1);
+    const auto bottom = static_cast<float>(size.height - 1);
+    if (seed.x < 0 || seed.y < 0 || seed.x > right || seed.y > bottom) {
+        lines.fail(
+            fmt::format("the point {}, {} lies outside the field of {}x{}", seed.x, seed.y, size.width, size.height));
+    }
+    const std::string_view flag = lines.words()[4];
+    if (flag != "0" && flag != "1") lines.fail(fmt::format("the flag of a point is 0 or 1, found '{}'", flag));
+    seed.used = flag == "1";
+    return seed;
+}
+
+}  // namespace
+
+std::string format_seeds(const SeedList& list) {
+    std::string text = fmt::format("{}\nframe {}\nsize {} {}\npoints {}\n# x y u v flag\n", first_line, list.frame,
+                                   list.size.width, list.size.height, list.seeds.size());
+    for (const Seed& s : list.seeds) {
+        fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", s.x, s.y, s.u, s.v, s.used ? 1 : 0);
+    }
+    return text;
+}
+
+SeedList parse_seeds(std::string_view text, const std::string& name) {
+    Lines lines(text, name);
+    if (!lines.next() || lines.line() != first_line) lines.fail(fmt::format("the first line is not '{}'", first_line));
+    SeedList list;
+    expect(lines, "frame", 1);
+    list.frame = lines.number<std::int64_t>(1);
+    expect(lines, "size", 2);
+    list.size = {lines.number<int>(1), lines.number<int>(2)};
+    if (list.size.width < 1 || list.size.height < 1 || list.size.width > largest_side ||
+        list.size.height > largest_side) {
+        lines.fail(fmt::format("a field of {}x{} can't be", list.size.width, list.size.height));
+    }
+    expect(lines, "points", 1);
+    const auto points = lines.number<std::uint64_t>(1);
+    while (list.seeds.size() < points) {
+        if (!lines.next()) lines.fail(fmt::format("the file ends after {} of {} points", list.seeds.size(), points));
+        list.seeds.push_back(parse_point(lines, list.size));
+    }
+    if (lines.next()) lines.fail(fmt::format("more lines than the {} points that were announced", points));
+    return list;
+}
+
+SeedList read_seeds(const std::string& path) {
+    return parse_seeds(read_file(path), path);
+}
+
+}  // namespace vvr
