@@ -7,12 +7,12 @@
 #include "cli/command_line.h"
 #include "cli/option.h"
 #include "cli/options_output.h"
+#include "cli/picture_output.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/render_clip.h"
 #include "cli/render_settings.h"
 #include "cli/words.h"
-#include "core/image/picture_file.h"
 
 namespace vvr {
 
@@ -24,7 +24,7 @@ Metadata describe(const CommandLine& line, const RenderReport& report) {
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (auto& [option, value] : line.settings(name)) {
             // A picture that is passed on should not tell where its maker keeps files.
-            if (option == "reference") value = std::filesystem::path(value).filename().string();
+            if (option == "reference" || option == "transfer") value = std::filesystem::path(value).filename().string();
             metadata.emplace_back(option, std::move(value));
         }
     }
@@ -49,16 +49,21 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderedClip render(const RenderSettings& settings, spdlog::logger& log) {
+RenderReport render(const RenderSettings& settings, int pictures, const PictureSink& sink, spdlog::logger& log) {
     const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
-    const RenderJob job = job_for(settings, source->info());
+    RenderJob job = job_for(settings, source->info());
+    job.pictures = pictures;
     const Plan plan = make_plan(job, *source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
-    RenderedClip clip = render_clip(job, *source, [&](std::int64_t frames) { progress.set(frames); });
-    progress.clear();
-    log_report(clip.report, log);
-    return clip;
+    RenderReport report = render_clip(
+        job, *source, [&](std::int64_t frames) { progress.set(frames); },
+        [&](const RenderReport& so_far, int number, Picture&& picture) {
+            progress.clear();
+            sink(so_far, number, std::move(picture));
+        });
+    log_report(report, log);
+    return report;
 }
 
 }  // namespace
@@ -73,21 +78,21 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     apply(settings.run, environment.log);
     check(settings);
     check(output);
-    {
-        // What can fail without reading the clip fails now.
-        const auto held = environment.signals.hold();
-        check_picture_path(output.path);
+    if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
+        throw Error(ErrorKind::usage, "an animation moves the stripes of tracelines, and none are shown: add them with "
+                                      "--show volume,tracelines,outline,frames");
     }
+    PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
-    const RenderedClip clip = render(settings, environment.log);
-    {
-        const auto held = environment.signals.hold();
-        write_picture(output.path, clip.picture, describe(line, clip.report));
-    }
+    const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
+        pictures.add(number, picture, describe(line, report));
+    };
+    const RenderReport report = render(settings, pictures_of(output), write, environment.log);
+    pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(clip.report.frames, "frame"),
-                         counted(clip.report.layers, "layer"),
-                         counted(static_cast<std::int64_t>(clip.report.bricks.size()), "brick"), took.count());
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),
+                         counted(report.layers, "layer"),
+                         counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
     return ExitStatus::done;
 }
 

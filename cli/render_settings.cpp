@@ -61,10 +61,14 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     job.height = settings.view.height.value_or(0);
     job.picture.size = settings.view.size;
     job.picture.view = view_of(settings.view);
+    job.slice_view = slice_view_of(settings.view);
     job.picture.slices = settings.view.slices;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.transfer = find_transfer(settings.look.transfer);
     job.opacity = settings.look.opacity;
+    job.traces = settings.look.traces;
+    job.glyphs.time_velocity = settings.look.traces.time_velocity;
     job.glyphs.frames *= settings.look.glyph_scale;
     job.glyphs.cap *= settings.look.glyph_scale;
     job.picture.glyphs.thickness *= static_cast<float>(settings.look.glyph_scale);

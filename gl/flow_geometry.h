@@ -16,12 +16,18 @@ struct GlyphStyle {
     glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
 };
 
+/// Where the light of the flow geometry comes from: above and behind the viewer's left shoulder.
+glm::vec3 to_light(const Camera& camera);
+
 /// Draws one reference glyph at every seed, instanced, as opaque geometry (§5.2, §6.2).
 class FlowGeometry {
   public:
     explicit FlowGeometry(const GladGLContext& gl);
 
-    void draw(std::span<const Glyph> glyphs, const Camera& camera, const GlyphStyle& style);
+    /// Replaces the arrows that are drawn.
+    void upload(std::span<const Glyph> glyphs);
+
+    void draw(const Camera& camera, const GlyphStyle& style) const;
 
   private:
     const GladGLContext* gl_;
@@ -31,6 +37,7 @@ class FlowGeometry {
     GlBuffer indices_;
     GlBuffer instances_;
     GLsizei index_count_ = 0;
+    GLsizei glyph_count_ = 0;
 };
 
 }  // namespace vvr

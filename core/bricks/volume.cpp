@@ -43,8 +43,9 @@ void Volume::add(const Field& field) {
         layer.last_pts = field.pts;
         ++layer.frames;
     }
-    if (frames_ % seed_interval_ == 0) {
+    if (seeded(frames_)) {
         for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
+        if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
 }
@@ -52,6 +53,19 @@ void Volume::add(const Field& field) {
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
     return (frame + 0.5) / static_cast<double>(layers() * step_);
+}
+
+glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
+    return {1 - (point.x + 0.5) / size_.width, 1 - (point.y + 0.5) / size_.height, t_of_frame(point.z)};
+}
+
+glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
+    return {-vector.x / size_.width, -vector.y / size_.height, vector.z / static_cast<double>(layers() * step_)};
+}
+
+bool Volume::seeded(std::int64_t frame) const {
+    // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
+    return (layers_.front().first_frame + frame) % seed_interval_ == 0;
 }
 
 void Volume::release_before(std::int64_t layer) {
@@ -73,7 +87,8 @@ void Volume::join_pairs() {
     layers_ = std::move(joined);
     step_ *= 2;
     seed_interval_ *= 2;
-    std::erase_if(seeds_, [this](const FrameSeed& seed) { return seed.frame % seed_interval_ != 0; });
+    std::erase_if(seeds_, [this](const FrameSeed& seed) { return !seeded(seed.frame); });
+    flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
 }
 
 std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {

@@ -4,7 +4,10 @@
 #include <span>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "core/bricks/brick.h"
+#include "core/bricks/flow_volume.h"
 #include "core/fields/field.h"
 #include "core/plane.h"
 
@@ -35,6 +38,9 @@ class Volume {
     /// \param seed_interval seeds are kept of each so many-th frame; doubles with the step
     Volume(Size size, std::int64_t capacity, std::int64_t step = 1, std::int64_t seed_interval = 1);
 
+    /// From now on keeps the flow of the frames whose seeds are kept, for tracelines.
+    void keep_flow() { keeps_flow_ = true; }
+
     /// Adds the next frame's field, whose scalar has this volume's size.
     void add(const Field& field);
 
@@ -45,6 +51,7 @@ class Volume {
     const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }
 
     std::span<const FrameSeed> seeds() const { return seeds_; }
+    const FlowVolume& flow() const { return flow_; }
 
     /// Gives back the memory of the scalars of all layers before `layer`; for when they have become textures.
     void release_before(std::int64_t layer);
@@ -52,7 +59,15 @@ class Volume {
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
     double t_of_frame(double frame) const;
 
+    /// C-space position of (column, row, frame): field pixels, whose centres are whole numbers, and a frame number
+    /// counted from the first frame of the volume.
+    glm::dvec3 c_of(const glm::dvec3& point) const;
+
+    /// C-space vector of (u, v, v_t): field pixels to the right and down, and frames.
+    glm::dvec3 c_vector(const glm::dvec3& vector) const;
+
   private:
+    bool seeded(std::int64_t frame) const;
     void join_pairs();
 
     Size size_;
@@ -62,6 +77,8 @@ class Volume {
     std::int64_t frames_ = 0;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
+    bool keeps_flow_ = false;
+    FlowVolume flow_;
 };
 
 /// The texels of a brick: its layers with one more before and after (the neighbour's layer, or the brick's own end
