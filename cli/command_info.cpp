@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/open_fields.h"
 #include "cli/option.h"
 #include "cli/plan.h"
 #include "cli/print.h"
@@ -21,7 +22,7 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-std::string as_text(const FrameSource& source, const Plan& plan) {
+std::string as_text(const FieldSource& source, const Plan& plan) {
     const VideoInfo& info = source.info();
     std::string text = info.name + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
@@ -41,7 +42,7 @@ std::string as_text(const FrameSource& source, const Plan& plan) {
     return text;
 }
 
-std::string as_json(const FrameSource& source, const Plan& plan) {
+std::string as_json(const FieldSource& source, const Plan& plan) {
     const VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
     const nlohmann::ordered_json json{
@@ -77,7 +78,7 @@ ExitStatus run_info(const Command& command, Arguments arguments, const Environme
     apply(settings.run, environment.log);
     check(settings);
 
-    const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
+    const auto source = open_fields(settings, line).source;
     const Plan plan = make_plan(job_for(settings, source->info()), *source);
     print(json ? as_json(*source, plan) : as_text(*source, plan));
     return ExitStatus::done;

@@ -71,12 +71,29 @@ void CommandLine::refuse_leftovers() const {
                                               did_you_mean(name, option_names(app_)), app_.get_name()));
 }
 
-Metadata CommandLine::settings(const std::string& group) const {
+std::vector<std::string> CommandLine::names(std::initializer_list<const char*> groups) const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app_.get_options()) {
+        const bool asked = std::ranges::find(groups, option->get_group()) != groups.end();
+        if (asked && !option->get_lnames().empty()) names.push_back(option->get_lnames().front());
+    }
+    return names;
+}
+
+std::optional<std::string> CommandLine::given(const std::string& option) const {
+    const CLI::Option* const found = app_.get_option_no_throw("--" + option);
+    return found == nullptr || found->empty() ? std::nullopt : std::optional(found->results().back());
+}
+
+Metadata CommandLine::settings(const std::string& group, const Metadata& decided) const {
     Metadata settings;
     for (const CLI::Option* option : app_.get_options()) {
         if (option->get_group() != group || option->get_lnames().empty()) continue;
-        const std::string value = option->empty() ? option->get_default_str() : option->results().back();
-        if (!value.empty()) settings.emplace_back(option->get_lnames().front(), value);
+        const std::string& name = option->get_lnames().front();
+        const auto elsewhere = std::ranges::find(decided, name, &Metadata::value_type::first);
+        std::string value = option->empty() ? option->get_default_str() : option->results().back();
+        if (elsewhere != decided.end()) value = elsewhere->second;
+        if (!value.empty()) settings.emplace_back(name, value);
     }
     return settings;
 }

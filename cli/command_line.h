@@ -1,7 +1,10 @@
 #pragma once
 
+#include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -23,7 +26,14 @@ class CommandLine {
     bool parse(std::span<const std::string> arguments);
 
     /// Long names and values of the options of one group: as given, else the default.
-    Metadata settings(const std::string& group) const;
+    /// \param decided options whose value comes from elsewhere, whatever the default
+    Metadata settings(const std::string& group, const Metadata& decided = {}) const;
+
+    /// Long names of the options of some groups.
+    std::vector<std::string> names(std::initializer_list<const char*> groups) const;
+
+    /// What the user gave for an option by its long name, on the command line or in a config file.
+    std::optional<std::string> given(const std::string& option) const;
 
   private:
     void refuse_leftovers() const;

@@ -1,10 +1,10 @@
 #include <chrono>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/open_fields.h"
 #include "cli/option.h"
 #include "cli/options_output.h"
 #include "cli/picture_output.h"
@@ -19,13 +19,11 @@ namespace vvr {
 namespace {
 
 /// The settings that made the picture, and what they made of this clip.
-Metadata describe(const CommandLine& line, const RenderReport& report) {
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
-        for (auto& [option, value] : line.settings(name)) {
-            // A picture that is passed on should not tell where its maker keeps files.
-            if (option == "reference" || option == "transfer") value = std::filesystem::path(value).filename().string();
-            metadata.emplace_back(option, std::move(value));
+        for (const auto& [option, value] : line.settings(name, extracted)) {
+            metadata.emplace_back(option, without_folder(option, value));
         }
     }
     metadata.emplace_back("frames", fmt::to_string(report.frames));
@@ -49,15 +47,15 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderReport render(const RenderSettings& settings, int pictures, const PictureSink& sink, spdlog::logger& log) {
-    const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
-    RenderJob job = job_for(settings, source->info());
+RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
+                    spdlog::logger& log) {
+    RenderJob job = job_for(settings, source.info());
     job.pictures = pictures;
-    const Plan plan = make_plan(job, *source);
+    const Plan plan = make_plan(job, source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
     RenderReport report = render_clip(
-        job, *source, [&](std::int64_t frames) { progress.set(frames); },
+        job, source, [&](std::int64_t frames) { progress.set(frames); },
         [&](const RenderReport& so_far, int number, Picture&& picture) {
             progress.clear();
             sink(so_far, number, std::move(picture));
@@ -84,10 +82,11 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     }
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
+    const OpenedFields fields = open_fields(settings, line);
     const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
-        pictures.add(number, picture, describe(line, report));
+        pictures.add(number, picture, describe(line, fields.extracted, report));
     };
-    const RenderReport report = render(settings, pictures_of(output), write, environment.log);
+    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),

@@ -24,6 +24,8 @@ std::string help() {
 const std::vector<Command>& commands() {
     static const std::vector<Command> table{
         {"render", "a video as a picture", run_render},
+        {"extract", "the data files of a video: scalar fields, flow, seeds", run_extract},
+        {"inspect", "one frame's object, flow and seeds side by side", run_inspect},
         {"info", "what a video is, and what a render of it would do and need", run_info},
         {"doctor", "what this machine can do, and what would mend what it can't", run_doctor},
     };

@@ -23,7 +23,7 @@ std::int64_t bricks_of(const RenderJob& job, const Plan& plan, double rate) {
     return static_cast<std::int64_t>(std::ceil(static_cast<double>(plan.layers * plan.step) / length));
 }
 
-std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FrameSource& source) {
+std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource& source) {
     constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
     constexpr std::int64_t field_bytes = 30;    // a pixel of a frame in flight: colour, planes of floats, flow
@@ -46,7 +46,7 @@ void check_memory(const Plan& plan) {
                     static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9));
 }
 
-Plan make_plan(const RenderJob& job, const FrameSource& source) {
+Plan make_plan(const RenderJob& job, const FieldSource& source) {
     Plan plan;
     plan.frames = expected_frames(source.info(), job.source);
     plan.step = planned_step(job, plan.frames);

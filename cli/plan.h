@@ -15,7 +15,7 @@ struct Plan {
     std::int64_t bytes = 0;  ///< estimate of the memory in use at the highest
 };
 
-Plan make_plan(const RenderJob& job, const FrameSource& source);
+Plan make_plan(const RenderJob& job, const FieldSource& source);
 
 /// \throws Error limit when the machine has less memory than that, where the system would kill the program half way
 void check_memory(const Plan& plan);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/fields/pipeline.h"
 #include "core/scene/overlay.h"
 #include "gl/context.h"
 
@@ -23,15 +22,17 @@ struct Fields {
     FieldSummary summary;
 };
 
-Fields read_fields(const RenderJob& job, FrameSource& source, std::int64_t step, const FrameProgress& progress) {
-    FieldOptions options = job.fields;
+Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step, const FrameProgress& progress) {
     const std::int64_t expected = expected_frames(source.info(), job.source);
-    options.flow.every = std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
-    if (!job.show.contains("arrows") && !job.show.contains("tracelines")) options.flow.method = "none";
+    const std::int64_t every = expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times;
+    FieldNeeds needs;
+    needs.flow = job.show.contains("tracelines");
+    needs.seeds = needs.flow || job.show.contains("arrows");
+    needs.every = source.interval(std::max<std::int64_t>(1, every));
 
-    Fields result{Volume(source.field_size(), job.max_layers, step, options.flow.every), {}, {}, {}};
-    if (job.show.contains("tracelines")) result.volume.keep_flow();
-    result.summary = compute_fields(source, options, [&](Frame&& frame, Field&& field) {
+    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}};
+    if (needs.flow) result.volume.keep_flow();
+    result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
         result.volume.add(field);
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
@@ -126,7 +127,7 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
     return std::max<std::int64_t>(1, (frames + job.max_layers - 1) / job.max_layers);
 }
 
-RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress) {
+RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress) {
     RenderedClip clip;
     clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
         if (number == 0) clip.picture = std::move(picture);
@@ -134,7 +135,7 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     return clip;
 }
 
-RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
     const std::int64_t expected = expected_frames(source.info(), job.source);
@@ -143,7 +144,6 @@ RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameP
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
     if (job.step == 0 && step > 1 && fields.volume.layers() < job.max_layers / 2 && fields.volume.frames() > 1) {
         step = planned_step(job, fields.volume.frames());
-        source.rewind();
         fields = read_fields(job, source, step, progress);
     }
 

@@ -7,20 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "core/fields/options.h"
 #include "core/image/picture.h"
 #include "core/scene/glyph.h"
 #include "core/scene/traceline.h"
-#include "core/video/frame_source.h"
+#include "core/store/field_source.h"
 #include "gl/renderer.h"
 
 namespace vvr {
 
 /// Everything that decides how a clip becomes a picture.
 struct RenderJob {
-    std::string input;
     SourceOptions source;
-    FieldOptions fields;
 
     std::int64_t max_layers = 800;   ///< of the window; a longer clip is sampled in time
     std::int64_t step = 0;           ///< frames a layer takes; 0 = as many as max_layers asks for
@@ -82,14 +79,14 @@ std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options
 
 /// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
 /// to be read in vain.
-RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress);
+RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress);
 
 /// Takes each picture of a job with its number from 0 on.
 using PictureSink = std::function<void(const RenderReport& report, int number, Picture&& picture)>;
 
 /// The same for all `job.pictures`: only the phase of the tracelines' texture changes from one to the next, and the
 /// last is followed by the first.
-RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink);
 
 }  // namespace vvr

@@ -1,7 +1,9 @@
 #include "cli/render_settings.h"
 
+#include "cli/option.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
+#include "core/fields/pipeline.h"
 
 namespace vvr {
 
@@ -16,7 +18,11 @@ double seconds(const Time& time, double rate) {
 
 void add_options(CLI::App& app, RenderSettings& settings) {
     add_options(app, settings.input);
+    add_integer(app, group::input, settings.input.step, 0, 1'000'000,
+                {"--step", "FRAMES", "", "frames that share a layer; 0 = as few as the window allows"});
     add_options(app, settings.fields);
+    add_text(app, group::fields, settings.seeds,
+             {"--seeds", "DIR", "", "lists of seeds, as `vvr extract` writes them, instead of computed ones"});
     add_options(app, settings.bricks);
     add_options(app, settings.view);
     add_options(app, settings.look);
@@ -26,28 +32,25 @@ void add_options(CLI::App& app, RenderSettings& settings) {
 
 void check(const RenderSettings& settings) {
     const InputOptions& input = settings.input;
-    if (input.name.empty()) {
-        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
-    }
+    if (input.names.size() < 2) only_input(input);
     if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
         throw Error(ErrorKind::usage, "--end has to come after --start");
     }
 }
 
 bool wants_colour(const RenderSettings& settings) {
-    return find_filter(settings.fields.filter).traits.colour || settings.look.shows("frames");
+    // Where an object is looked for, colour counts: not only if the picture happens to show some.
+    return find_filter(settings.fields.filter).traits.colour || needs_reference(settings.fields) ||
+           settings.look.shows("frames");
 }
 
 RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     RenderJob job;
-    job.input = settings.input.name;
     if (settings.input.start) job.source.start = seconds(*settings.input.start, info.rate);
     if (settings.input.end && (settings.input.end->unit == Time::Unit::seconds || info.rate > 0)) {
         job.source.end = seconds(*settings.input.end, info.rate);
     }
     job.step = settings.input.step;
-    job.fields = settings.fields;
-    job.fields.threads = settings.run.threads;
 
     job.bricks = settings.bricks.count;
     if (const auto& brick = settings.bricks.length) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 #include "cli/options_bricks.h"
@@ -21,6 +23,7 @@ struct RenderSettings {
     LookOptions look;
     BackendOptions backend;
     RunOptions run;
+    std::string seeds;  ///< a folder of lists that replace the computed seeds; empty = none
 };
 
 /// Adds all the groups of options.

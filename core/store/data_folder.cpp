@@ -1,0 +1,128 @@
+#include "core/store/data_folder.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/fields/flo_file.h"
+#include "core/fields/seed_file.h"
+#include "core/image/atomic_file.h"
+#include "core/store/grey_file.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, mend its permissions or choose "
+                                           "another folder",
+                                           path.string(), std::generic_category().message(error)));
+}
+
+template <class Bytes>
+std::span<const std::byte> bytes_of(const Bytes& bytes) {
+    return std::as_bytes(std::span(bytes.data(), bytes.size()));
+}
+
+}  // namespace
+
+void check_data_folder(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::exists(folder, error)) {
+        const fs::path whole = fs::absolute(folder).lexically_normal();
+        check_file_path(whole.has_filename() ? whole : whole.parent_path());
+        return;
+    }
+    if (!fs::is_directory(folder)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
+    }
+    if (!fs::is_empty(folder) && !is_data_folder(folder)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
+                                "a new or an empty folder",
+                                folder.string()));
+    }
+    check_file_path(folder / stored::manifest);
+}
+
+DataFolder::DataFolder(fs::path folder, std::int64_t flow_every)
+    : folder_(std::move(folder)), flow_every_(flow_every) {
+    check_data_folder(folder_);
+    std::error_code error;
+    made_ = fs::create_directory(folder_, error);
+    if (error) fail(folder_, error.value());
+    // From here on a run that is killed leaves a folder that the next one knows for its own.
+    replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
+    remove_data();
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds}) {
+        fs::create_directory(folder_ / name, error);
+        if (error) fail(folder_ / name, error.value());
+    }
+}
+
+DataFolder::~DataFolder() {
+    if (closed_) return;
+    remove_data();
+    std::error_code none;
+    fs::remove(folder_ / stored::manifest, none);
+    if (made_) fs::remove(folder_, none);
+}
+
+void DataFolder::remove_data() const {
+    std::error_code none;
+    for (const char* name :
+         {stored::scalar, stored::flow, stored::seeds, stored::reference, stored::first, stored::last}) {
+        fs::remove_all(folder_ / name, none);
+    }
+}
+
+// Not each file by itself to the disk, as `replace_file` does: that takes longer than all the rest. The manifest, which
+// comes last, tells a whole folder from one that isn't.
+void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
+    const fs::path path = folder_ / file;
+    std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));
+    if (!out || std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) fail(path, errno);
+    if (std::fclose(out.release()) != 0) fail(path, errno);
+}
+
+void DataFolder::add(const Frame& frame, const Field& field) {
+    StoredFrame stored{field.index, field.pts, {}};
+    write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
+    // Some filters make flow at every frame, wanted or not.
+    if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
+        write(stored::flow_file(field.index), bytes_of(encode_flo(field.flow)));
+        write(stored::seed_file(field.index), bytes_of(format_seeds({field.index, field.scalar.size(), field.seeds})));
+        stored.seeds = std::ssize(field.seeds);
+    }
+    if (frames_.empty()) write(stored::first, bytes_of(encode_colour(frame.colour)));
+    frames_.push_back(stored);
+    last_ = frame.colour;
+}
+
+void DataFolder::close(Manifest manifest, const Reference& reference) {
+    write(stored::last, bytes_of(encode_colour(last_)));
+    manifest.reference = !reference.grey.empty();
+    if (manifest.reference) {
+        write(stored::reference,
+              bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
+    }
+    manifest.flow_every = flow_every_;
+    manifest.frames = frames_;
+    replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    closed_ = true;
+}
+
+}  // namespace vvr

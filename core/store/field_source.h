@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/fields/pipeline.h"
+#include "core/video/frame_source.h"
+
+namespace vvr {
+
+/// What is wanted of the fields besides the scalar.
+struct FieldNeeds {
+    bool seeds = true;
+    bool flow = true;
+    std::int64_t every = 1;  ///< both at frames whose index is a multiple of it
+};
+
+/// Where a clip's fields come from: computed out of its frames, or read back from data files (Fig. 3's yellow boxes).
+class FieldSource {
+  public:
+    FieldSource() = default;
+    virtual ~FieldSource() = default;
+    FieldSource(const FieldSource&) = delete;
+    FieldSource& operator=(const FieldSource&) = delete;
+
+    virtual const VideoInfo& info() const = 0;
+    virtual Size field_size() const = 0;
+
+    /// The nearest interval to `asked`, not below it, at which there can be seeds and flow.
+    virtual std::int64_t interval(std::int64_t asked) const { return asked; }
+
+    /// Gives every field from the first on, in order, whenever it is called. Frames between the first and the last
+    /// may come without a picture.
+    virtual FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) = 0;
+};
+
+/// Fields computed from a clip.
+class ClipFields final : public FieldSource {
+  public:
+    ClipFields(std::unique_ptr<FrameSource> clip, FieldOptions options);
+
+    const VideoInfo& info() const override { return clip_->info(); }
+    Size field_size() const override { return clip_->field_size(); }
+    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+
+  private:
+    std::unique_ptr<FrameSource> clip_;
+    FieldOptions options_;
+    bool begun_ = false;
+};
+
+}  // namespace vvr

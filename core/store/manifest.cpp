@@ -1,0 +1,212 @@
+#include "core/store/manifest.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/fields/read_file.h"
+#include "core/version.h"
+
+namespace vvr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "vvr-extract";
+constexpr int format_version = 1;
+constexpr std::int64_t largest_side = 65536;
+constexpr std::int64_t largest_count = std::numeric_limits<std::int32_t>::max();
+
+/// One object of the file, whose values are asked for by name, kind and range.
+class Reader {
+  public:
+    Reader(const Json& json, std::string name, std::string where = "")
+        : json_(json), name_(std::move(name)), where_(std::move(where)) {
+        if (!json.is_object()) fail(fmt::format("{} is not an object", where_.empty() ? "the whole" : where_));
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", name_, what));
+    }
+
+    const Json& at(const char* key) const {
+        const auto found = json_.find(key);
+        if (found == json_.end()) fail(fmt::format("there is no '{}{}'", where_, key));
+        return *found;
+    }
+
+    Reader object(const char* key) const { return {at(key), name_, fmt::format("{}{}.", where_, key)}; }
+
+    std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) const {
+        const Json& value = at(key);
+        if (!value.is_number_integer() || value < low || value > high) {
+            fail(fmt::format("'{}{}' is {}, not a whole number from {} to {}", where_, key, value.dump(), low, high));
+        }
+        return value.get<std::int64_t>();
+    }
+
+    double seconds(const char* key) const {
+        const Json& value = at(key);
+        if (!value.is_number() || !std::isfinite(value.get<double>()) || value < 0) {
+            fail(fmt::format("'{}{}' is {}, not a number from 0 on", where_, key, value.dump()));
+        }
+        return value.get<double>();
+    }
+
+    std::string text(const char* key) const {
+        const Json& value = at(key);
+        if (!value.is_string()) fail(fmt::format("'{}{}' is {}, not a text", where_, key, value.dump()));
+        return value.get<std::string>();
+    }
+
+    bool flag(const char* key) const {
+        const Json& value = at(key);
+        if (!value.is_boolean()) fail(fmt::format("'{}{}' is {}, not true or false", where_, key, value.dump()));
+        return value.get<bool>();
+    }
+
+  private:
+    const Json& json_;
+    std::string name_;
+    std::string where_;
+};
+
+Size read_size(const Reader& reader, const char* width, const char* height) {
+    return {static_cast<int>(reader.integer(width, 1, largest_side)),
+            static_cast<int>(reader.integer(height, 1, largest_side))};
+}
+
+VideoInfo read_clip(const Reader& reader) {
+    VideoInfo info;
+    info.container = reader.text("container");
+    info.codec = reader.text("codec");
+    info.size = read_size(reader, "width", "height");
+    info.rate = reader.seconds("rate");
+    info.duration = reader.seconds("seconds");
+    info.frames = reader.integer("frames", 0, largest_count);
+    return info;
+}
+
+StoredFrame read_frame(const Json& json, std::size_t number, const std::string& name) {
+    const Reader reader(json, name, fmt::format("frames[{}].", number));
+    StoredFrame frame;
+    frame.index = reader.integer("index", 0, largest_count);
+    frame.pts = reader.seconds("pts");
+    if (json.contains("seeds")) frame.seeds = reader.integer("seeds", 0, largest_count);
+    return frame;
+}
+
+std::vector<StoredFrame> read_frames(const Reader& reader, const std::string& name) {
+    const Json& list = reader.at("frames");
+    if (!list.is_array()) reader.fail("'frames' is not a list");
+    if (list.empty()) throw Error(ErrorKind::not_video, fmt::format("'{}': it lists no frames", name));
+    std::vector<StoredFrame> frames;
+    frames.reserve(list.size());
+    for (const Json& entry : list) {
+        const StoredFrame frame = read_frame(entry, frames.size(), name);
+        if (!frames.empty() && frame.index != frames.back().index + 1) {
+            reader.fail(fmt::format("frame {} follows frame {}", frame.index, frames.back().index));
+        }
+        if (!frames.empty() && frame.pts < frames.back().pts) {
+            reader.fail(fmt::format("the time of frame {}, {} s, is before that of frame {}, {} s", frame.index,
+                                    frame.pts, frames.back().index, frames.back().pts));
+        }
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+}  // namespace
+
+namespace stored {
+
+std::filesystem::path scalar_file(std::int64_t index) {
+    return std::filesystem::path(scalar) / fmt::format("{:06}.png", index);
+}
+std::filesystem::path flow_file(std::int64_t index) {
+    return std::filesystem::path(flow) / fmt::format("{:06}.flo", index);
+}
+std::filesystem::path seed_file(std::int64_t index) {
+    return std::filesystem::path(seeds) / fmt::format("{:06}.txt", index);
+}
+
+}  // namespace stored
+
+std::string format_manifest(const Manifest& manifest) {
+    const VideoInfo& clip = manifest.clip;
+    Json settings = Json::object();
+    for (const auto& [name, value] : manifest.settings) settings[name] = value;
+    const Json head{{"format", format_name},
+                    {"format_version", format_version},
+                    {"complete", true},
+                    {"vvr", version()},
+                    {"clip",
+                     {{"container", clip.container},
+                      {"codec", clip.codec},
+                      {"width", clip.size.width},
+                      {"height", clip.size.height},
+                      {"rate", clip.rate},
+                      {"seconds", clip.duration},
+                      {"frames", clip.frames}}},
+                    {"field_width", manifest.field_size.width},
+                    {"field_height", manifest.field_size.height},
+                    {"flow_every", manifest.flow_every},
+                    {"damaged", manifest.damaged},
+                    {"reference", manifest.reference},
+                    {"settings", settings}};
+    std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
+    text.erase(text.rfind('\n'));  // the closing brace
+    text += ",\n  \"frames\": [";
+    // A line a frame: such a list can be read, and compared, by people.
+    for (const StoredFrame& frame : manifest.frames) {
+        Json entry{{"index", frame.index}, {"pts", frame.pts}};
+        if (frame.seeds) entry["seeds"] = *frame.seeds;
+        text += (&frame == &manifest.frames.front() ? "\n    " : ",\n    ") + entry.dump();
+    }
+    return text + "\n  ]\n}\n";
+}
+
+std::string unfinished_manifest() {
+    return Json{{"format", format_name}, {"format_version", format_version}, {"complete", false}}.dump(2) + "\n";
+}
+
+Manifest parse_manifest(std::string_view text, const std::string& name) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        throw Error(ErrorKind::io, fmt::format("'{}': not JSON; run `vvr extract` again", name));
+    }
+    const Reader reader(json, name);
+    if (reader.text("format") != format_name) reader.fail(fmt::format("'format' is not '{}'", format_name));
+    const std::int64_t found = reader.integer("format_version", 1, largest_count);
+    if (found != format_version) {
+        reader.fail(fmt::format("its format_version is {}, this vvr reads {}", found, format_version));
+    }
+    if (!reader.flag("complete")) reader.fail("the extraction was not finished");
+
+    Manifest manifest;
+    manifest.clip = read_clip(reader.object("clip"));
+    manifest.field_size = read_size(reader, "field_width", "field_height");
+    manifest.flow_every = reader.integer("flow_every", 0, largest_count);
+    manifest.damaged = reader.integer("damaged", 0, largest_count);
+    manifest.reference = reader.flag("reference");
+    const Reader settings = reader.object("settings");
+    for (const auto& [option, value] : reader.at("settings").items()) {
+        manifest.settings.emplace_back(option, settings.text(option.c_str()));
+    }
+    manifest.frames = read_frames(reader, name);
+    return manifest;
+}
+
+bool is_data_folder(const std::filesystem::path& folder) {
+    std::error_code none;
+    const std::filesystem::path file = folder / stored::manifest;
+    if (!std::filesystem::is_regular_file(file, none)) return false;
+    const Json json = Json::parse(read_file(file.string()), nullptr, false);
+    if (json.is_discarded()) return true;
+    return json.is_object() && json.contains("format") && json["format"] == format_name;
+}
+
+}  // namespace vvr

@@ -1,0 +1,155 @@
+#include "core/store/stored_fields.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/fields/flo_file.h"
+#include "core/fields/read_file.h"
+#include "core/fields/seed_file.h"
+#include "core/store/grey_file.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+bool says_where(const std::string& option) {
+    return option == "start" || option == "end";
+}
+
+std::string value_of(const Settings& settings, const std::string& option) {
+    const auto found = std::ranges::find(settings, option, &Settings::value_type::first);
+    return found == settings.end() ? "" : found->second;
+}
+
+bool same_clip(const VideoInfo& a, const VideoInfo& b) {
+    return a.container == b.container && a.codec == b.codec && a.size == b.size && a.rate == b.rate &&
+           a.duration == b.duration && a.frames == b.frames;
+}
+
+/// What keeps two directories from being neighbouring parts of one clip; nothing = they are.
+std::string difference(const Manifest& a, const Manifest& b) {
+    if (a.field_size != b.field_size) {
+        return fmt::format("fields of {}x{} and of {}x{}", a.field_size.width, a.field_size.height, b.field_size.width,
+                           b.field_size.height);
+    }
+    if (!same_clip(a.clip, b.clip)) return "they are of different clips";
+    if (a.flow_every != b.flow_every) return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
+    for (const Settings* settings : {&a.settings, &b.settings}) {
+        for (const auto& [option, value] : *settings) {
+            const std::string one = value_of(a.settings, option);
+            const std::string other = value_of(b.settings, option);
+            if (!says_where(option) && one != other) return fmt::format("--{} is '{}' and '{}'", option, one, other);
+        }
+    }
+    if (b.frames.front().index != a.frames.back().index + 1) {
+        return fmt::format("the first ends with frame {}, the second begins with frame {}; give the parts in order",
+                           a.frames.back().index, b.frames.front().index);
+    }
+    return "";
+}
+
+Settings joined(const Manifest& first, const Manifest& last) {
+    Settings settings;
+    for (const auto& [option, value] : first.settings) {
+        if (option != "end") settings.emplace_back(option, value);
+    }
+    const std::string end = value_of(last.settings, "end");
+    if (!end.empty()) settings.emplace_back("end", end);
+    return settings;
+}
+
+}  // namespace
+
+StoredFields::StoredFields(std::span<const std::string> folders) {
+    for (const std::string& folder : folders) {
+        const fs::path file = fs::path(folder) / stored::manifest;
+        Part part{folder, parse_manifest(read_file(file.string()), file.string())};
+        if (!parts_.empty()) {
+            const std::string what = difference(parts_.back().manifest, part.manifest);
+            if (!what.empty()) {
+                throw Error(ErrorKind::usage, fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
+                                                          parts_.back().folder.string(), folder, what));
+            }
+        }
+        parts_.push_back(std::move(part));
+    }
+    const Manifest& first = parts_.front().manifest;
+    const Manifest& last = parts_.back().manifest;
+    settings_ = joined(first, last);
+    info_ = first.clip;
+    info_.name = parts_.front().folder.string();
+    const bool whole = first.frames.front().index == 0 && value_of(settings_, "end").empty();
+    if (!whole) {
+        info_.frames = last.frames.back().index - first.frames.front().index + 1;
+        info_.duration = info_.rate > 0 ? static_cast<double>(info_.frames) / info_.rate : 0;
+    }
+}
+
+std::int64_t StoredFields::interval(std::int64_t asked) const {
+    const std::int64_t every = std::max<std::int64_t>(1, parts_.front().manifest.flow_every);
+    return (asked + every - 1) / every * every;
+}
+
+Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const FieldNeeds& needs) const {
+    Field field;
+    field.index = frame.index;
+    field.pts = frame.pts;
+    field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
+    if (frame.index % needs.every != 0) return field;
+    const auto fail = [](const fs::path& file, const std::string& what) {
+        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
+    };
+    if (needs.seeds || needs.flow) {
+        if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
+    }
+    if (needs.seeds) {
+        const fs::path file = part.folder / stored::seed_file(frame.index);
+        SeedList list = read_seeds(file.string());
+        if (list.frame != frame.index) fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
+        if (list.size != field_size()) {
+            fail(file, fmt::format("seeds of a field of {}x{} where {}x{} is due", list.size.width, list.size.height,
+                                   field_size().width, field_size().height));
+        }
+        if (std::ssize(list.seeds) != *frame.seeds) {
+            fail(file, fmt::format("{} seeds where the manifest says {}", list.seeds.size(), *frame.seeds));
+        }
+        field.seeds = std::move(list.seeds);
+    }
+    if (needs.flow) {
+        const fs::path file = part.folder / stored::flow_file(frame.index);
+        field.flow = read_flo(file.string());
+        if (field.flow.u.size() != field_size()) {
+            fail(file, fmt::format("a flow of {}x{} where {}x{} is due", field.flow.u.width(), field.flow.u.height(),
+                                   field_size().width, field_size().height));
+        }
+    }
+    return field;
+}
+
+FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) {
+    if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted with --flow none, so there are no arrows or "
+                                                  "tracelines: extract it again, or leave them out of --show",
+                                                  info_.name));
+    }
+    FieldSummary summary;
+    summary.damaged = parts_.back().manifest.damaged;
+    for (const Part& part : parts_) {
+        for (const StoredFrame& stored : part.manifest.frames) {
+            Frame frame{.index = stored.index, .pts = stored.pts, .grey = {}, .colour = {}};
+            const bool first = &stored == &parts_.front().manifest.frames.front();
+            const bool last = &stored == &parts_.back().manifest.frames.back();
+            if (first || last) frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
+            ++summary.frames;
+            sink(std::move(frame), read_field(part, stored, needs));
+        }
+    }
+    return summary;
+}
+
+}  // namespace vvr

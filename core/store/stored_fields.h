@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/store/field_source.h"
+#include "core/store/manifest.h"
+
+namespace vvr {
+
+/// Fields that `vvr extract` wrote, to one directory or to several with the consecutive parts of a clip.
+class StoredFields final : public FieldSource {
+  public:
+    /// Reads the manifests; the data files are read, and checked, when their turn comes.
+    /// \throws Error io or not_video for a manifest that can't be, usage for parts that don't belong together
+    explicit StoredFields(std::span<const std::string> folders);
+
+    /// Of the whole clip, as its container told, where the parts begin and end where it does; else of what is here.
+    const VideoInfo& info() const override { return info_; }
+    Size field_size() const override { return parts_.front().manifest.field_size; }
+    std::int64_t interval(std::int64_t asked) const override;
+
+    /// \throws Error io for a file that is missing or isn't what the manifest says, usage when flow or seeds are
+    ///         needed and were not extracted
+    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+
+    /// The options that made the fields, of all parts together.
+    const std::vector<std::pair<std::string, std::string>>& settings() const { return settings_; }
+
+  private:
+    struct Part {
+        std::filesystem::path folder;
+        Manifest manifest;
+    };
+
+    Field read_field(const Part& part, const StoredFrame& frame, const FieldNeeds& needs) const;
+
+    std::vector<Part> parts_;
+    std::vector<std::pair<std::string, std::string>> settings_;
+    VideoInfo info_;
+};
+
+}  // namespace vvr
