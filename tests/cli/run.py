@@ -3,6 +3,7 @@
 import sys
 
 import cases_backend  # noqa: F401
+import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
 import cases_input  # noqa: F401
 import cases_options  # noqa: F401
