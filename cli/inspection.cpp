@@ -32,7 +32,7 @@ constexpr Rgba orange{1, 0.45F, 0.05F, 1};
 // Lines and arrows are where things are so many frames later.
 constexpr double frames_ahead = 4;
 constexpr int line_interval = 5;  // field pixels
-constexpr double least_flow = 0.1;
+constexpr double least_flow = 0.25;
 
 /// One of the three pictures: where it stands, and how field pixels map to it.
 struct Panel {

@@ -41,7 +41,7 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
 void check_data_folder(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) {
-        const fs::path whole = fs::absolute(folder).lexically_normal();
+        const fs::path whole = folder.lexically_normal();  // which may end in a slash
         check_file_path(whole.has_filename() ? whole : whole.parent_path());
         return;
     }

@@ -134,7 +134,7 @@ def manifest_that_lies(t):
 
     change(2, "not JSON", lambda m: m["frames"][3].update(pts=float("nan")))
     change(2, "'frames[3].pts' is null, not a number", lambda m: m["frames"][3].update(pts=None))
-    change(2, "the time of frame 3, 0.0 s, is before that of frame 2", lambda m: m["frames"][3].update(pts=0.0))
+    change(2, "the time of frame 3, 0 s, is before that of frame 2", lambda m: m["frames"][3].update(pts=0.0))
     change(2, "frame 4 follows frame 2", lambda m: m["frames"].pop(3))
     change(2, "scalar/000012.png': there is no such file", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}))
     change(3, "it lists no frames", lambda m: m["frames"].clear())

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/store/data_folder.h"
+#include "core/store/listed_seeds.h"
+#include "core/store/stored_fields.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Size size{9, 5};
+
+Field field_of(std::int64_t index) {
+    Field field{index, 0.04 * static_cast<double>(index) + 1.0 / 3, Plane<std::uint8_t>(size), {}, {}};
+    for (std::size_t i = 0; i < field.scalar.pixels().size(); ++i) {
+        field.scalar.pixels()[i] = static_cast<std::uint8_t>(7 * i + static_cast<std::size_t>(index));
+    }
+    field.flow = {Plane<float>(size, 0.1F), Plane<float>(size, static_cast<float>(index))};
+    field.seeds = {{1, 2, 0.1F, static_cast<float>(index), true}};
+    return field;
+}
+
+Frame frame_of(std::int64_t index) {
+    const auto level = static_cast<std::uint8_t>(index);
+    return {index, field_of(index).pts, Plane<std::uint8_t>(size), Plane<Bgr>(size, {level, 20, 200})};
+}
+
+Manifest manifest_of() {
+    Manifest manifest;
+    manifest.clip = {.name = {}, .container = "avi", .codec = "ffv1", .size = {90, 50}, .rate = 25, .duration = 0.4, .frames = 10};
+    manifest.field_size = size;
+    manifest.settings = {{"filter", "difference"}};
+    return manifest;
+}
+
+class Store : public testing::Test {
+  protected:
+    Store() : folder_(fs::temp_directory_path() / ("vvr-store-" + std::to_string(::getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directory(folder_);
+    }
+    ~Store() override { fs::remove_all(folder_); }
+    Store(const Store&) = delete;
+    Store& operator=(const Store&) = delete;
+
+    std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
+        DataFolder data(folder_ / name, 2);
+        for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
+        data.close(manifest_of(), {});
+        return (folder_ / name).string();
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Store, GivesBackWhatItTook) {
+    const std::vector<std::string> parts{write("a", 0, 4), write("b", 4, 10)};
+    StoredFields stored(parts);
+    EXPECT_EQ(stored.info().frames, 10);
+    EXPECT_EQ(stored.interval(3), 4);
+    std::int64_t next = 0;
+    const FieldSummary summary = stored.read({.every = 2}, [&](Frame&& frame, Field&& field) {
+        const Field expected = field_of(next);
+        EXPECT_EQ(field.index, next);
+        EXPECT_EQ(field.pts, expected.pts);
+        EXPECT_TRUE(std::ranges::equal(field.scalar.pixels(), expected.scalar.pixels()));
+        EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<Seed>{});
+        EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
+        if (next == 0 || next == 9) {
+            EXPECT_TRUE(std::ranges::equal(frame.colour.pixels(), frame_of(next).colour.pixels()));
+        }
+        ++next;
+    });
+    EXPECT_EQ(summary.frames, 10);
+}
+
+TEST_F(Store, WithoutCloseNothingStays) {
+    {
+        DataFolder data(folder_ / "a", 1);
+        data.add(frame_of(0), field_of(0));
+        EXPECT_TRUE(is_data_folder(folder_ / "a"));
+        const std::vector<std::string> names{(folder_ / "a").string()};
+        EXPECT_THROW(StoredFields{names}, Error);
+    }
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Store, ListsReplaceSeeds) {
+    const std::vector<std::string> whole{write("a", 0, 10)};
+    const std::vector<std::string> rest{write("b", 4, 10)};
+    ListedSeeds listed(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    EXPECT_EQ(listed.interval(4), 2);
+    fs::remove(folder_ / "a" / stored::seed_file(6));
+    ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    std::size_t seeds = 0;
+    fewer.read({.flow = false, .every = 2}, [&](Frame&&, Field&& field) { seeds += field.seeds.size(); });
+    EXPECT_EQ(seeds, 2U);
+}
+
+TEST(ManifestText, ReadsWhatItWrote) {
+    Manifest manifest = manifest_of();
+    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}};
+    const Manifest read = parse_manifest(format_manifest(manifest), "m");
+    EXPECT_EQ(read.frames, manifest.frames);
+    EXPECT_EQ(read.settings, manifest.settings);
+    EXPECT_EQ(read.field_size, size);
+    EXPECT_EQ(format_manifest(read), format_manifest(manifest));
+}
+
+}  // namespace
+}  // namespace vvr
