@@ -138,7 +138,7 @@ def manifest_that_lies(t):
     change(2, "frame 4 follows frame 2", lambda m: m["frames"].pop(3))
     change(2, "scalar/000012.png': there is no such file", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}))
     change(3, "it lists no frames", lambda m: m["frames"].clear())
-    change(2, "96x64 with 1 channel(s) of uint8 where 8-bit 97x64", lambda m: m.update(field_width=97))
+    change(2, "96x64 with 3 channel(s) of uint8 where 8-bit 97x64", lambda m: m.update(field_width=97))
     change(2, "'field_width' is 1e+300, not a whole number", lambda m: m.update(field_width=1e300))
     change(2, "'clip.rate' is \"fast\"", lambda m: m["clip"].update(rate="fast"))
     change(2, "seeds where the manifest says 99", lambda m: m["frames"][3].update(seeds=99))
