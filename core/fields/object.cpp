@@ -17,8 +17,12 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     if (options.reference == "running") running_.emplace(reference_);
 }
 
-Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Reference& reference) const {
-    const Planes empty = illumination_.relit(reference, frame);
+Light ObjectFinder::light_of(const Planes& frame, const Reference& reference) const {
+    return illumination_.compensates ? light_between(reference, frame) : Light{};
+}
+
+Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Reference& reference, const Light& light) const {
+    const Planes empty = illumination_.relit(reference, frame, light);
     Plane<std::uint8_t> object = largest_difference(frame, empty);
     clean(object, clean_, region_);
     if (!shadows_) remove_shadows(object, frame, empty);
@@ -27,12 +31,13 @@ Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Reference& 
 }
 
 Plane<std::uint8_t> ObjectFinder::find(const Planes& frame) const {
-    return compare(frame, reference_);
+    return compare(frame, reference_, light_of(frame, reference_));
 }
 
 Plane<std::uint8_t> ObjectFinder::find_and_adapt(const Planes& frame) {
-    Plane<std::uint8_t> object = compare(frame, running_->now());
-    running_->adapt(frame, object, illumination_.compensates ? light_between(running_->now(), frame) : Light{});
+    const Light light = light_of(frame, running_->now());
+    Plane<std::uint8_t> object = compare(frame, running_->now(), light);
+    running_->adapt(frame, object, light);
     return object;
 }
 

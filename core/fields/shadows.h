@@ -6,9 +6,9 @@
 
 namespace vvr {
 
-/// Sets to 0 what is a cast shadow and not an object: there the empty scene is seen through, darker by the same share
-/// in all channels and by nearly the same share as beside it, so that its texture is unchanged. Where the scene has no
-/// texture a shadow can't be told from a dark thing, and nothing is removed.
+/// Sets to 0 what is a cast shadow and not an object: there the scene is darker by the same share in all channels, down
+/// to half (after Horprasert, Harwood and Davis, ICCV 1999). Does nothing to frames without colour, in which a shadow
+/// can't be told from a dark thing.
 /// \param empty the empty scene in the light of `frame`
 void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty);
 
