@@ -53,6 +53,9 @@ class Renderer {
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(double phase = 0);
 
+    /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
+    void draw_unread(double phase = 0);
+
     /// `set_scene` and `draw` in one.
     Plane<glm::vec4> draw(const Scene& scene) {
         set_scene(scene);
@@ -68,7 +71,7 @@ class Renderer {
     std::vector<PlacedBrick> place() const;
 
   private:
-    void draw_tile(const SliceStack& stack, double phase, const Tile& tile, Plane<glm::vec4>& picture);
+    void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {
         std::int64_t number = 0;
