@@ -24,7 +24,8 @@ Metadata describe(const CommandLine& line, const RenderReport& report) {
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (auto& [option, value] : line.settings(name)) {
             // A picture that is passed on should not tell where its maker keeps files.
-            if (option == "reference") value = std::filesystem::path(value).filename().string();
+            if (option == "reference" || option == "roi" || option == "mask")
+                value = std::filesystem::path(value).filename().string();
             metadata.emplace_back(option, std::move(value));
         }
     }

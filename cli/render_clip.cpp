@@ -25,7 +25,8 @@ struct Fields {
 Fields read_fields(const RenderJob& job, FrameSource& source, std::int64_t step, const FrameProgress& progress) {
     FieldOptions options = job.fields;
     const std::int64_t expected = expected_frames(source.info(), job.source);
-    options.flow.every = std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
+    options.flow.every =
+        std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
     if (!job.show.contains("arrows")) options.flow.method = "none";
 
     Fields result{Volume(source.field_size(), job.max_layers, step, options.flow.every), {}, {}, {}};
@@ -52,8 +53,9 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 Plane<Bgr> standing_picture(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
     Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(),
-                           [](std::uint8_t grey) { return Bgr{grey, grey, grey}; });
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
     return picture;
 }
 
@@ -78,8 +80,9 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(),
-                           [](const glm::vec4& p) { return Rgba{p.x, p.y, p.z, p.w}; });
+    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
+        return Rgba{p.x, p.y, p.z, p.w};
+    });
     return picture;
 }
 
@@ -91,7 +94,8 @@ const std::vector<std::string>& show_words() {
 }
 
 std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options) {
-    const double length = info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
+    const double length =
+        info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
     const bool whole = options.start <= 0 && !options.end;
     if (whole || length <= 0 || info.rate <= 0) return info.frames;
     const double begin = std::min(options.start, length);
