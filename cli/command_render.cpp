@@ -1,5 +1,7 @@
 #include <chrono>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -18,13 +20,15 @@ namespace vvr {
 
 namespace {
 
+// A picture that is passed on should not tell where its maker keeps files.
+const std::set<std::string> file_options = {"mask", "reference", "roi", "transfer"};
+
 /// The settings that made the picture, and what they made of this clip.
 Metadata describe(const CommandLine& line, const RenderReport& report) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (auto& [option, value] : line.settings(name)) {
-            // A picture that is passed on should not tell where its maker keeps files.
-            if (option == "reference" || option == "transfer") value = std::filesystem::path(value).filename().string();
+            if (file_options.contains(option)) value = std::filesystem::path(value).filename().string();
             metadata.emplace_back(option, std::move(value));
         }
     }

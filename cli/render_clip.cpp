@@ -54,8 +54,9 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 Plane<Bgr> standing_picture(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
     Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(),
-                           [](std::uint8_t grey) { return Bgr{grey, grey, grey}; });
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
     return picture;
 }
 
@@ -100,8 +101,9 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(),
-                           [](const glm::vec4& p) { return Rgba{p.x, p.y, p.z, p.w}; });
+    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
+        return Rgba{p.x, p.y, p.z, p.w};
+    });
     return picture;
 }
 
@@ -113,7 +115,8 @@ const std::vector<std::string>& show_words() {
 }
 
 std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options) {
-    const double length = info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
+    const double length =
+        info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
     const bool whole = options.start <= 0 && !options.end;
     if (whole || length <= 0 || info.rate <= 0) return info.frames;
     const double begin = std::min(options.start, length);

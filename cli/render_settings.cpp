@@ -32,6 +32,7 @@ void check(const RenderSettings& settings) {
     if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
         throw Error(ErrorKind::usage, "--end has to come after --start");
     }
+    validate(settings.fields);
 }
 
 bool wants_colour(const RenderSettings& settings) {
