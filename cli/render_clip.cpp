@@ -26,13 +26,14 @@ struct Fields {
 Fields read_fields(const RenderJob& job, FrameSource& source, std::int64_t step, const FrameProgress& progress) {
     FieldOptions options = job.fields;
     const std::int64_t expected = expected_frames(source.info(), job.source);
-    options.flow.every = std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
+    options.flow.every =
+        std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
     if (!job.show.contains("arrows") && !job.show.contains("tracelines")) options.flow.method = "none";
 
     Fields result{Volume(source.field_size(), job.max_layers, step, options.flow.every), {}, {}, {}};
     if (job.show.contains("tracelines")) result.volume.keep_flow();
     result.summary = compute_fields(source, options, [&](Frame&& frame, Field&& field) {
-        result.volume.add(field);
+        result.volume.add(field, job.picture.colour == VolumeColour::video ? frame.colour : Plane<Bgr>());
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
@@ -86,8 +87,8 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
     }
     if (job.show.contains("slices")) {
         constexpr int shown = 20;
-        const Camera camera = job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size)
-                                             : renderer.camera();
+        const Camera camera =
+            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
         add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
     }
 }
@@ -110,7 +111,8 @@ Picture to_picture(const Plane<glm::vec4>& drawn) {
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "boxes", "slices"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline",
+                                                   "frames", "boxes",  "slices"};
     return words;
 }
 
@@ -188,7 +190,8 @@ RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameP
     }
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
-    for (int i = 0; i < job.pictures; ++i) sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+    for (int i = 0; i < job.pictures; ++i)
+        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
     return report;
 }
 

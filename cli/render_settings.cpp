@@ -36,7 +36,8 @@ void check(const RenderSettings& settings) {
 }
 
 bool wants_colour(const RenderSettings& settings) {
-    return find_filter(settings.fields.filter).traits.colour || settings.look.shows("frames");
+    return find_filter(settings.fields.filter).traits.colour || settings.look.shows("frames") ||
+           settings.look.volume_colour() == VolumeColour::video;
 }
 
 RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
@@ -66,6 +67,7 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     job.picture.slices = settings.view.slices;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.picture.colour = settings.look.volume_colour();
     job.transfer = find_transfer(settings.look.transfer);
     job.opacity = settings.look.opacity;
     job.traces = settings.look.traces;
