@@ -19,6 +19,9 @@ namespace {
 constexpr int darkest = 3;
 constexpr int brightest = 250;
 
+// Smoothed noise about a level that is cut off: from here on it is more than it seems.
+constexpr int cut_off = 240;
+
 // Every few pixels are enough to learn a light from.
 constexpr int sampling = 3;
 
@@ -106,14 +109,12 @@ Light line_through(const std::vector<Class>& classes) {
     return light;
 }
 
-// A channel that was cut off at 255 may have been of any brightness: it is not made darker.
 template <class T>
-Plane<T> in_light(const Plane<T>& plane, const Light& light) {
+Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
     std::array<std::uint8_t, 256> table{};
     for (int level = 0; level < 256; ++level) {
         const double lit = light.gain * level + light.offset;
-        const double shown = level > brightest ? std::max<double>(lit, level) : lit;
-        table[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(std::clamp(std::lround(shown), 0L, 255L));
+        table[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(std::clamp(std::lround(lit), 0L, 255L));
     }
     Plane<T> result(plane.size());
     cv::Mat out = cv_view(result);
@@ -125,11 +126,34 @@ Planes as_it_is(const Planes& reference, const Planes&) {
     return reference;
 }
 
+std::span<const std::uint8_t> bytes(const Plane<std::uint8_t>& plane) {
+    return plane.pixels();
+}
+std::span<const std::uint8_t> bytes(const Plane<Bgr>& plane) {
+    return {plane.pixels().front().data(), plane.pixels().size() * 3};
+}
+
+// What was cut off may have been of any brightness beyond: it is as bright as the frame shows it, or more dimly lit.
+template <class T>
+void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T>& lit) {
+    if (reference.empty() || frame.empty()) return;
+    const std::span<const std::uint8_t> before = bytes(reference);
+    const std::span<const std::uint8_t> now = bytes(frame);
+    auto* const out = reinterpret_cast<std::uint8_t*>(lit.pixels().data());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const std::uint8_t brighter = std::max(out[i], now[i]);
+        out[i] = before[i] > cut_off ? brighter : out[i];
+    }
+}
+
 Planes relit_globally(const Planes& reference, const Planes& frame) {
     const Light light = light_between(reference, frame);
-    if (light == Light{}) return reference;
-    return {in_light(reference.grey, light),
-            reference.colour.empty() ? Plane<Bgr>{} : in_light(reference.colour, light)};
+    Planes lit = in_light(reference, light);
+    if (light.gain * 255 + light.offset < 255) {
+        allow_for_cut_off(reference.grey, frame.grey, lit.grey);
+        allow_for_cut_off(reference.colour, frame.colour, lit.colour);
+    }
+    return lit;
 }
 
 // Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
@@ -205,6 +229,12 @@ Light light_between(const Planes& reference, const Planes& frame) {
     // Less than a level anywhere.
     if (std::abs(light.offset) < 1 && std::abs(255 * (light.gain - 1) + light.offset) < 1) return {};
     return light;
+}
+
+Planes in_light(const Planes& picture, const Light& light) {
+    if (light == Light{}) return picture;
+    return {plane_in_light(picture.grey, light),
+            picture.colour.empty() ? Plane<Bgr>{} : plane_in_light(picture.colour, light)};
 }
 
 std::span<const IlluminationRow> illuminations() {

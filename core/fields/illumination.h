@@ -19,6 +19,9 @@ struct Light {
 /// as objects cover less than half of the places of most levels; exactly `Light{}` for changes too small to see.
 Light light_between(const Planes& reference, const Planes& frame);
 
+/// A picture as it would look in another light.
+Planes in_light(const Planes& picture, const Light& light);
+
 /// One row of the illumination table: how a change of light between reference and frame is told from an object.
 struct IlluminationRow {
     std::string_view name;

@@ -35,6 +35,8 @@ class ObjectFinder {
 
     const IlluminationRow& illumination_;
     CleanOptions clean_;
+    int min_area_;
+    bool shadows_;
     const Plane<std::uint8_t>& region_;
     Reference reference_;
     std::optional<RunningReference> running_;

@@ -192,7 +192,9 @@ TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
     for (int j = 5; j < 20; ++j) {
         for (int i = 5; i < 30; ++i) frame.grey.at(i, j) = 255;
     }
-    EXPECT_EQ(lit(object_in(frame, empty, {})), 0);
+    FieldOptions options;
+    options.smooth = 0;  // or the cut off places' edges would be something between
+    EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
 }
 
 TEST(Illumination, NothingToLearnFromIsNoChange) {
@@ -213,7 +215,7 @@ TEST(Difference, SmallestPictures) {
             const Plane<std::uint8_t> object =
                 object_in(test::flat_frame(tiny, 0, 200), test::flat_frame(tiny, 0, 100), options);
             EXPECT_EQ(object.size(), tiny);
-            EXPECT_EQ(lit(object) == std::ssize(object.pixels()), std::string(kind) != "local") << kind;
+            EXPECT_EQ(lit(object), std::ssize(object.pixels())) << kind;
         }
     }
 }
