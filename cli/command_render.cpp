@@ -1,5 +1,7 @@
 #include <chrono>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -7,23 +9,26 @@
 #include "cli/command_line.h"
 #include "cli/option.h"
 #include "cli/options_output.h"
+#include "cli/picture_output.h"
+#include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/render_clip.h"
 #include "cli/render_settings.h"
 #include "cli/words.h"
-#include "core/image/picture_file.h"
 
 namespace vvr {
 
 namespace {
+
+// A picture that is passed on should not tell where its maker keeps files.
+const std::set<std::string> file_options = {"mask", "reference", "roi", "transfer"};
 
 /// The settings that made the picture, and what they made of this clip.
 Metadata describe(const CommandLine& line, const RenderReport& report) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (auto& [option, value] : line.settings(name)) {
-            // A picture that is passed on should not tell where its maker keeps files.
-            if (option == "reference") value = std::filesystem::path(value).filename().string();
+            if (file_options.contains(option)) value = std::filesystem::path(value).filename().string();
             metadata.emplace_back(option, std::move(value));
         }
     }
@@ -48,15 +53,21 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderedClip render(const RenderSettings& settings, spdlog::logger& log) {
+RenderReport render(const RenderSettings& settings, int pictures, const PictureSink& sink, spdlog::logger& log) {
     const auto source = open_clip(settings.input, wants_colour(settings), settings.run.threads);
-    const RenderJob job = job_for(settings, source->info());
-    Progress progress("frames", expected_frames(source->info(), job.source),
-                      !settings.run.quiet && stderr_is_terminal());
-    RenderedClip clip = render_clip(job, *source, [&](std::int64_t frames) { progress.set(frames); });
-    progress.clear();
-    log_report(clip.report, log);
-    return clip;
+    RenderJob job = job_for(settings, source->info());
+    job.pictures = pictures;
+    const Plan plan = make_plan(job, *source);
+    check_memory(plan);
+    Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
+    RenderReport report = render_clip(
+        job, *source, [&](std::int64_t frames) { progress.set(frames); },
+        [&](const RenderReport& so_far, int number, Picture&& picture) {
+            progress.clear();
+            sink(so_far, number, std::move(picture));
+        });
+    log_report(report, log);
+    return report;
 }
 
 }  // namespace
@@ -71,21 +82,21 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     apply(settings.run, environment.log);
     check(settings);
     check(output);
-    {
-        // What can fail without reading the clip fails now.
-        const auto held = environment.signals.hold();
-        check_picture_path(output.path);
+    if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
+        throw Error(ErrorKind::usage, "an animation moves the stripes of tracelines, and none are shown: add them with "
+                                      "--show volume,tracelines,outline,frames");
     }
+    PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
-    const RenderedClip clip = render(settings, environment.log);
-    {
-        const auto held = environment.signals.hold();
-        write_picture(output.path, clip.picture, describe(line, clip.report));
-    }
+    const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
+        pictures.add(number, picture, describe(line, report));
+    };
+    const RenderReport report = render(settings, pictures_of(output), write, environment.log);
+    pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(clip.report.frames, "frame"),
-                         counted(clip.report.layers, "layer"),
-                         counted(static_cast<std::int64_t>(clip.report.bricks.size()), "brick"), took.count());
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),
+                         counted(report.layers, "layer"),
+                         counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
     return ExitStatus::done;
 }
 

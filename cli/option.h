@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -54,6 +55,14 @@ CLI::Option* add_number(CLI::App& app, const char* group, double& target, Range 
 /// Adds an option for a whole number; `target` holds the default.
 CLI::Option* add_integer(CLI::App& app, const char* group, int& target, int low, int high, OptionText text);
 
+/// The same for a number that something else decides on when it isn't given; `text.standard` says what.
+CLI::Option* add_number(CLI::App& app, const char* group, std::optional<double>& target, Range range, OptionText text);
+CLI::Option* add_integer(CLI::App& app, const char* group, std::optional<int>& target, int low, int high,
+                         OptionText text);
+
+/// Adds an option whose text is taken as it is; `target` holds the default.
+CLI::Option* add_text(CLI::App& app, const char* group, std::string& target, OptionText text);
+
 /// Adds an option for one of `names`; `target` holds the default.
 CLI::Option* add_name(CLI::App& app, const char* group, std::string& target, std::vector<std::string> names,
                       OptionText text);
@@ -62,6 +71,7 @@ CLI::Option* add_name(CLI::App& app, const char* group, std::string& target, std
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;
+    names.reserve(std::size(table));
     for (const auto& row : table) names.emplace_back(row.name);
     return names;
 }

@@ -1,19 +1,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
 namespace vvr {
 
-/// Where the picture goes.
+/// Where the picture goes, or the pictures.
 struct OutputOptions {
     std::filesystem::path path;
+    std::optional<int> animate;  ///< pictures of the moving texture
 };
 
 void add_options(CLI::App& app, OutputOptions& options);
 
-/// \throws Error usage when nothing says where the picture goes
+/// \throws Error usage when nothing says where the picture goes, or the name and the number of pictures don't fit
 void check(const OutputOptions& options);
+
+/// The number of pictures that the options ask for; a file that can be animated is.
+int pictures_of(const OutputOptions& options);
 
 }  // namespace vvr

@@ -44,6 +44,10 @@ void add_options(CLI::App& app, ViewOptions& options) {
                {"--camera", "AZIMUTH,ELEVATION", join(options.camera, ','),
                 "where the viewer stands, degrees to the right and above the floor"},
                parse_camera);
+    add_option(app, group::view, options.slice_camera,
+               {"--slice-view", "AZIMUTH,ELEVATION", "",
+                "whose slices --show slices draws; those of the picture's own camera if not given"},
+               parse_camera);
     add_number(app, group::view, options.fov, {0, 150},
                {"--fov", "DEGREES", "", "vertical field of view; 0 = orthographic"});
     add_integer(app, group::view, options.slices, 0, 16384,
@@ -55,6 +59,14 @@ View view_of(const ViewOptions& options) {
     view.azimuth = options.camera.first;
     view.elevation = options.camera.second;
     view.fov = options.fov;
+    return view;
+}
+
+std::optional<View> slice_view_of(const ViewOptions& options) {
+    if (!options.slice_camera) return std::nullopt;
+    View view = view_of(options);
+    view.azimuth = options.slice_camera->first;
+    view.elevation = options.slice_camera->second;
     return view;
 }
 

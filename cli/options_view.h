@@ -19,6 +19,7 @@ struct ViewOptions {
     std::optional<double> height;              ///< none = square pixels
     Size size{1280, 800};
     std::pair<double, double> camera{View{}.azimuth, View{}.elevation};  ///< degrees
+    std::optional<std::pair<double, double>> slice_camera;
     double fov = View{}.fov;
     int slices = 0;
 };
@@ -26,5 +27,8 @@ struct ViewOptions {
 void add_options(CLI::App& app, ViewOptions& options);
 
 View view_of(const ViewOptions& options);
+
+/// The view whose slices are drawn, if not the picture's own.
+std::optional<View> slice_view_of(const ViewOptions& options);
 
 }  // namespace vvr

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
 namespace vvr {
 
 namespace {
@@ -18,17 +24,28 @@ std::int64_t bricks_of(const RenderJob& job, const Plan& plan, double rate) {
 }
 
 std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FrameSource& source) {
-    constexpr std::int64_t program = 120'000'000;  // code, libraries, OpenGL
+    constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
     constexpr std::int64_t field_bytes = 30;    // a pixel of a frame in flight: colour, planes of floats, flow
     constexpr std::int64_t source_bytes = 2;    // a pixel of a decoded picture
-    constexpr std::int64_t picture_bytes = 64;  // a pixel: four samples of colour and depth, copies as floats
-    return program + 2 * plan.layers * area(source.field_size()) +
+    constexpr std::int64_t picture_bytes = 36;  // a pixel, as floats in two copies, and encoded
+    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
+    return program + voxel_bytes * plan.layers * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
            picture_bytes * area(job.picture.size);
 }
 
 }  // namespace
+
+void check_memory(const Plan& plan) {
+    const std::int64_t there = std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+    if (there <= 0 || plan.bytes <= there) return;
+    throw Error(
+        ErrorKind::limit,
+        fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
+                    "--size or --field-size",
+                    static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9));
+}
 
 Plan make_plan(const RenderJob& job, const FrameSource& source) {
     Plan plan;

@@ -17,4 +17,7 @@ struct Plan {
 
 Plan make_plan(const RenderJob& job, const FrameSource& source);
 
+/// \throws Error limit when the machine has less memory than that, where the system would kill the program half way
+void check_memory(const Plan& plan);
+
 }  // namespace vvr

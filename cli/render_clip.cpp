@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/fields/pipeline.h"
+#include "core/scene/overlay.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -12,7 +13,7 @@ namespace vvr {
 namespace {
 
 // Arrows at so many times along the arc leave each other room.
-constexpr std::int64_t arrow_times = 100;
+constexpr std::int64_t arrow_times = 80;
 
 /// The volume of a clip, and the frames at its ends.
 struct Fields {
@@ -25,12 +26,14 @@ struct Fields {
 Fields read_fields(const RenderJob& job, FrameSource& source, std::int64_t step, const FrameProgress& progress) {
     FieldOptions options = job.fields;
     const std::int64_t expected = expected_frames(source.info(), job.source);
-    options.flow.every = std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
-    if (!job.show.contains("arrows")) options.flow.method = "none";
+    options.flow.every =
+        std::max<std::int64_t>(1, expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times);
+    if (!job.show.contains("arrows") && !job.show.contains("tracelines")) options.flow.method = "none";
 
     Fields result{Volume(source.field_size(), job.max_layers, step, options.flow.every), {}, {}, {}};
+    if (job.show.contains("tracelines")) result.volume.keep_flow();
     result.summary = compute_fields(source, options, [&](Frame&& frame, Field&& field) {
-        result.volume.add(field);
+        result.volume.add(field, job.picture.colour == VolumeColour::video ? frame.colour : Plane<Bgr>());
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
@@ -52,21 +55,42 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 Plane<Bgr> standing_picture(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
     Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(),
-                           [](std::uint8_t grey) { return Bgr{grey, grey, grey}; });
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
     return picture;
 }
 
 Scene build_scene(const RenderJob& job, const Fields& fields, const Layout& layout) {
     Scene scene;
     if (job.show.contains("arrows")) scene.arrows = arrows(fields.volume, layout, job.glyphs);
-    if (job.show.contains("outline")) scene.outline = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
+    if (job.show.contains("tracelines")) scene.tracelines = tracelines(fields.volume, layout, job.traces);
+    if (job.show.contains("outline")) scene.lines = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
     if (job.show.contains("frames")) {
         constexpr float opacity = 0.5F;
         scene.frames.push_back({0, standing_picture(fields.first), opacity});
         scene.frames.push_back({1, standing_picture(fields.last), opacity});
     }
     return scene;
+}
+
+/// Fig. 5: what the renderer makes of its bricks.
+void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
+                  const TransferFunction& transfer, Scene& scene) {
+    const auto add = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
+    if (job.show.contains("boxes")) {
+        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+    }
+    if (job.show.contains("slices")) {
+        constexpr int shown = 20;
+        const Camera camera =
+            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
+        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+    }
 }
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
@@ -78,20 +102,23 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(),
-                           [](const glm::vec4& p) { return Rgba{p.x, p.y, p.z, p.w}; });
+    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
+        return Rgba{p.x, p.y, p.z, p.w};
+    });
     return picture;
 }
 
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "outline", "frames"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline",
+                                                   "frames", "boxes",  "slices"};
     return words;
 }
 
 std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options) {
-    const double length = info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
+    const double length =
+        info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
     const bool whole = options.start <= 0 && !options.end;
     if (whole || length <= 0 || info.rate <= 0) return info.frames;
     const double begin = std::min(options.start, length);
@@ -105,6 +132,15 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
 }
 
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress) {
+    RenderedClip clip;
+    clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
+        if (number == 0) clip.picture = std::move(picture);
+    });
+    return clip;
+}
+
+RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+                         const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
     const std::int64_t expected = expected_frames(source.info(), job.source);
     std::int64_t step = planned_step(job, expected);
@@ -117,8 +153,7 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     }
 
     Volume& volume = fields.volume;
-    RenderedClip result;
-    RenderReport& report = result.report;
+    RenderReport report;
     report.info = source.info();
     report.field_size = source.field_size();
     report.frames = fields.summary.frames;
@@ -132,18 +167,20 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
     LayoutShape shape = shape_for(volume.size(), job.r_min, job.r_max);
     if (job.height > 0) shape.y_s = job.height;
     const auto layout = make_layout(job.layout, shape);
-    const Scene scene = build_scene(job, fields, *layout);
+    Scene scene = build_scene(job, fields, *layout);
     report.arrows = scene.arrows.size();
 
-    report.still = nothing_visible(volume, default_transfer_function());
+    report.still = nothing_visible(volume, job.transfer);
 
     report.renderer = context->renderer();
     report.backend = context->backend();
     RenderOptions options = job.picture;
     options.ring = static_cast<int>(report.bricks.size());
     options.window_layers = volume.layers();
+    options.hold_box = job.show.contains("boxes") || job.show.contains("slices");
     Renderer renderer(*context, *layout, options);
-    renderer.set_transfer(default_transfer_function().scaled(job.opacity));
+    const TransferFunction transfer = job.transfer.scaled(job.opacity);
+    renderer.set_transfer(transfer);
     if (job.show.contains("volume")) {
         for (std::size_t i = 0; i < report.bricks.size(); ++i) {
             const Brick& brick = report.bricks[i];
@@ -151,8 +188,11 @@ RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameP
             volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
         }
     }
-    result.picture = to_picture(renderer.draw(scene));
-    return result;
+    add_overlays(job, renderer, *layout, transfer, scene);
+    renderer.set_scene(std::move(scene));
+    for (int i = 0; i < job.pictures; ++i)
+        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+    return report;
 }
 
 }  // namespace vvr

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/fields/options.h"
 #include "core/image/picture.h"
 #include "core/scene/glyph.h"
+#include "core/scene/traceline.h"
 #include "core/video/frame_source.h"
 #include "gl/renderer.h"
 
@@ -31,9 +33,13 @@ struct RenderJob {
     double r_max = 1;
     double height = 0;  ///< y_s; 0 = square pixels
 
+    int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;  ///< ring and window_layers are found out
-    double opacity = 1;
+    TransferFunction transfer = default_transfer_function();
+    double opacity = 1;     ///< factor on its extinctions
     GlyphOptions glyphs;
+    TraceOptions traces;
+    std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
     std::set<std::string> show = {"volume", "arrows", "outline", "frames"};
 
     std::string backend = "auto";
@@ -77,5 +83,13 @@ std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options
 /// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
 /// to be read in vain.
 RenderedClip render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress);
+
+/// Takes each picture of a job with its number from 0 on.
+using PictureSink = std::function<void(const RenderReport& report, int number, Picture&& picture)>;
+
+/// The same for all `job.pictures`: only the phase of the tracelines' texture changes from one to the next, and the
+/// last is followed by the first.
+RenderReport render_clip(const RenderJob& job, FrameSource& source, const FrameProgress& progress,
+                         const PictureSink& sink);
 
 }  // namespace vvr

@@ -32,10 +32,12 @@ void check(const RenderSettings& settings) {
     if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
         throw Error(ErrorKind::usage, "--end has to come after --start");
     }
+    validate(settings.fields);
 }
 
 bool wants_colour(const RenderSettings& settings) {
-    return find_filter(settings.fields.filter).needs.colour || settings.look.shows("frames");
+    return find_filter(settings.fields.filter).traits.colour || settings.look.shows("frames") ||
+           settings.look.volume_colour() == VolumeColour::video;
 }
 
 RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
@@ -61,10 +63,15 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     job.height = settings.view.height.value_or(0);
     job.picture.size = settings.view.size;
     job.picture.view = view_of(settings.view);
+    job.slice_view = slice_view_of(settings.view);
     job.picture.slices = settings.view.slices;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.picture.colour = settings.look.volume_colour();
+    job.transfer = find_transfer(settings.look.transfer);
     job.opacity = settings.look.opacity;
+    job.traces = settings.look.traces;
+    job.glyphs.time_velocity = settings.look.traces.time_velocity;
     job.glyphs.frames *= settings.look.glyph_scale;
     job.glyphs.cap *= settings.look.glyph_scale;
     job.picture.glyphs.thickness *= static_cast<float>(settings.look.glyph_scale);

@@ -7,6 +7,11 @@
 
 namespace vvr {
 
+glm::vec3 to_light(const Camera& camera) {
+    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
+    return glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right));
+}
+
 FlowGeometry::FlowGeometry(const GladGLContext& gl)
     : gl_(&gl),
       program_(gl, "the flow geometry", {shaders::arrow_vert}, {shaders::arrow_frag}),
@@ -44,8 +49,15 @@ FlowGeometry::FlowGeometry(const GladGLContext& gl)
     check_gl(gl, "setting up the flow geometry");
 }
 
-void FlowGeometry::draw(std::span<const Glyph> glyphs, const Camera& camera, const GlyphStyle& style) {
-    if (glyphs.empty()) return;
+void FlowGeometry::upload(std::span<const Glyph> glyphs) {
+    glyph_count_ = static_cast<GLsizei>(glyphs.size());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, instances_.id());
+    gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size_bytes()), glyphs.data(), GL_STATIC_DRAW);
+    check_gl(*gl_, "uploading the arrows");
+}
+
+void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
+    if (glyph_count_ == 0) return;
     const GladGLContext& gl = *gl_;
     program_.use();
     program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -53,17 +65,13 @@ void FlowGeometry::draw(std::span<const Glyph> glyphs, const Camera& camera, con
     program_.set("speed_range", style.speed_range);
     program_.set("slow_colour", style.slow_colour);
     program_.set("fast_colour", style.fast_colour);
-    // From above and behind the viewer's left shoulder.
-    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
-    program_.set("to_light", glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right)));
+    program_.set("to_light", to_light(camera));
 
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);
     gl.Disable(GL_BLEND);
     gl.BindVertexArray(vertex_array_.id());
-    gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size_bytes()), glyphs.data(), GL_STREAM_DRAW);
-    gl.DrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(glyphs.size()));
+    gl.DrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, glyph_count_);
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the arrows");
 }

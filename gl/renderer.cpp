@@ -1,7 +1,9 @@
 #include "gl/renderer.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "gl/check.h"
 
@@ -12,18 +14,25 @@ namespace {
 // A tile of so many samples takes 20 bytes a sample: the framebuffer's memory doesn't grow with the picture.
 constexpr std::int64_t tile_samples = 1536 * 1024;
 
+std::vector<glm::dvec3> points_to_hold(const Layout& layout, bool box) {
+    std::vector<glm::dvec3> points = outline_points(layout);
+    if (box) points = corners(layout_box(layout));
+    return points;
+}
+
 }  // namespace
 
 Renderer::Renderer(const Context& context, const Layout& layout, const RenderOptions& options)
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
-      camera_(fit_camera(options.view, outline_points(layout), options.size)),
+      camera_(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size)),
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
-      slicer_(context.gl(), layout),
+      slicer_(context.gl(), layout, options.colour),
       flow_geometry_(context.gl()),
+      traceline_strips_(context.gl()),
       annotations_(context.gl()) {}
 
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
@@ -45,16 +54,38 @@ std::vector<PlacedBrick> Renderer::place() const {
     return placed;
 }
 
-Plane<glm::vec4> Renderer::draw(const Scene& scene) {
+void Renderer::set_scene(Scene scene) {
+    scene_ = std::move(scene);
+    flow_geometry_.upload(scene_.arrows);
+    traceline_strips_.upload(scene_.tracelines);
+}
+
+SliceStack Renderer::slices(const Camera& camera) const {
     // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
     const double spacing = window_.empty() ? 1 : 2 * layout_->shape().y_s / window_.front().size.height;
-    const SliceStack stack = stack_slices(camera_, *layout_, options_.slices, spacing);
+    return stack_slices(camera, *layout_, options_.slices, spacing);
+}
+
+Plane<glm::vec4> Renderer::draw(double phase) {
+    const SliceStack stack = slices(camera_);
     Plane<glm::vec4> picture(options_.size);
-    for (const Tile& tile : tiles_) draw_tile(scene, stack, tile, picture);
+    for (const Tile& tile : tiles_) {
+        draw_tile(stack, phase, tile);
+        const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
+        for (int j = 0; j < tile.size.height; ++j) {
+            std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
+        }
+    }
     return picture;
 }
 
-void Renderer::draw_tile(const Scene& scene, const SliceStack& stack, const Tile& tile, Plane<glm::vec4>& picture) {
+void Renderer::draw_unread(double phase) {
+    const SliceStack stack = slices(camera_);
+    for (const Tile& tile : tiles_) draw_tile(stack, phase, tile);
+    gl_->Finish();
+}
+
+void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile) {
     const GladGLContext& gl = *gl_;
     const Camera camera = camera_.cropped(tile, options_.size);
     framebuffer_.bind(tile.size);
@@ -62,16 +93,12 @@ void Renderer::draw_tile(const Scene& scene, const SliceStack& stack, const Tile
     gl.DepthMask(GL_TRUE);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    annotations_.draw_lines(scene.outline, camera, 1.0 + options_.size.height / 800.0, tile.size);
-    flow_geometry_.draw(scene.arrows, camera, options_.glyphs);
+    annotations_.draw_lines(scene_.lines, camera, 1.0 + options_.size.height / 800.0, tile.size);
+    flow_geometry_.draw(camera, options_.glyphs);
+    traceline_strips_.draw(camera, tile.size, options_.traces, options_.glyphs, phase);
     slicer_.draw(place(), textures_, camera, stack);
-    for (const StandingFrame& frame : scene.frames) annotations_.draw_frame(frame, *layout_, camera);
+    for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame(frame, *layout_, camera);
     check_gl(gl, "drawing the picture");
-
-    const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
-    for (int j = 0; j < tile.size.height; ++j) {
-        std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
-    }
 }
 
 }  // namespace vvr

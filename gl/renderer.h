@@ -15,6 +15,7 @@
 #include "gl/context.h"
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
+#include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
 namespace vvr {
@@ -22,12 +23,15 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
-    int slices = 0;   ///< 0 = one for every two voxels
-    int samples = 4;  ///< a pixel, for smooth edges; 1 takes about half the time
-    int ring = 8;                     ///< k, the bricks that are visible at a time
+    bool hold_box = false;           ///< the camera holds the layout's box, not only the volume in it
+    int slices = 0;                  ///< 0 = one for every two voxels
+    int samples = 4;                 ///< a pixel, for smooth edges; 1 takes about half the time
+    int ring = 8;                    ///< k, the bricks that are visible at a time
     std::int64_t window_layers = 0;  ///< n, the layers of a full window
     glm::vec3 background{1, 1, 1};
+    VolumeColour colour = VolumeColour::transfer;
     GlyphStyle glyphs;
+    TraceStyle traces;
 };
 
 /// Draws a window of bricks and its scene: opaque geometry first, then the volume back to front with the depth test
@@ -42,16 +46,33 @@ class Renderer {
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickTexels& texels);
 
-    /// Draws the bricks in the ring. \returns premultiplied RGBA, top row first
-    Plane<glm::vec4> draw(const Scene& scene);
+    /// Replaces the geometry that is drawn with the bricks.
+    void set_scene(Scene scene);
+
+    /// Draws the bricks in the ring and the scene.
+    /// \param phase of the texture that moves along the tracelines, 0..1 (§6.2.1)
+    /// \returns premultiplied RGBA, top row first
+    Plane<glm::vec4> draw(double phase = 0);
+
+    /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
+    void draw_unread(double phase = 0);
+
+    /// `set_scene` and `draw` in one.
+    Plane<glm::vec4> draw(const Scene& scene) {
+        set_scene(scene);
+        return draw();
+    }
 
     const Camera& camera() const { return camera_; }
 
-  private:
-    void draw_tile(const Scene& scene, const SliceStack& stack, const Tile& tile, Plane<glm::vec4>& picture);
+    /// The slices that the volume would be cut into for `camera`.
+    SliceStack slices(const Camera& camera) const;
 
     /// Where each brick of the window stands: t_C by its share of the window's layers.
     std::vector<PlacedBrick> place() const;
+
+  private:
+    void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {
         std::int64_t number = 0;
@@ -69,8 +90,10 @@ class Renderer {
     BrickTextures textures_;
     VolumeSlicer slicer_;
     FlowGeometry flow_geometry_;
+    TracelineStrips traceline_strips_;
     Annotations annotations_;
     std::vector<Held> window_;
+    Scene scene_;
 };
 
 }  // namespace vvr

@@ -1,5 +1,6 @@
 #include "gl/volume_slicer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -10,11 +11,25 @@
 
 namespace vvr {
 
-VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout)
+namespace {
+
+constexpr std::array colours{
+    VolumeColourRow{VolumeColour::transfer, "transfer", "the transfer function's", shaders::optical_transfer_glsl},
+    VolumeColourRow{VolumeColour::video, "video", "the video's own", shaders::optical_video_glsl},
+};
+
+}  // namespace
+
+std::span<const VolumeColourRow> volume_colours() {
+    return colours;
+}
+
+VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour)
     : gl_(&gl),
       layout_(&layout),
       program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
-               {layout_shader(layout), shaders::volume_frag}),
+               {layout_shader(layout), std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader,
+                shaders::volume_frag}),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
       vertex_array_(gl),
@@ -86,6 +101,9 @@ void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures
         const double layers = static_cast<double>(brick.layers);
         const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
         program_.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
+        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each; the next brick was cut
+        // while it drew the last one, so waiting costs nothing.
+        gl.Finish();
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),

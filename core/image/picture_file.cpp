@@ -92,6 +92,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path
 
 std::vector<std::string> picture_endings() {
     std::vector<std::string> endings;
+    endings.reserve(formats.size());
     for (const Format& format : formats) endings.emplace_back(format.ending);
     return endings;
 }

@@ -55,15 +55,11 @@ GlyphMesh arrow_mesh(int sides) {
 }
 
 std::vector<Glyph> arrows(const Volume& volume, const Layout& layout, const GlyphOptions& options) {
-    const double width = volume.size().width;
-    const double height = volume.size().height;
-    const double depth = static_cast<double>(volume.layers() * volume.step());
     std::vector<Glyph> glyphs;
     glyphs.reserve(volume.seeds().size());
     for (const FrameSeed& at : volume.seeds()) {
-        const glm::dvec3 c = {1 - (at.seed.x + 0.5) / width, 1 - (at.seed.y + 0.5) / height,
-                              volume.t_of_frame(static_cast<double>(at.frame))};
-        const glm::dvec3 v_c = {-at.seed.u / width, -at.seed.v / height, options.time_velocity / depth};
+        const glm::dvec3 c = volume.c_of({at.seed.x, at.seed.y, static_cast<double>(at.frame)});
+        const glm::dvec3 v_c = volume.c_vector({at.seed.u, at.seed.v, options.time_velocity});
         glm::dvec3 v_p = layout.basis(c).transform(v_c) * options.frames;
         const double length = glm::length(v_p);
         if (!(length > 0)) continue;

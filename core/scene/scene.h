@@ -6,6 +6,7 @@
 
 #include "core/plane.h"
 #include "core/scene/glyph.h"
+#include "core/scene/traceline.h"
 #include "core/space/layout.h"
 
 namespace vvr {
@@ -27,7 +28,8 @@ struct StandingFrame {
 /// The geometry that is drawn with the volume.
 struct Scene {
     std::vector<Glyph> arrows;
-    std::vector<Segment> outline;
+    Tracelines tracelines;
+    std::vector<Segment> lines;
     std::vector<StandingFrame> frames;
 };
 

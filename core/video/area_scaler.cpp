@@ -21,7 +21,7 @@ void SwsFree::operator()(SwsContext* context) const {
 
 cv::Mat AreaScaler::operator()(const cv::Mat& from, cv::Size to) {
     const cv::Size shrunk(std::min(from.cols, to.width), std::min(from.rows, to.height));
-    const cv::Mat smaller = shrunk == from.size() ? from : shrink(from, shrunk);
+    cv::Mat smaller = shrunk == from.size() ? from : shrink(from, shrunk);
     if (shrunk == to) return smaller;
     cv::Mat larger;
     cv::resize(smaller, larger, to, 0, 0, cv::INTER_LINEAR);

@@ -33,6 +33,7 @@ class Dictionary {
     ~Dictionary() { av_dict_free(&entries_); }
     Dictionary(const Dictionary&) = delete;
     Dictionary& operator=(const Dictionary&) = delete;
+    Dictionary& operator=(Dictionary&&) = delete;
     Dictionary(Dictionary&& other) noexcept : entries_(std::exchange(other.entries_, nullptr)) {}
 
     void set(const char* key, const std::string& value) { av_dict_set(&entries_, key, value.c_str(), 0); }

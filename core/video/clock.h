@@ -15,25 +15,13 @@ class Clock {
 
     /// The time of the next frame in order, in seconds. A small step back repeats the last time; a large one is a
     /// camera that set its clock anew, and time goes on from the last frame.
-    double operator()(std::optional<double> stamp) {
-        if (!origin_ && stamp) origin_ = *stamp - next();
-        double time = stamp ? *stamp - *origin_ : next();
-        if (last_ && time < *last_ - clock_was_set) {
-            time = next();
-            origin_ = *stamp - time;
-        }
-        if (last_ && time < *last_) time = *last_;
-        last_ = time;
-        return time;
-    }
+    double operator()(std::optional<double> stamp);
 
     /// What the first frame's stamp was; nothing before a frame with a stamp.
     std::optional<double> origin() const { return origin_; }
 
   private:
-    static constexpr double clock_was_set = 1;  // seconds
-
-    double next() const { return last_ ? *last_ + duration_ : 0; }
+    double next() const;
 
     double duration_;
     std::optional<double> origin_;

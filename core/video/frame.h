@@ -9,9 +9,9 @@ namespace vvr {
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
     std::int64_t index = 0;
-    double pts = 0;              ///< seconds from the clip's first frame, from the container, never index / rate
-    Plane<std::uint8_t> grey;    ///< luma
-    Plane<Bgr> colour;           ///< same size as `grey`; empty unless asked for
+    double pts = 0;            ///< seconds from the clip's first frame, from the container, never index / rate
+    Plane<std::uint8_t> grey;  ///< luma
+    Plane<Bgr> colour;         ///< same size as `grey`; empty unless asked for
 };
 
 }  // namespace vvr

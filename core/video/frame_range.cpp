@@ -10,7 +10,7 @@ namespace vvr {
 
 namespace {
 
-class FrameRange : public FrameSource {
+class FrameRange final : public FrameSource {
   public:
     FrameRange(std::unique_ptr<FrameSource> source, std::int64_t first, std::optional<std::int64_t> end)
         : source_(std::move(source)), first_(first), end_(end) {

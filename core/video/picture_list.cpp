@@ -146,17 +146,17 @@ std::vector<std::string> matches_of_pattern(const std::string& name) {
 std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
     std::error_code ignored;
     const auto status = fs::status(name, ignored);
+    const bool is_folder = fs::is_directory(status);
+    const bool has_wildcard = name.find_first_of("%*?[") != std::string::npos;
+    if (!is_folder && (name == "-" || fs::exists(status) || is_url(name) || !has_wildcard)) return std::nullopt;
+
     std::vector<std::string> files;
-    if (fs::is_directory(status)) {
+    if (is_folder) {
         files = pictures_in(name);
-    } else if (name == "-" || fs::exists(status) || is_url(name)) {
-        return std::nullopt;
     } else if (name.find('%') != std::string::npos) {
         files = matches_of_pattern(name);
-    } else if (name.find_first_of("*?[") != std::string::npos) {
-        files = matches_of_glob(name);
     } else {
-        return std::nullopt;
+        files = matches_of_glob(name);
     }
     if (files.empty())
         throw Error(ErrorKind::io,

@@ -84,8 +84,6 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
     next_ = begin_;
 }
 
-PictureSource::~PictureSource() = default;
-
 std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame image) const {
     return std::make_unique<DecodedFrame>(
         DecodedFrame{static_cast<std::int64_t>(file), static_cast<double>(file) / options_.rate, {}, std::move(image)});

@@ -15,7 +15,6 @@ namespace vvr {
 class PictureSource final : public FrameSource {
   public:
     PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options);
-    ~PictureSource() override;
 
     const VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field_size_; }

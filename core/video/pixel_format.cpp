@@ -1,11 +1,14 @@
 #include "core/video/pixel_format.h"
 
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
 extern "C" {
 #include <libavutil/frame.h>
+#include <libavutil/opt.h>
 #include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
@@ -77,19 +80,30 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     to_->colorspace = colour_space(from);
     if (av_frame_get_buffer(to_.get(), 0) < 0)
         throw Error(ErrorKind::limit, fmt::format("out of memory for a picture of {}x{}", from.width, from.height));
-    context_.reset(sws_getContext(from.width, from.height, static_cast<AVPixelFormat>(from.format), to_->width,
-                                  to_->height, static_cast<AVPixelFormat>(to_->format),
-                                  SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_BITEXACT, nullptr, nullptr,
-                                  nullptr));
-    if (!context_) {
-        const char* name = av_get_pix_fmt_name(static_cast<AVPixelFormat>(from.format));
+    const auto format = static_cast<AVPixelFormat>(from.format);
+    const bool full = is_full_range(from) || av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB;
+    context_.reset(sws_alloc_context());
+    if (!context_) throw Error(ErrorKind::limit, "out of memory for converting a picture");
+    // The ranges have to be known from the start: swscale chooses its short cuts by them.
+    const std::initializer_list<std::pair<const char*, int>> options{
+        {"srcw", from.width},
+        {"srch", from.height},
+        {"src_format", from.format},
+        {"src_range", full},
+        {"dstw", to_->width},
+        {"dsth", to_->height},
+        {"dst_format", to_->format},
+        {"dst_range", 1},
+        {"sws_flags", SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_BITEXACT},
+    };
+    for (const auto& [name, value] : options) av_opt_set_int(context_.get(), name, value, 0);
+    if (sws_init_context(context_.get(), nullptr, nullptr) < 0) {
+        const char* name = av_get_pix_fmt_name(format);
         throw Error(ErrorKind::not_video, fmt::format("pictures of pixel format {} and size {}x{} can't be converted; "
                                                       "convert the video to yuv420p first",
                                                       name ? name : "unknown", from.width, from.height));
     }
     const int* coefficients = sws_getCoefficients(to_->colorspace);
-    const bool full = is_full_range(from) ||
-                      av_pix_fmt_desc_get(static_cast<AVPixelFormat>(from.format))->flags & AV_PIX_FMT_FLAG_RGB;
     sws_setColorspaceDetails(context_.get(), coefficients, full, coefficients, 1, 0, 1 << 16, 1 << 16);
 }
 

@@ -20,6 +20,8 @@ class Scaler {
     Scaler(Size field_size, bool colour);
     explicit Scaler(const FrameSource& source);
     ~Scaler();
+    Scaler(const Scaler&) = delete;
+    Scaler& operator=(const Scaler&) = delete;
     Scaler(Scaler&&) noexcept;
     Scaler& operator=(Scaler&&) noexcept;
 

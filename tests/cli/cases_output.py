@@ -138,3 +138,10 @@ def stdout_that_cannot_be_written(t):
     with open("/dev/full", "wb") as full:
         done = subprocess.run([t.vvr_path, "--version"], stdout=full, stderr=subprocess.PIPE, check=False)
     check(done.returncode == 2 and b"cannot write to stdout: No space left" in done.stderr, str(done))
+
+
+@case
+def over_a_limit(t):
+    t.clip()
+    t.render("clip.avi", "--field-size", "16384x16384").expect(5, "vvr: ", "--field-size")
+    t.expect_files("clip.avi")

@@ -12,7 +12,7 @@ TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
     const Volume volume = test::wandering_balls({48, 36}, 96);
     test::Shot shot;
     shot.options.size = {320, 200};
-    shot.scene.outline = volume_outline(*make_layout("horseshoe", shape_for(volume.size())), {0.5F, 0.5F, 0.5F, 1});
+    shot.scene.lines = volume_outline(*make_layout("horseshoe", shape_for(volume.size())), {0.5F, 0.5F, 0.5F, 1});
     const test::Drawn software = draw_volume(volume, shot);
     shot.backend = "osmesa";
     const test::Drawn osmesa = draw_volume(volume, shot);

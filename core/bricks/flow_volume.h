@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/fields/field.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// The optical flow at some frames of the window: a vector field over (column, row, frame), which tracelines follow
+/// (§5.2). Half floats: their 11 bits are finer than any estimate of flow, in half the memory.
+class FlowVolume {
+  public:
+    /// Keeps the flow of `frame`, a later one than those before, all of one size.
+    void add(std::int64_t frame, const Flow& flow);
+
+    /// Forgets the frames for which `gone` is true.
+    void erase_if(const std::function<bool(std::int64_t)>& gone);
+
+    bool empty() const { return layers_.empty(); }
+    std::size_t layers() const { return layers_.size(); }
+    std::size_t bytes() const;
+
+    /// (u, v) in field pixels a frame at (column, row, frame), linear between pixel centres and between the frames
+    /// that are kept; beyond the outermost ones, theirs. Zero where nothing is kept.
+    glm::dvec2 at(const glm::dvec3& point) const;
+
+  private:
+    struct Layer {
+        std::int64_t frame = 0;
+        Plane<std::uint32_t> packed;  ///< u in the low half, v in the high one
+    };
+
+    std::vector<Layer> layers_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/image/picture.h"
+
+namespace vvr {
+
+/// Endings of the animated files that can be written, with their dots.
+std::vector<std::string> animation_endings();
+
+/// Whether a name ends like an animated file.
+bool is_animation(const std::filesystem::path& path);
+
+/// Pictures of one size as an animated file. The encoded file is held in memory and written as a whole, as a picture
+/// is: `path` holds all of it, or what it held before. GIFs run in an endless loop, with a palette made from the first
+/// picture; videos have even sides, a last row or column is left off. Same pictures, same bytes.
+class AnimationFile {
+  public:
+    /// \param rate pictures a second
+    /// \throws Error usage for another ending, io when libav has no encoder for it
+    AnimationFile(std::filesystem::path path, int rate);
+    ~AnimationFile();
+    AnimationFile(AnimationFile&&) noexcept;
+    AnimationFile& operator=(AnimationFile&&) noexcept;
+
+    /// \throws Error io when it can't be encoded
+    void add(const Picture& picture);
+
+    /// Writes the file; without it there is none.
+    /// \throws Error io
+    void close();
+
+  private:
+    struct Encoder;
+
+    std::filesystem::path path_;
+    int rate_;
+    std::unique_ptr<Encoder> encoder_;  ///< from the first picture on
+};
+
+}  // namespace vvr

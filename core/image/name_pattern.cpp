@@ -1,0 +1,66 @@
+#include "core/image/name_pattern.h"
+
+#include <algorithm>
+#include <regex>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/suggest.h"
+
+namespace vvr {
+
+namespace {
+
+const std::vector<std::string>& counted_things() {
+    static const std::vector<std::string> names = {"frame", "brick"};
+    return names;
+}
+
+// {word:digits} of any kind, so that a wrong one is found; a run of #; %d.
+const std::regex& field() {
+    static const std::regex expression(R"(\{([^{}:]*)(?::([^{}]*))?\}|(##+)|%(?:0([1-9]))?d)");
+    return expression;
+}
+
+int digits_of(const std::string& text, const std::string& given) {
+    if (text.size() == 1 && text[0] >= '1' && text[0] <= '9') return text[0] - '0';
+    throw Error(ErrorKind::usage, fmt::format("'{}': a field has 1 to 9 digits, as {{frame:4}} has", given));
+}
+
+}  // namespace
+
+NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
+    const std::string name = path.filename().string();
+    std::smatch match;
+    if (!std::regex_search(name, match, field())) return;
+    has_field_ = true;
+    before_ = match.prefix();
+    after_ = match.suffix();
+    if (std::regex_search(after_, field())) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
+    }
+    const std::string given = match[0];
+    if (given.front() == '#') {
+        digits_ = static_cast<int>(given.size());
+    } else if (given.front() == '%') {
+        digits_ = match[4].matched ? digits_of(match[4], given) : 1;
+    } else {
+        counts_ = match[1];
+        if (std::ranges::count(counted_things(), counts_) == 0) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' in '{}' is not a field; there are {{frame:4}}, {{brick:4}}, "
+                                    "#### and %04d{}",
+                                    given, path.string(), did_you_mean(counts_, counted_things())));
+        }
+        digits_ = match[2].matched ? digits_of(match[2], given) : 1;
+    }
+}
+
+std::filesystem::path NamePattern::at(std::int64_t number) const {
+    if (!has_field_) return path_;
+    return path_.parent_path() / fmt::format("{}{:0{}}{}", before_, number, digits_, after_);
+}
+
+}  // namespace vvr

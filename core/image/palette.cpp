@@ -1,0 +1,116 @@
+#include "core/image/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace vvr {
+
+namespace {
+
+constexpr std::size_t most_colours = 256;
+// Colours that agree in so many bits of each channel are taken for one.
+constexpr int bits = 6;
+
+int level(float value) {
+    return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+}
+
+std::size_t bin_of(const Rgba& pixel) {
+    std::size_t bin = 0;
+    for (std::size_t c = 0; c < 3; ++c) bin = (bin << bits) | static_cast<std::size_t>(level(pixel[c]) >> (8 - bits));
+    return bin;
+}
+
+struct Entry {
+    std::array<double, 3> colour{};
+    double pixels = 0;
+};
+
+std::vector<Entry> histogram(const Picture& picture) {
+    std::vector<Entry> bins(std::size_t{1} << (3 * bits));
+    for (const Rgba& pixel : picture.pixels.pixels()) {
+        Entry& bin = bins[bin_of(pixel)];
+        for (std::size_t c = 0; c < 3; ++c) bin.colour[c] += level(pixel[c]);
+        ++bin.pixels;
+    }
+    std::erase_if(bins, [](const Entry& bin) { return bin.pixels == 0; });
+    for (Entry& bin : bins) {
+        for (double& value : bin.colour) value /= bin.pixels;
+    }
+    return bins;
+}
+
+/// Colours that one of the palette is to stand for.
+struct Box {
+    std::span<Entry> entries;
+    std::array<double, 3> mean{};
+    std::size_t widest = 0;
+    double error = 0;  ///< squared, along the channel where it is largest
+
+    explicit Box(std::span<Entry> inside) : entries(inside) {
+        double pixels = 0;
+        std::array<double, 3> squares{};
+        for (const Entry& entry : entries) {
+            // The root: a large plain background is not to take the colours from small things before it.
+            const double weight = std::sqrt(entry.pixels);
+            pixels += weight;
+            for (std::size_t c = 0; c < 3; ++c) {
+                mean[c] += weight * entry.colour[c];
+                squares[c] += weight * entry.colour[c] * entry.colour[c];
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            mean[c] /= pixels;
+            squares[c] -= pixels * mean[c] * mean[c];
+        }
+        widest = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
+        error = entries.size() > 1 ? squares[widest] : 0;
+    }
+};
+
+}  // namespace
+
+Palette::Palette(const Picture& picture) : known_(std::size_t{1} << (3 * bits), -1) {
+    std::vector<Entry> entries = histogram(picture);
+    std::vector<Box> boxes = {Box(entries)};
+    while (boxes.size() < most_colours) {
+        const auto worst = std::ranges::max_element(boxes, {}, &Box::error);
+        if (worst->error <= 0) break;
+        const std::size_t c = worst->widest;
+        const auto upper = std::ranges::partition(
+            worst->entries, [cut = worst->mean[c], c](const Entry& entry) { return entry.colour[c] <= cut; });
+        const auto lower = worst->entries.first(worst->entries.size() - upper.size());
+        if (lower.empty() || upper.empty()) break;
+        *worst = Box(lower);
+        boxes.push_back(Box(upper));
+    }
+    for (const Box& box : boxes) {
+        Colour colour;
+        std::ranges::transform(box.mean, colour.begin(),
+                               [](double value) { return static_cast<std::uint8_t>(std::lround(value)); });
+        colours_.push_back(colour);
+    }
+}
+
+std::uint8_t Palette::nearest(const Rgba& pixel) {
+    int& answer = known_[bin_of(pixel)];
+    if (answer < 0) {
+        int least = std::numeric_limits<int>::max();
+        for (std::size_t i = 0; i < colours_.size(); ++i) {
+            int away = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const int step = colours_[i][c] - level(pixel[c]);
+                away += step * step;
+            }
+            if (away < least) {
+                least = away;
+                answer = static_cast<int>(i);
+            }
+        }
+    }
+    return static_cast<std::uint8_t>(answer);
+}
+
+}  // namespace vvr

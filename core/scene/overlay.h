@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/bricks/cells.h"
+#include "core/scene/scene.h"
+#include "core/scene/slices.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/camera.h"
+#include "core/space/layout.h"
+
+namespace vvr {
+
+/// A box along the axes of P-space; empty until it holds a point.
+struct AxisBox {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return !(low.x <= high.x); }
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+};
+
+/// The box of the whole layout: Fig. 5's box of P-space.
+AxisBox layout_box(const Layout& layout);
+
+/// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
+AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, const TransferFunction& transfer);
+
+std::vector<glm::dvec3> corners(const AxisBox& box);
+
+/// The twelve edges of a box; none of an empty one.
+std::vector<Segment> box_edges(const AxisBox& box, const glm::vec4& colour);
+
+/// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
+/// each so many-th, about `shown` of them.
+std::vector<Segment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
+                                    const glm::vec4& colour);
+
+}  // namespace vvr

@@ -1,0 +1,102 @@
+#include "gl/traceline_strips.h"
+
+#include <array>
+#include <cstddef>
+
+#include "core/scene/zebra.h"
+#include "gl/check.h"
+#include "shaders.h"
+
+namespace vvr {
+
+TracelineStrips::TracelineStrips(const GladGLContext& gl)
+    : gl_(&gl),
+      program_(gl, "the tracelines", {shaders::trace_vert}, {shaders::trace_frag}),
+      zebra_(gl),
+      vertex_array_(gl),
+      corners_(gl),
+      points_(gl) {
+    const auto texels = zebra_texels();
+    gl.BindTexture(GL_TEXTURE_1D, zebra_.id());
+    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage1D(GL_TEXTURE_1D, 0, GL_R8, static_cast<GLsizei>(texels.size()), 0, GL_RED, GL_UNSIGNED_BYTE,
+                  texels.data());
+    gl.GenerateMipmap(GL_TEXTURE_1D);
+
+    gl.BindVertexArray(vertex_array_.id());
+    constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
+    gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
+    gl.EnableVertexAttribArray(0);
+    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+
+    // Each piece of line is an instance that sees four points in a row of the one buffer: its own two, and those
+    // beside them for the direction at its ends.
+    gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
+    const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
+        gl.EnableVertexAttribArray(attribute);
+        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(TraceVertex),
+                               reinterpret_cast<const void*>(point * sizeof(TraceVertex) + offset));
+        gl.VertexAttribDivisor(attribute, 1);
+    };
+    static_assert(offsetof(TraceVertex, along) == offsetof(TraceVertex, p) + sizeof(glm::vec3));
+    static_assert(offsetof(TraceVertex, speed) == offsetof(TraceVertex, length) + sizeof(float));
+    for (std::size_t point = 0; point < 4; ++point) {
+        instance(static_cast<GLuint>(1 + point), 4, point, offsetof(TraceVertex, p));
+    }
+    instance(5, 2, 1, offsetof(TraceVertex, length));
+    instance(6, 2, 2, offsetof(TraceVertex, length));
+    gl.BindVertexArray(0);
+    check_gl(gl, "setting up the tracelines");
+}
+
+void TracelineStrips::upload(const Tracelines& lines) {
+    pieces_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
+    if (pieces_ == 0) return;
+    // The first and the last point stand again, so that the outermost pieces have points beside them.
+    const auto size = static_cast<GLsizeiptr>(sizeof(TraceVertex));
+    const auto bytes = static_cast<GLsizeiptr>(lines.size()) * size;
+    gl_->BindBuffer(GL_ARRAY_BUFFER, points_.id());
+    gl_->BufferData(GL_ARRAY_BUFFER, bytes + 2 * size, nullptr, GL_STATIC_DRAW);
+    gl_->BufferSubData(GL_ARRAY_BUFFER, 0, size, &lines.front());
+    gl_->BufferSubData(GL_ARRAY_BUFFER, size, bytes, lines.data());
+    gl_->BufferSubData(GL_ARRAY_BUFFER, size + bytes, size, &lines.back());
+    check_gl(*gl_, "uploading the tracelines");
+}
+
+void TracelineStrips::draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+                           double phase) const {
+    if (pieces_ == 0) return;
+    const GladGLContext& gl = *gl_;
+    program_.use();
+    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program_.set("eye", glm::vec3(camera.eye));
+    program_.set("forward", glm::vec3(camera.forward));
+    program_.set("perspective", camera.perspective ? 1 : 0);
+    program_.set("half_width", style.width / 2);
+    const double pixel = 2 / (camera.projection[1][1] * picture.height);
+    program_.set("least_width", static_cast<float>(style.least_width * pixel / 2));
+    program_.set("stripe_length", style.stripe_length);
+    program_.set("shade", style.shade);
+    program_.set("phase", static_cast<float>(phase));
+    program_.set("speed_range", colours.speed_range);
+    program_.set("slow_colour", colours.slow_colour);
+    program_.set("fast_colour", colours.fast_colour);
+    program_.set("to_light", to_light(camera));
+    program_.set("zebra", 0);
+
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_1D, zebra_.id());
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_BLEND);
+    gl.BindVertexArray(vertex_array_.id());
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, pieces_);
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing the tracelines");
+}
+
+}  // namespace vvr

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/scene/traceline.h"
+#include "core/space/camera.h"
+#include "gl/flow_geometry.h"
+#include "gl/program.h"
+
+namespace vvr {
+
+/// How tracelines look; their colours are those of the arrows.
+struct TraceStyle {
+    float width = 0.0045F;        ///< P-space units
+    float least_width = 1.6F;     ///< pixels
+    float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
+    float shade = 0.3F;           ///< what is left of the colour in a dark stripe
+};
+
+/// Draws tracelines as strips of real width that face the camera, lit as tubes, with the zebra texture moving along
+/// them (§6.2.1). Stripes are of equal length on all lines, so long lines have more of them and not longer ones.
+class TracelineStrips {
+  public:
+    explicit TracelineStrips(const GladGLContext& gl);
+
+    /// Replaces the lines that are drawn.
+    void upload(const Tracelines& lines);
+
+    /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
+    void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+              double phase) const;
+
+  private:
+    const GladGLContext* gl_;
+    Program program_;
+    GlTexture zebra_;
+    GlVertexArray vertex_array_;
+    GlBuffer corners_;
+    GlBuffer points_;
+    GLsizei pieces_ = 0;
+};
+
+}  // namespace vvr

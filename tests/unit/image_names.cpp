@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/image/name_pattern.h"
+
+namespace vvr {
+namespace {
+
+TEST(NamePattern, FillsItsFieldWithNumbers) {
+    const auto name = [](const char* pattern, std::int64_t number) { return NamePattern(pattern).at(number).string(); };
+    EXPECT_EQ(name("out.{frame:4}.png", 7), "out.0007.png");
+    EXPECT_EQ(name("out.{brick:2}.png", 123), "out.123.png") << "more digits where the number has them";
+    EXPECT_EQ(name("{frame}.png", 12), "12.png");
+    EXPECT_EQ(name("a/b.####.png", 7), "a/b.0007.png");
+    EXPECT_EQ(name("a/%04d.png", 7), "a/0007.png");
+    EXPECT_EQ(name("%d.png", 7), "7.png");
+}
+
+TEST(NamePattern, SaysWhatItCounts) {
+    EXPECT_EQ(NamePattern("{frame:4}.png").counts(), "frame");
+    EXPECT_EQ(NamePattern("{brick:4}.png").counts(), "brick");
+    EXPECT_EQ(NamePattern("####.png").counts(), "");
+    EXPECT_TRUE(NamePattern("####.png").has_field());
+}
+
+TEST(NamePattern, LeavesOtherNamesAlone) {
+    for (const char* plain : {"out.png", "camera#3.png", "100%.png", "##/out.png", "{frame}/out.png"}) {
+        EXPECT_FALSE(NamePattern(plain).has_field()) << plain;
+        EXPECT_EQ(NamePattern(plain).at(5), plain);
+    }
+}
+
+std::string error_of(const char* pattern) {
+    try {
+        const NamePattern name(pattern);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(NamePattern, RefusesWhatIsNoField) {
+    EXPECT_EQ(error_of("a.{farme:4}.png"),
+              "'{farme:4}' in 'a.{farme:4}.png' is not a field; there are {frame:4}, "
+              "{brick:4}, #### and %04d (did you mean 'frame'?)");
+    EXPECT_EQ(error_of("a.{frame:four}.png"), "'{frame:four}': a field has 1 to 9 digits, as {frame:4} has");
+    EXPECT_EQ(error_of("a.{frame:0}.png"), "'{frame:0}': a field has 1 to 9 digits, as {frame:4} has");
+    EXPECT_EQ(error_of("####.%04d.png"), "'####.%04d.png' has two fields for numbers; a name takes one");
+    EXPECT_NE(error_of("{}.png"), "none");
+}
+
+}  // namespace
+}  // namespace vvr

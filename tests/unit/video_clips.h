@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/video/frame_source.h"
+#include "core/video/scaler.h"
+#include "tests/scene/scene.h"
+#include "tests/scene/y4m.h"
+
+// Clips for the tests of core/video, made when they are needed with the ffmpeg program.
+namespace vvr::test {
+
+/// A folder of its own that vanishes with the object.
+class TempFolder {
+  public:
+    TempFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "vvr-test-XXXXXX").string();
+        if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+        path_ = pattern;
+    }
+    ~TempFolder() { std::filesystem::remove_all(path_); }
+    TempFolder(const TempFolder&) = delete;
+    TempFolder& operator=(const TempFolder&) = delete;
+
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    std::string path() const { return path_.string(); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+inline std::string quoted(const std::string& word) {
+    return "'" + word + "'";
+}
+
+inline void ffmpeg(const std::string& arguments) {
+    const std::string command = "timeout 60 ffmpeg -nostdin -v error -y " + arguments;
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+}
+
+/// The grey level of frame `i` of a counting clip.
+inline int level(std::int64_t i) {
+    return static_cast<int>(20 + 2 * i);
+}
+
+/// Frames of one grey level each, so that a decoded frame tells which one it is.
+class Counting final : public scene::Story {
+  public:
+    explicit Counting(Size size) : size_(size) {}
+    Plane<Bgr> paint(int frame) const override {
+        const auto grey = static_cast<std::uint8_t>(level(frame));
+        return Plane<Bgr>(size_, {grey, grey, grey});
+    }
+    scene::Truth truth(int) const override { return {}; }
+
+  private:
+    Size size_;
+};
+
+inline void write_scene(const scene::Scene& scene, const std::string& name) {
+    std::ofstream file(name, std::ios::binary);
+    scene::write_y4m(scene, file);
+}
+
+/// Writes a counting clip of 100 frames, 25 a second, encoded as `encoding` says.
+inline std::string counting_clip(const TempFolder& folder, const std::string& name, const std::string& encoding,
+                                 Size size = {64, 48}) {
+    const std::string raw = folder / (name + ".y4m");
+    scene::Options options;
+    options.size = size;
+    options.frames = 100;
+    write_scene({options, std::make_shared<Counting>(size)}, raw);
+    ffmpeg("-i " + quoted(raw) + " " + encoding + " " + quoted(folder / name));
+    return folder / name;
+}
+
+/// A clip with detail and motion, which gives damage something to spoil.
+inline std::string walkers_clip(const TempFolder& folder, const std::string& name, const std::string& encoding) {
+    const std::string raw = folder / "walkers.y4m";
+    if (!std::filesystem::exists(raw)) {
+        scene::Options options;
+        options.frames = 75;
+        options.size = {192, 144};
+        options.noise = 3;
+        write_scene(scene::make_walkers(options), raw);
+    }
+    ffmpeg("-i " + quoted(raw) + " " + encoding + " " + quoted(folder / name));
+    return folder / name;
+}
+
+inline std::string read_bytes(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void write_bytes(const std::string& name, const std::string& bytes) {
+    std::ofstream(name, std::ios::binary) << bytes;
+}
+
+/// The first part of a file, as if its disk had been full.
+inline std::string cut(const TempFolder& folder, const std::string& name, double part) {
+    const auto bytes = read_bytes(name);
+    const auto extension = std::filesystem::path(name).extension().string();
+    const std::string out = folder / ("cut" + extension);
+    write_bytes(out, bytes.substr(0, static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
+    return out;
+}
+
+/// A file with random bytes in the middle third.
+inline std::string spoiled(const TempFolder& folder, const std::string& name) {
+    auto bytes = read_bytes(name);
+    std::mt19937 random(7);
+    for (std::size_t i = bytes.size() / 3; i < bytes.size() * 2 / 3; i += 499)
+        bytes[i] = static_cast<char>(random() & 0xff);
+    const std::string out = folder / ("spoiled" + std::filesystem::path(name).extension().string());
+    write_bytes(out, bytes);
+    return out;
+}
+
+/// All frames that are left in a source, scaled.
+inline std::vector<Frame> read_all(FrameSource& source) {
+    Scaler scale(source);
+    std::vector<Frame> frames;
+    while (const auto decoded = source.next()) frames.push_back(scale(*decoded));
+    return frames;
+}
+
+inline int middle_of(const Frame& frame) {
+    return frame.grey.at(frame.grey.width() / 2, frame.grey.height() / 2);
+}
+
+/// One number for the grey values of all frames.
+inline std::size_t fingerprint(const std::vector<Frame>& frames) {
+    std::size_t sum = 14695981039346656037u;
+    for (const auto& frame : frames)
+        for (const auto value : frame.grey.pixels()) sum = (sum ^ value) * 1099511628211u;
+    return sum;
+}
+
+}  // namespace vvr::test

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/video_clips.h"
+
+namespace vvr {
+namespace {
+
+using namespace test;
+
+struct Encoding {
+    std::string name;
+    std::string arguments;
+    std::string container;
+    std::string codec;
+};
+
+class Encodings : public testing::TestWithParam<Encoding> {};
+
+TEST_P(Encodings, GiveEveryFrameInOrderWithItsTime) {
+    const TempFolder folder;
+    const auto& encoding = GetParam();
+    const auto source = open_source(counting_clip(folder, encoding.name, encoding.arguments));
+    EXPECT_EQ(source->info().container, encoding.container);
+    EXPECT_EQ(source->info().codec, encoding.codec);
+    EXPECT_EQ(source->info().size, (Size{64, 48}));
+    EXPECT_NEAR(source->info().rate, 25, 0.01);
+    EXPECT_NEAR(source->info().duration, 4, 0.1);
+    EXPECT_NEAR(static_cast<double>(source->info().frames), 100, 3);
+
+    const auto frames = read_all(*source);
+    ASSERT_EQ(frames.size(), 100u);
+    EXPECT_EQ(source->damaged(), 0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(frames[i].index, static_cast<std::int64_t>(i));
+        EXPECT_NEAR(frames[i].pts, static_cast<double>(i) / 25, 0.0011);
+        EXPECT_NEAR(middle_of(frames[i]), level(frames[i].index), 2);
+    }
+    source->rewind();
+    EXPECT_EQ(fingerprint(read_all(*source)), fingerprint(frames));
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, Encodings,
+                         testing::Values(Encoding{"clip.avi", "-c:v mpeg4 -q:v 2", "avi", "mpeg4"},
+                                         Encoding{"clip.mp4", "-c:v libx264 -qp 4 -g 12 -bf 3", "mov", "h264"},
+                                         Encoding{"clip.mkv", "-c:v libx264 -qp 4 -g 12 -bf 3 -x264-params open-gop=1",
+                                                  "matroska", "h264"},
+                                         Encoding{"clip.ts", "-c:v libx264 -qp 4 -g 25 -bf 2", "mpegts", "h264"},
+                                         Encoding{"lossless.mkv", "-c:v ffv1", "matroska", "ffv1"},
+                                         Encoding{"motion.avi", "-c:v mjpeg -q:v 2", "avi", "mjpeg"}),
+                         [](const auto& test) {
+                             std::string name = test.param.name;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+TEST(VideoFile, KeepsTheTimesOfAVariableFrameRate) {
+    const TempFolder folder;
+    // Every frame up to 40, then each tenth.
+    const auto name =
+        counting_clip(folder, "vfr.mkv", "-vf \"select='lt(n,40)+not(mod(n,10))'\" -vsync vfr -c:v libx264 -qp 4");
+    const auto frames = read_all(*open_source(name));
+    ASSERT_EQ(frames.size(), 46u);
+    EXPECT_NEAR(frames[39].pts, 39 / 25.0, 0.002);
+    EXPECT_NEAR(frames[41].pts, 50 / 25.0, 0.002);
+    EXPECT_NEAR(frames[45].pts, 90 / 25.0, 0.002);
+    EXPECT_EQ(frames[45].index, 45);
+}
+
+TEST(VideoFile, TimesCountFromTheFirstFrame) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "late.mkv", "-c:v libx264 -output_ts_offset 3600");
+    const auto source = open_source(name);
+    EXPECT_DOUBLE_EQ(source->next()->pts, 0);
+}
+
+struct Stretch {
+    double start;
+    std::optional<double> end;
+    std::int64_t first;
+    std::int64_t last;
+};
+
+class Stretches : public testing::TestWithParam<std::tuple<std::string, Stretch>> {};
+
+TEST_P(Stretches, GiveTheSameFramesAsTheWholeClip) {
+    static const TempFolder folder;
+    const auto& [encoding, stretch] = GetParam();
+    const auto file = std::to_string(std::hash<std::string>()(encoding)) + ".mkv";
+    const auto name = std::filesystem::exists(folder / file) ? folder / file : counting_clip(folder, file, encoding);
+    const auto all = read_all(*open_source(name));
+    SourceOptions options;
+    options.start = stretch.start;
+    options.end = stretch.end;
+    const auto source = open_source(name, options);
+    for (int pass = 0; pass < 2; ++pass) {
+        const auto frames = read_all(*source);
+        ASSERT_EQ(static_cast<std::int64_t>(frames.size()), stretch.last - stretch.first + 1);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const auto& same = all[static_cast<std::size_t>(stretch.first) + i];
+            EXPECT_EQ(frames[i].index, same.index);
+            EXPECT_DOUBLE_EQ(frames[i].pts, same.pts);
+            EXPECT_EQ(fingerprint({frames[i]}), fingerprint({same}));
+        }
+        EXPECT_EQ(source->damaged(), 0);
+        source->rewind();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, Stretches,
+                         testing::Combine(testing::Values("-c:v libx264 -qp 4 -g 12 -bf 3",
+                                                          "-c:v libx264 -g 12 -bf 3 -x264-params open-gop=1",
+                                                          "-c:v libx264 -g 1000 -x264-params intra-refresh=1"),
+                                          testing::Values(Stretch{0, 1.0, 0, 24}, Stretch{1.0, {}, 25, 99},
+                                                          Stretch{2.5, 3.1, 63, 77}, Stretch{3.96, {}, 99, 99})));
+
+TEST(VideoFile, TurnsPicturesUpright) {
+    const TempFolder folder;
+    scene::Options options;
+    options.frames = 2;
+    options.size = {64, 32};
+    options.u = options.v = 0;
+    const auto scene = scene::make_shifted_texture(options);
+    write_scene(scene, folder / "flat.y4m");
+    ffmpeg("-i " + quoted(folder / "flat.y4m") + " -c:v libx264 -qp 0 " + quoted(folder / "flat.mp4"));
+    const auto flat = read_all(*open_source(folder / "flat.mp4"));
+    for (const int degrees : {90, 180, 270}) {
+        const auto name = folder / ("turned" + std::to_string(degrees) + ".mp4");
+        ffmpeg("-i " + quoted(folder / "flat.mp4") + " -c copy -metadata:s:v rotate=" + std::to_string(degrees) + " " +
+               quoted(name));
+        // What ffmpeg itself makes of the turn.
+        ffmpeg("-i " + quoted(name) + " -c:v ffv1 " + quoted(folder / "truth.mkv"));
+        const auto source = open_source(name);
+        const auto turned = read_all(*source);
+        const auto truth = read_all(*open_source(folder / "truth.mkv"));
+        EXPECT_EQ(source->info().size, degrees == 180 ? (Size{64, 32}) : (Size{32, 64}));
+        EXPECT_EQ(fingerprint(turned), fingerprint(truth)) << degrees;
+        EXPECT_NE(fingerprint(turned), fingerprint(flat)) << degrees;
+    }
+}
+
+TEST(VideoFile, MakesPixelsSquare) {
+    const TempFolder folder;
+    EXPECT_EQ(open_source(counting_clip(folder, "wide.mkv", "-c:v ffv1 -aspect 16:9"))->info().size, (Size{85, 48}));
+    EXPECT_EQ(open_source(counting_clip(folder, "tall.mkv", "-c:v ffv1 -aspect 1:1"))->info().size, (Size{64, 64}));
+}
+
+TEST(VideoFile, TakesTinyAndOddSizes) {
+    const TempFolder folder;
+    for (const Size size : {Size{1, 1}, Size{1, 40}, Size{40, 1}, Size{33, 17}}) {
+        SourceOptions options;
+        options.colour = true;
+        const auto name = folder / "odd.y4m";
+        scene::Options drawn;
+        drawn.size = size;
+        drawn.frames = 3;
+        write_scene({drawn, std::make_shared<Counting>(size)}, name);
+        const auto source = open_source(name, options);
+        const auto frames = read_all(*source);
+        ASSERT_EQ(frames.size(), 3u);
+        EXPECT_EQ(frames[0].grey.size(), size);
+        EXPECT_EQ(frames[0].colour.size(), size);
+        EXPECT_NEAR(middle_of(frames[2]), level(2), 1);
+        EXPECT_EQ(source->sample(8).size(), 3u);
+    }
+}
+
+TEST(VideoFile, TakesOneFrame) {
+    const TempFolder folder;
+    const auto source = open_source(counting_clip(folder, "one.mp4", "-frames:v 1 -c:v libx264"));
+    EXPECT_EQ(source->sample(5).size(), 1u);
+    EXPECT_EQ(read_all(*source).size(), 1u);
+}
+
+TEST(VideoFile, TakesEightThousandPixels) {
+    const TempFolder folder;
+    ffmpeg("-f lavfi -i color=gray:s=7680x4320:r=1:d=2 -c:v libx264 -preset ultrafast " + quoted(folder / "8k.mp4"));
+    const auto frames = read_all(*open_source(folder / "8k.mp4"));
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_EQ(frames[0].grey.size(), (Size{384, 216}));
+}
+
+TEST(VideoFile, NamesWithColonsAndPercentsAreFiles) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "clip.mkv", "-c:v ffv1 -frames:v 3");
+    for (const std::string odd : {"cam:1.mkv", "100%d.mkv", "a*b.mkv", "file:x.mkv"}) {
+        std::filesystem::copy_file(name, folder / odd);
+        EXPECT_EQ(read_all(*open_source(folder / odd)).size(), 3u) << odd;
+    }
+}
+
+TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
+    const TempFolder folder;
+    const auto source = open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
+    const auto frames = source->sample(20);
+    EXPECT_LE(frames.size(), 20u);
+    EXPECT_GE(frames.size(), 7u);
+    EXPECT_DOUBLE_EQ(frames.front().pts, 0);
+    EXPECT_GT(frames.back().pts, 3.4);
+    for (const auto& frame : frames) EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
+    EXPECT_EQ(read_all(*source).size(), 100u);
+}
+
+TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -bf 2 -sc_threshold 0");
+    SourceOptions options;
+    options.start = 1;
+    options.end = 3;
+    const auto source = open_source(name, options);
+    const auto frames = source->sample(8);
+    EXPECT_LE(frames.size(), 8u);
+    EXPECT_GE(frames.size(), 4u);
+    for (const auto& frame : frames) {
+        EXPECT_GE(frame.pts, 1);
+        EXPECT_LT(frame.pts, 3);
+        EXPECT_EQ(std::lround(frame.pts * 25) % 5, 0);
+        EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
+    }
+    EXPECT_EQ(read_all(*source).front().index, 25);
+}
+
+TEST(Sample, DoesNotTrustTheHeadersDuration) {
+    const TempFolder folder;
+    // An AVI cut in the middle still has the frame count of the whole in its header.
+    const auto whole = counting_clip(folder, "clip.avi", "-c:v mjpeg -q:v 2");
+    const auto source = open_source(cut(folder, whole, 0.5));
+    const auto frames = source->sample(10);
+    EXPECT_GE(frames.size(), 4u);
+    EXPECT_GT(frames.back().pts, 1.2);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/video/clock.h"
+#include "core/video/frame_source.h"
+#include "core/video/natural_order.h"
+#include "core/video/time_sampler.h"
+
+namespace vvr {
+namespace {
+
+TEST(NaturalOrder, CountsAsPeopleDo) {
+    EXPECT_TRUE(natural_less("frame2.png", "frame10.png"));
+    EXPECT_FALSE(natural_less("frame10.png", "frame2.png"));
+    EXPECT_TRUE(natural_less("frame09", "frame10"));
+    EXPECT_TRUE(natural_less("a2b10", "a2b11"));
+    EXPECT_TRUE(natural_less("a", "a1"));
+    EXPECT_TRUE(natural_less("99999999999999999999998", "99999999999999999999999"));
+}
+
+TEST(NaturalOrder, IsStrict) {
+    EXPECT_FALSE(natural_less("frame1", "frame1"));
+    EXPECT_NE(natural_less("frame1", "frame01"), natural_less("frame01", "frame1"));
+}
+
+TEST(Clock, StartsAtTheFirstStamp) {
+    Clock clock(0.04);
+    EXPECT_DOUBLE_EQ(clock(5.0), 0);
+    EXPECT_DOUBLE_EQ(clock(5.5), 0.5);
+    EXPECT_DOUBLE_EQ(clock(std::nullopt), 0.54);
+}
+
+TEST(Clock, NeverRunsBackwards) {
+    Clock clock(0.04);
+    clock(0.0);
+    clock(1.0);
+    EXPECT_DOUBLE_EQ(clock(0.9), 1.0);
+    EXPECT_DOUBLE_EQ(clock(1.1), 1.1);
+}
+
+TEST(Clock, GoesOnWhenTheCameraSetsItsClockBack) {
+    Clock clock(0.04);
+    clock(1000.0);
+    clock(1010.0);
+    EXPECT_DOUBLE_EQ(clock(3.0), 10.04);
+    EXPECT_DOUBLE_EQ(clock(4.0), 11.04);
+}
+
+TEST(Clock, CountsFromTheFirstFrameWhenItHasNoStamp) {
+    Clock clock(0.5);
+    EXPECT_DOUBLE_EQ(clock(std::nullopt), 0);
+    EXPECT_DOUBLE_EQ(clock(7.0), 0.5);
+    EXPECT_DOUBLE_EQ(clock(8.0), 1.5);
+}
+
+TEST(TimeSampler, KeepsAllOfAShortStream) {
+    TimeSampler<int> sampler(10);
+    for (int i = 0; i < 10; ++i)
+        if (sampler.wants(i)) sampler.keep(i, i);
+    EXPECT_EQ(sampler.take().size(), 10u);
+}
+
+TEST(TimeSampler, SpreadsOverAStreamOfAnyLength) {
+    for (const int length : {11, 100, 795, 10'000}) {
+        TimeSampler<int> sampler(64);
+        for (int i = 0; i < length; ++i)
+            if (sampler.wants(i / 25.0)) sampler.keep(i / 25.0, i);
+        const auto kept = sampler.take();
+        EXPECT_LE(kept.size(), 64u);
+        EXPECT_GT(kept.size(), std::min(length, 64) / 3u);
+        EXPECT_EQ(kept.front(), 0);
+        EXPECT_GT(kept.back(), length * 0.9);
+        // No hole is wider than three times the average.
+        for (std::size_t i = 1; i < kept.size(); ++i)
+            EXPECT_LE((kept[i] - kept[i - 1]) * static_cast<int>(kept.size()), 3 * length + 64);
+    }
+}
+
+TEST(TimeSampler, StaysBoundedWhenTimeStandsStill) {
+    TimeSampler<int> sampler(4);
+    for (int i = 0; i < 100; ++i)
+        if (sampler.wants(0)) sampler.keep(0, i);
+    EXPECT_LE(sampler.take().size(), 4u);
+}
+
+TEST(FieldSize, IsAtMost384AndNeverLarger) {
+    EXPECT_EQ(field_size_for({768, 576}, {0, 0}), (Size{384, 288}));
+    EXPECT_EQ(field_size_for({1080, 1920}, {0, 0}), (Size{216, 384}));
+    EXPECT_EQ(field_size_for({100, 50}, {0, 0}), (Size{100, 50}));
+    EXPECT_EQ(field_size_for({1, 5000}, {0, 0}), (Size{1, 384}));
+    EXPECT_EQ(field_size_for({1, 1}, {0, 0}), (Size{1, 1}));
+    EXPECT_EQ(field_size_for({333, 211}, {-1, -1}), (Size{333, 211}));
+    EXPECT_EQ(field_size_for({333, 211}, {1000, 3}), (Size{1000, 3}));
+}
+
+TEST(FieldSize, RefusesWhatCannotBe) {
+    const auto kind_of = [](Size asked) {
+        try {
+            field_size_for({768, 576}, asked);
+        } catch (const Error& error) {
+            return error.kind();
+        }
+        return ErrorKind::differs;
+    };
+    EXPECT_EQ(kind_of({0, 100}), ErrorKind::usage);
+    EXPECT_EQ(kind_of({-5, 100}), ErrorKind::usage);
+    EXPECT_EQ(kind_of({100'000, 100'000}), ErrorKind::limit);
+}
+
+}  // namespace
+}  // namespace vvr
