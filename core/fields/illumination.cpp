@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -14,69 +15,107 @@
 namespace vvr {
 namespace {
 
-// Levels between which a ratio says something: darker pixels are noise, brighter ones are cut off.
-constexpr int darkest = 16;
-constexpr int brightest = 245;
+// Levels that say something: beyond them a camera cuts off.
+constexpr int darkest = 3;
+constexpr int brightest = 250;
 
-// A gain is the median of ratios; every few pixels are enough for it.
+// Every few pixels are enough to learn a light from.
 constexpr int sampling = 3;
 
-constexpr double least_gain = 0.4;
-constexpr double most_gain = 2.5;
+/// Something that is believed as much as its weight.
+struct Vote {
+    double value;
+    double weight;
+};
 
-/// Ratios of frame to reference, sorted into classes of a hundredth of an octave.
-class Ratios {
+/// The value that half of the weight lies below.
+double weighted_median(std::vector<Vote>& votes) {
+    std::ranges::sort(votes, {}, &Vote::value);
+    double half = 0;
+    for (const Vote& vote : votes) half += vote.weight / 2;
+    for (const Vote& vote : votes) {
+        half -= vote.weight;
+        if (half <= 0) return vote.value;
+    }
+    return votes.back().value;
+}
+
+/// What became of the reference's pixels of some neighbouring levels.
+class Class {
   public:
-    void add(int frame, int reference) {
-        if (frame < darkest || frame > brightest || reference < darkest || reference > brightest) return;
-        const double octaves = std::log2(static_cast<double>(frame) / reference);
-        const int k = static_cast<int>(std::lround(octaves * classes_per_octave)) + middle;
-        if (k < 0 || k >= std::ssize(counts_)) return;
-        ++counts_[static_cast<std::size_t>(k)];
+    void add(std::uint8_t before, std::uint8_t now) {
+        ++counts_[now];
+        sum_ += before;
         ++total_;
     }
 
     int total() const { return total_; }
+    double before() const { return static_cast<double>(sum_) / total_; }
 
-    double median() const {
+    /// The median of the levels now, to a fraction: pixels of one level are as good as spread evenly over it.
+    double now() const {
         int below = 0;
-        std::size_t k = 0;
-        while (k + 1 < counts_.size() && 2 * (below + counts_[k]) <= total_) below += counts_[k++];
-        // Within a class values are as good as evenly spread.
-        const double part = counts_[k] == 0 ? 0.5 : (total_ / 2.0 - below) / counts_[k];
-        return std::exp2((static_cast<double>(k) - 0.5 + part - middle) / classes_per_octave);
+        std::size_t level = 0;
+        while (2 * (below + counts_[level]) < total_) below += counts_[level++];
+        return static_cast<double>(level) - 0.5 + (total_ / 2.0 - below) / counts_[level];
     }
 
   private:
-    static constexpr int classes_per_octave = 100;
-    static constexpr int middle = 150;
-
-    std::array<int, 2 * middle + 1> counts_{};
+    std::array<int, 256> counts_{};
+    std::int64_t sum_ = 0;
     int total_ = 0;
 };
 
-double gain_of(const Planes& reference, const Planes& frame, const cv::Rect& part, double otherwise) {
-    Ratios ratios;
-    for (int j = part.y; j < part.y + part.height; j += sampling) {
-        for (int i = part.x; i < part.x + part.width; i += sampling) {
-            ratios.add(frame.grey.at(i, j), reference.grey.at(i, j));
+/// What the levels of a picture became, in classes.
+std::vector<Class> classes_of(const Planes& reference, const Planes& frame) {
+    constexpr int levels_a_class = 8;
+    constexpr int fewest = 20;
+    std::vector<Class> classes(256 / levels_a_class);
+    for (int j = 0; j < frame.grey.height(); j += sampling) {
+        for (int i = 0; i < frame.grey.width(); i += sampling) {
+            const std::uint8_t before = reference.grey.at(i, j);
+            const std::uint8_t now = frame.grey.at(i, j);
+            if (before < darkest || before > brightest || now < darkest || now > brightest) continue;
+            classes[before / levels_a_class].add(before, now);
         }
     }
-    const int looked_at = ((part.width + sampling - 1) / sampling) * ((part.height + sampling - 1) / sampling);
-    // With too few usable pixels there is nothing to learn.
-    if (4 * ratios.total() < looked_at || ratios.total() == 0) return otherwise;
-    return std::clamp(ratios.median(), least_gain, most_gain);
+    std::erase_if(classes, [](const Class& c) { return c.total() < fewest; });
+    return classes;
+}
+
+constexpr double least_gain = 0.4;
+constexpr double most_gain = 2.5;
+
+// The line through the classes, after Theil (1950) and Sen (1968): the median of all slopes between two of them, then
+// the median of what is left. A few classes that an object has covered don't move it.
+Light line_through(const std::vector<Class>& classes) {
+    std::vector<Vote> slopes;
+    for (const Class& a : classes) {
+        for (const Class& b : classes) {
+            const double distance = b.before() - a.before();
+            if (distance < 12) continue;
+            slopes.push_back({(b.now() - a.now()) / distance, std::sqrt(1.0 * a.total() * b.total()) * distance});
+        }
+    }
+    // A picture of one level doesn't tell a gain from an offset; either will do.
+    Light light;
+    if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
+    std::vector<Vote> offsets;
+    for (const Class& c : classes) offsets.push_back({c.now() - light.gain * c.before(), 1.0 * c.total()});
+    light.offset = weighted_median(offsets);
+    return light;
 }
 
 // A channel that was cut off at 255 may have been of any brightness: it is not made darker.
 template <class T>
-Plane<T> times(const Plane<T>& plane, double gain) {
-    Plane<T> result(plane.size());
+Plane<T> in_light(const Plane<T>& plane, const Light& light) {
     std::array<std::uint8_t, 256> table{};
     for (int level = 0; level < 256; ++level) {
-        const double lit = level > 250 ? std::max(gain, 1.0) * level : gain * level;
-        table[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(std::min(std::lround(lit), 255L));
+        const double lit = light.gain * level + light.offset;
+        const double shown = level > brightest ? std::max<double>(lit, level) : lit;
+        table[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(std::clamp(std::lround(shown), 0L, 255L));
     }
+    Plane<T> result(plane.size());
     cv::Mat out = cv_view(result);
     cv::LUT(cv_view(plane), cv::Mat(1, 256, CV_8UC1, table.data()), out);
     return result;
@@ -87,9 +126,10 @@ Planes as_it_is(const Planes& reference, const Planes&) {
 }
 
 Planes relit_globally(const Planes& reference, const Planes& frame) {
-    const double gain = light_gain(reference, frame);
-    if (gain == 1) return reference;
-    return {times(reference.grey, gain), reference.colour.empty() ? Plane<Bgr>{} : times(reference.colour, gain)};
+    const Light light = light_between(reference, frame);
+    if (light == Light{}) return reference;
+    return {in_light(reference.grey, light),
+            reference.colour.empty() ? Plane<Bgr>{} : in_light(reference.colour, light)};
 }
 
 // Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
@@ -97,16 +137,26 @@ Planes relit_globally(const Planes& reference, const Planes& frame) {
 constexpr int block = 24;
 constexpr double most_local_change = 1.5;
 
-Plane<float> local_gains(const Planes& reference, const Planes& frame, double global) {
+// The median ratio of grey levels about each block.
+Plane<float> local_gains(const Planes& reference, const Planes& frame) {
     const Size size = frame.grey.size();
     Plane<float> gains({(size.width + block - 1) / block, (size.height + block - 1) / block});
+    std::vector<Vote> ratios;
     for (int j = 0; j < gains.height(); ++j) {
         for (int i = 0; i < gains.width(); ++i) {
             // Half a block more on each side.
-            const cv::Rect about(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block);
-            const double gain = gain_of(reference, frame, about & cv::Rect(0, 0, size.width, size.height), global);
+            const cv::Rect about = cv::Rect(i * block - block / 2, j * block - block / 2, 2 * block, 2 * block) &
+                                   cv::Rect(0, 0, size.width, size.height);
+            ratios.clear();
+            for (int y = about.y; y < about.y + about.height; y += sampling) {
+                for (int x = about.x; x < about.x + about.width; x += sampling) {
+                    const double before = std::max<int>(reference.grey.at(x, y), darkest);
+                    // A brighter place tells more of a ratio.
+                    ratios.push_back({std::max<int>(frame.grey.at(x, y), darkest) / before, before});
+                }
+            }
             gains.at(i, j) =
-                static_cast<float>(std::clamp(gain, global / most_local_change, global * most_local_change));
+                static_cast<float>(std::clamp(weighted_median(ratios), 1 / most_local_change, most_local_change));
         }
     }
     Plane<float> smooth(gains.size());
@@ -126,27 +176,35 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
 }
 
 Planes relit_locally(const Planes& reference, const Planes& frame) {
-    const Size size = frame.grey.size();
-    const Plane<float> blocks = local_gains(reference, frame, light_gain(reference, frame));
-    // The block grid may reach beyond the picture: enlarged as it is, then cut.
+    const Planes lit = relit_globally(reference, frame);
+    const Plane<float> blocks = local_gains(lit, frame);
+    // The blocks may reach beyond the picture: enlarged as they are, then cut.
     cv::Mat gains;
     cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
-    gains = gains(cv::Rect(0, 0, size.width, size.height));
-    return {times(reference.grey, gains), reference.colour.empty() ? Plane<Bgr>{} : times(reference.colour, gains)};
+    gains = gains(cv::Rect(0, 0, frame.grey.width(), frame.grey.height())).clone();
+    return {times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
 }
 
 constexpr std::array rows{
-    IlluminationRow{"global", "one gain for the whole picture: exposure, clouds, lamps", true, relit_globally},
-    IlluminationRow{"local", "a gain that varies over the picture: shadows, lamps at one side", true, relit_locally},
+    IlluminationRow{"global", "one change for the whole picture: exposure, clouds, lamps", true, relit_globally},
+    IlluminationRow{"local", "a change that varies over the picture: shadows, a lamp at one side", true, relit_locally},
     IlluminationRow{"none", "every change of light counts", false, as_it_is},
 };
 
 }  // namespace
 
-double light_gain(const Planes& reference, const Planes& frame) {
-    const double gain = gain_of(reference, frame, {0, 0, frame.grey.width(), frame.grey.height()}, 1);
-    // Less than a level in the brightest pixel.
-    return std::abs(gain - 1) < 0.004 ? 1 : gain;
+Light light_between(const Planes& reference, const Planes& frame) {
+    const std::vector<Class> classes = classes_of(reference, frame);
+    int places = 0;
+    for (const Class& c : classes) places += c.total();
+    // Where nearly all is cut off there is nothing to learn.
+    const int looked_at =
+        ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
+    if (places == 0 || 5 * places < looked_at) return {};
+    const Light light = line_through(classes);
+    // Less than a level anywhere.
+    if (std::abs(light.offset) < 1 && std::abs(255 * (light.gain - 1) + light.offset) < 1) return {};
+    return light;
 }
 
 std::span<const IlluminationRow> illuminations() {

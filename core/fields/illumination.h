@@ -7,6 +7,18 @@
 
 namespace vvr {
 
+/// How the light, or the camera's exposure, has changed: a level L has become `gain` L + `offset`.
+struct Light {
+    double gain = 1;
+    double offset = 0;  ///< grey levels
+
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+/// The change from `reference` to `frame`, from what became of each level of grey in most places. It stands as long
+/// as objects cover less than half of the places of most levels; exactly `Light{}` for changes too small to see.
+Light light_between(const Planes& reference, const Planes& frame);
+
 /// One row of the illumination table: how a change of light between reference and frame is told from an object.
 struct IlluminationRow {
     std::string_view name;
@@ -16,11 +28,7 @@ struct IlluminationRow {
     Planes (*relit)(const Planes& reference, const Planes& frame);
 };
 
-/// "none", "global", "local". §8 of the paper names changing light as an unsolved weakness.
+/// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.
 std::span<const IlluminationRow> illuminations();
-
-/// How much brighter `frame` is than `reference`: the median of the ratios of their grey levels, between 0.4 and 2.5,
-/// and 1 for changes too small to see. It stands as long as objects cover less than half of the picture.
-double light_gain(const Planes& reference, const Planes& frame);
 
 }  // namespace vvr

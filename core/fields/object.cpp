@@ -25,7 +25,7 @@ Plane<std::uint8_t> ObjectFinder::find(const Planes& frame) const {
 
 Plane<std::uint8_t> ObjectFinder::find_and_adapt(const Planes& frame) {
     Plane<std::uint8_t> object = compare(frame, running_->now());
-    running_->adapt(frame, object, illumination_.compensates ? light_gain(running_->now(), frame) : 1);
+    running_->adapt(frame, object, illumination_.compensates ? light_between(running_->now(), frame) : Light{});
     return object;
 }
 

@@ -58,12 +58,11 @@ Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
     return result;
 }
 
-// An odd number, so that the median is the middle value; who stays in one place for less than half of the clip is
-// not part of the scene.
+// An odd number, so that the median is the middle value.
 constexpr int frames_for_median = 31;
 
 Reference median_of_clip(FrameSource& clip) {
-    return median_reference(clip.sample(frames_for_median));
+    return lasting_reference(clip.sample(frames_for_median));
 }
 
 /// The clip's first frames, every `step`-th.
@@ -90,7 +89,8 @@ Reference first_seconds(FrameSource& clip) {
 }
 
 constexpr std::array rows{
-    ReferenceRow{"median", "the median of each pixel over the whole clip", median_of_clip},
+    ReferenceRow{"median", "each pixel's median over the clip, or of what was first where things came to stay",
+                 median_of_clip},
     ReferenceRow{"first", "the first frame", first_frame},
     ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds},
 };
@@ -107,12 +107,14 @@ constexpr int edge = 3;
 
 template <class T>
 void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
-            std::size_t channels, float gain, std::uint8_t* out) {
+            std::size_t channels, const Light& light, std::uint8_t* out) {
+    const auto gain = static_cast<float>(light.gain);
+    const auto offset = static_cast<float>(light.offset);
     const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
     for (std::size_t i = 0; i < exact.size(); ++i) {
-        exact[i] *= gain;
+        exact[i] = std::clamp(gain * exact[i] + offset, 0.F, 255.F);
         if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
-        out[i] = static_cast<std::uint8_t>(std::lround(std::min(exact[i], 255.F)));
+        out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
     }
 }
 
@@ -145,11 +147,10 @@ RunningReference::RunningReference(const Reference& start)
     for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
 }
 
-void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, double gain) {
+void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const Light& light) {
     Plane<std::uint8_t> near_object(object.size());
     cv::Mat out = cv_view(near_object);
     cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
-    const auto light = static_cast<float>(gain);
     follow<std::uint8_t>(grey_, frame.grey.pixels(), near_object.pixels(), 1, light, now_.grey.pixels().data());
     if (colour_.empty() || frame.colour.empty()) return;
     follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());

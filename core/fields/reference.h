@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/fields/illumination.h"
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
@@ -38,6 +39,12 @@ void validate_reference(const std::string& kind);
 /// reference.
 Reference median_reference(std::span<const Frame> frames);
 
+/// The empty scene of pictures in order of time: at each pixel the median of the level that it showed first for at
+/// least a quarter of them, and where there is none the median of all. A passer-by is seldom anywhere for that long;
+/// and a bag that was left stays an object even when it lies there for most of the clip, which the median of all
+/// would take for the scene.
+Reference lasting_reference(std::span<const Frame> frames);
+
 /// A reference that follows slow changes of the scene for as long as a stream lasts. Where there is an object it
 /// waits, so a bag that was left behind is never swallowed.
 class RunningReference {
@@ -46,9 +53,9 @@ class RunningReference {
 
     const Reference& now() const { return now_; }
 
-    /// Takes in a frame with its difference object. `gain` is by how much the light has changed since the last one:
-    /// places behind objects must follow it too.
-    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, double gain);
+    /// Takes in a frame with its difference object. `light` is how the light has changed since the last one: places
+    /// behind objects must follow it too.
+    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, const Light& light);
 
   private:
     Reference now_;

@@ -35,8 +35,10 @@ FrameReader reader(int count, Frame (*make)(std::int64_t) = walker) {
     };
 }
 
-Reference empty_scene() {
-    return {Plane<std::uint8_t>(size, 90), {}};
+EmptyScene empty_scene() {
+    EmptyScene scene;
+    scene.reference.grey = Plane<std::uint8_t>(size, 90);
+    return scene;
 }
 
 std::vector<Field> fields_of(int count, const FieldOptions& options) {
@@ -55,9 +57,7 @@ void expect_same(const Field& a, const Field& b) {
     EXPECT_TRUE(std::ranges::equal(a.scalar.pixels(), b.scalar.pixels()));
     EXPECT_TRUE(std::ranges::equal(a.flow.u.pixels(), b.flow.u.pixels()));
     EXPECT_TRUE(std::ranges::equal(a.flow.v.pixels(), b.flow.v.pixels()));
-    EXPECT_TRUE(std::ranges::equal(a.seeds, b.seeds, [](const Seed& p, const Seed& q) {
-        return p.x == q.x && p.y == q.y && p.u == q.u && p.v == q.v;
-    }));
+    EXPECT_EQ(a.seeds, b.seeds);
 }
 
 TEST(Pipeline, GivesEveryFrameOnceInOrder) {
@@ -115,10 +115,14 @@ TEST(Pipeline, OneFrameAndNoFrame) {
 }
 
 TEST(Pipeline, SmallestPictures) {
-    const Reference reference{Plane<std::uint8_t>({3, 1}, 10), {}};
+    EmptyScene scene;
+    scene.reference.grey = Plane<std::uint8_t>({3, 1}, 10);
+    FieldOptions options{.threads = 2};
+    options.min_area = 0;
+    options.illumination = "none";
     std::int64_t seen = 0;
     const FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
-    EXPECT_EQ(compute_fields(read, reference, {.threads = 2},
+    EXPECT_EQ(compute_fields(read, scene, options,
                              [&](Frame&&, Field&& field) {
                                  ++seen;
                                  EXPECT_EQ(field.scalar.at(2, 0), 255);

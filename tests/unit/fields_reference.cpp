@@ -41,6 +41,57 @@ TEST(Reference, MedianTakesEachChannelByItself) {
     EXPECT_EQ(median_reference(frames).colour.at(4, 3), (Bgr{20, 50, 80}));
 }
 
+TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
+    std::vector<Frame> frames;
+    for (int f = 0; f < 31; ++f) {
+        frames.push_back(test::flat_frame({6, 4}, f, static_cast<std::uint8_t>(100 + f % 3)));
+        frames.back().colour = Plane<Bgr>({6, 4}, {90, 100, 110});
+        if (f >= 9 && f < 29) {
+            frames.back().grey.at(2, 2) = 160;
+            frames.back().colour.at(2, 2) = {90, 160, 110};
+        }
+        if (f < 2) frames.back().grey.at(4, 1) = 10;  // somebody stood there at the beginning
+        if (f < 2) frames.back().colour.at(4, 1) = {10, 10, 10};
+    }
+    EXPECT_EQ(median_reference(frames).grey.at(2, 2), 160);
+    const Reference reference = lasting_reference(frames);
+    EXPECT_EQ(reference.colour.at(2, 2), (Bgr{90, 100, 110}));
+    EXPECT_NEAR(reference.grey.at(2, 2), 101, 1);
+    EXPECT_EQ(reference.colour.at(4, 1), (Bgr{90, 100, 110}));
+    for (Frame& frame : frames) frame.colour = {};
+    EXPECT_NEAR(lasting_reference(frames).grey.at(2, 2), 101, 1);
+    EXPECT_NEAR(lasting_reference(frames).grey.at(4, 1), 101, 1);
+}
+
+Planes flat(std::uint8_t level) {
+    return {Plane<std::uint8_t>({40, 30}, level), {}};
+}
+
+TEST(RunningReference, FollowsTheSceneAndNotTheObject) {
+    RunningReference running(flat(100));
+    Plane<std::uint8_t> object({40, 30});
+    object.at(20, 15) = 255;
+    for (int f = 0; f < 500; ++f) running.adapt(flat(120), object, {});
+    EXPECT_EQ(running.now().grey.at(2, 2), 120);
+    EXPECT_EQ(running.now().grey.at(20, 15), 100) << "what was left behind is not swallowed";
+    EXPECT_EQ(running.now().grey.at(22, 16), 100) << "nor are its soft edges";
+}
+
+TEST(RunningReference, KeepsUpWithSlowChanges) {
+    RunningReference running(flat(100));
+    const Plane<std::uint8_t> nothing({40, 30});
+    for (int f = 0; f < 800; ++f) {
+        running.adapt(flat(static_cast<std::uint8_t>(100 + f / 10)), nothing, {});
+        ASSERT_NEAR(running.now().grey.at(5, 5), 100 + f / 10, 5) << f;
+    }
+}
+
+TEST(RunningReference, LightChangesBehindObjectsToo) {
+    RunningReference running(flat(100));
+    running.adapt(flat(120), Plane<std::uint8_t>({40, 30}, 255), {.gain = 1.2, .offset = 5});
+    EXPECT_EQ(running.now().grey.at(20, 15), 125);
+}
+
 TEST(Reference, NoFramesNoReference) {
     EXPECT_TRUE(median_reference({}).empty());
 }

@@ -1,3 +1,7 @@
+#include <map>
+#include <set>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "core/fields/seeds.h"
@@ -5,32 +9,97 @@
 namespace vvr {
 namespace {
 
-TEST(Seeds, LieOnTheGridWhereSomethingMoves) {
-    constexpr Size size{40, 30};
-    Flow flow{Plane<float>(size, 3), Plane<float>(size, -4)};
-    Plane<std::uint8_t> object(size);
-    object.at(15, 5) = 1;
-    object.at(15, 15) = 255;
-    object.at(16, 15) = 255;
-    object.at(35, 25) = 255;
-    flow.u.at(35, 25) = 0.1F;
-    flow.v.at(35, 25) = 0;
-    const std::vector<Seed> seeds = make_seeds(flow, object, {.grid = 10, .min_magnitude = 0.3});
-    ASSERT_EQ(seeds.size(), 2U);
-    EXPECT_EQ(seeds[0].x, 15);
-    EXPECT_EQ(seeds[0].y, 5);
-    EXPECT_EQ(seeds[1].y, 15);
-    EXPECT_EQ(seeds[1].u, 3);
-    EXPECT_EQ(seeds[1].v, -4);
-    EXPECT_EQ(make_seeds(flow, object, {.grid = 10, .min_magnitude = 5.01}).size(), 0U);
-    EXPECT_EQ(make_seeds(flow, object, {.grid = 10, .min_magnitude = 0}).size(), 3U);
+/// A field whose flow, difference and age all grow in different directions.
+struct Example {
+    static constexpr Size size{60, 40};
+    Flow flow{Plane<float>(size), Plane<float>(size)};
+    Plane<std::uint8_t> object{size};
+    Plane<std::uint16_t> age{size};
+
+    Example() {
+        for (int j = 0; j < size.height; ++j) {
+            for (int i = 0; i < size.width; ++i) {
+                flow.u.at(i, j) = static_cast<float>(i) / 10;
+                flow.v.at(i, j) = -1;
+                object.at(i, j) = static_cast<std::uint8_t>(j < 10 ? 0 : 5 * j);
+                age.at(i, j) = static_cast<std::uint16_t>(100 - i - j);
+            }
+        }
+    }
+
+    std::vector<Seed> seeds(const SeedOptions& options, std::int64_t frame = 0) const {
+        return make_seeds({frame, flow, object, age}, options);
+    }
+};
+
+TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
+    const Example example;
+    const std::vector<Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 3});
+    std::set<std::pair<float, float>> points;
+    for (const Seed& seed : seeds) {
+        EXPECT_EQ(static_cast<int>(seed.x) % 10, 5);
+        EXPECT_EQ(static_cast<int>(seed.y) % 10, 5);
+        EXPECT_GE(seed.y, 10) << "above is no object";
+        EXPECT_GE(seed.x, 30) << "to the left it is slower than 3";
+        EXPECT_FLOAT_EQ(seed.u, seed.x / 10);
+        EXPECT_EQ(seed.v, -1);
+        EXPECT_TRUE(seed.used);
+        points.insert({seed.x, seed.y});
+    }
+    EXPECT_EQ(points.size(), 3U * 3);
+    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0}).size(), 6U * 3);
+    EXPECT_TRUE(example.seeds({.grid = 10, .min_magnitude = 100}).empty());
+    EXPECT_EQ(example.seeds({.grid = 1, .min_magnitude = 0}).size(), 60U * 30) << "a grid of one is every pixel";
+    EXPECT_TRUE(example.seeds({.grid = 200, .min_magnitude = 0}).empty());
 }
 
-TEST(Seeds, AGridOfOneIsEveryPixel) {
-    constexpr Size size{3, 1};
-    const Flow flow{Plane<float>(size, 1), Plane<float>(size, 0)};
-    EXPECT_EQ(make_seeds(flow, Plane<std::uint8_t>(size, 1), {.grid = 1, .min_magnitude = 0.3}).size(), 3U);
-    EXPECT_EQ(make_seeds(flow, Plane<std::uint8_t>(size, 1), {.grid = 100, .min_magnitude = 0.3}).size(), 0U);
+TEST(Seeds, AreSortedByTheCriterion) {
+    const Example example;
+    const auto sorted = [&](const char* order, auto key) {
+        const std::vector<Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 0, .order = order});
+        ASSERT_EQ(seeds.size(), 18U);
+        for (std::size_t k = 1; k < seeds.size(); ++k) EXPECT_GE(key(seeds[k - 1]), key(seeds[k])) << order << " " << k;
+    };
+    sorted("magnitude", [](const Seed& s) { return s.u; });
+    sorted("difference", [](const Seed& s) { return s.y; });
+    sorted("age", [](const Seed& s) { return -s.x - s.y; });
+}
+
+TEST(Seeds, FirstTakesTheMostImportant) {
+    const Example example;
+    const std::vector<Seed> all = example.seeds({.grid = 10, .min_magnitude = 0});
+    const std::vector<Seed> first = example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:5"});
+    ASSERT_EQ(first.size(), 5U);
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), all.begin()));
+    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:1000"}), all);
+    EXPECT_TRUE(example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:0"}).empty());
+}
+
+TEST(Seeds, RandomRepeatsWithItsNumber) {
+    const Example example;
+    const SeedOptions options{.grid = 4, .min_magnitude = 0, .select = "random:20"};
+    const std::vector<Seed> once = example.seeds(options);
+    ASSERT_EQ(once.size(), 20U);
+    EXPECT_EQ(example.seeds(options), once);
+    EXPECT_NE(example.seeds(options, 1), once) << "another frame, other points";
+    SeedOptions other = options;
+    other.select = "random:20:2";
+    EXPECT_NE(example.seeds(other), once);
+    for (std::size_t k = 1; k < once.size(); ++k) EXPECT_GE(once[k - 1].u, once[k].u) << "still in order";
+    other.select = "random:100000";
+    EXPECT_EQ(example.seeds(other).size(), example.seeds({.grid = 4, .min_magnitude = 0}).size());
+}
+
+// Over many frames each of the 18 points is drawn about as often as any other.
+TEST(Seeds, RandomIsFair) {
+    const Example example;
+    std::map<std::pair<float, float>, int> drawn;
+    for (int frame = 0; frame < 3000; ++frame) {
+        for (const Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame))
+            ++drawn[{s.x, s.y}];
+    }
+    ASSERT_EQ(drawn.size(), 18U);
+    for (const auto& [point, count] : drawn) EXPECT_NEAR(count, 500, 100) << point.first << ", " << point.second;
 }
 
 }  // namespace
