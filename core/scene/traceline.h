@@ -24,7 +24,7 @@ struct TraceOptions {
     double dt = 1;             ///< Δt of Eq. (2), frames
     int steps = 60;            ///< Euler steps at most
     double time_velocity = 0;  ///< v_t, frames a frame: 0 keeps a trace within its frame (§5.2)
-    double rest = 0.05;        ///< pixels a frame; slower flow ends the trace: its particle has left what moves
+    double rest = 0.1;         ///< pixels a frame; slower flow ends the trace: its particle has left what moves
     double spacing = 0.004;    ///< P-space units; nearer points are not stored
 };
 
