@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "cli/parse_value.h"
 #include "core/error.h"
@@ -74,6 +75,22 @@ std::vector<std::string> names_of(const Table& table) {
     names.reserve(std::size(table));
     for (const auto& row : table) names.emplace_back(row.name);
     return names;
+}
+
+/// Lists a table's rows at the end of `--help`.
+template <class Table>
+void explain(CLI::App& app, const std::string& option, const Table& table) {
+    std::string rows = "\n" + option + "\n";
+    for (const auto& row : table) rows += fmt::format("  {:<14} {}\n", row.name, row.help);
+    app.footer(app.get_footer() + rows);
+}
+
+/// Adds an option for a name of a table, whose rows are explained; `target` holds the default.
+template <class Table>
+CLI::Option* add_choice(CLI::App& app, const char* group, std::string& target, const Table& table,
+                        const OptionText& text) {
+    explain(app, text.names, table);
+    return add_name(app, group, target, names_of(table), text);
 }
 
 }  // namespace vvr

@@ -23,6 +23,10 @@ bool LookOptions::shows(const std::string& part) const {
     return std::ranges::count(show, part) > 0;
 }
 
+VolumeColour LookOptions::volume_colour() const {
+    return std::ranges::find(volume_colours(), colour, &VolumeColourRow::name)->colour;
+}
+
 void add_options(CLI::App& app, LookOptions& options) {
     add_option(app, group::look, options.show,
                {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
@@ -36,6 +40,8 @@ void add_options(CLI::App& app, LookOptions& options) {
                    find_transfer(given);  // now, not when the clip has been read
                    return given;
                });
+    add_name(app, group::look, options.colour, names_of(volume_colours()),
+             {"--color", "NAME", "", "the volume's colour, the transfer function's or the video's own"});
     add_number(app, group::look, options.opacity, {0, 1000},
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
     add_number(app, group::look, options.glyph_scale, {0.01, 100},

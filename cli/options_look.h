@@ -7,6 +7,7 @@
 
 #include "core/scene/traceline.h"
 #include "core/scene/transfer_file.h"
+#include "gl/volume_slicer.h"
 
 namespace vvr {
 
@@ -14,11 +15,13 @@ namespace vvr {
 struct LookOptions {
     std::vector<std::string> show{"volume", "arrows", "outline", "frames"};
     std::string transfer = transfer_functions().front().name;  ///< or a file
+    std::string colour{volume_colours().front().name};
     double opacity = 1;      ///< factor on the extinction
     double glyph_scale = 1;  ///< factor on the arrows' size
     TraceOptions traces;
 
     bool shows(const std::string& part) const;
+    VolumeColour volume_colour() const;
 };
 
 void add_options(CLI::App& app, LookOptions& options);

@@ -21,12 +21,13 @@ void add_options(CLI::App& app, OutputOptions& options) {
                 fmt::format("the picture: {}; or animated: {}", fmt::join(picture_endings(), " "),
                             fmt::join(animation_endings(), " "))},
                [](const std::string& given) { return std::filesystem::path(given); });
-    add_option(app, group::output, options.animate,
-               {"--animate", "COUNT", "",
-                fmt::format("so many pictures in which stripes run along the tracelines, 2..10000; FILE is animated ({} "
-                            "if not given) or has a field: {{frame:4}}, #### or %04d",
-                            standard_animation)},
-               [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+    add_option(
+        app, group::output, options.animate,
+        {"--animate", "COUNT", "",
+         fmt::format("so many pictures in which stripes run along the tracelines, 2..10000; FILE is animated ({} "
+                     "if not given) or has a field: {{frame:4}}, #### or %04d",
+                     standard_animation)},
+        [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
 }
 
 void check(const OutputOptions& options) {
@@ -35,19 +36,23 @@ void check(const OutputOptions& options) {
     const std::string text = options.path.string();
     if (is_animation(options.path)) {
         if (!name.has_field()) return;
-        throw Error(ErrorKind::usage, fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
     }
     if (name.counts() == "brick") {
-        throw Error(ErrorKind::usage, fmt::format("'{}': there is one picture of all bricks; --animate takes {{frame}}", text));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': there is one picture of all bricks; --animate takes {{frame}}", text));
     }
     if (name.has_field() && !options.animate) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' has a field for many pictures; say how many with --animate", text));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' has a field for many pictures; say how many with --animate", text));
     }
     if (options.animate && !name.has_field()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
-                                "or an animated file: {}",
-                                *options.animate, text, fmt::join(animation_endings(), " ")));
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
+                        "or an animated file: {}",
+                        *options.animate, text, fmt::join(animation_endings(), " ")));
     }
 }
 

@@ -28,7 +28,7 @@ std::string join(const std::pair<double, double>& pair, char separator) {
 }  // namespace
 
 void add_options(CLI::App& app, ViewOptions& options) {
-    add_name(app, group::view, options.layout, names_of(layouts()), {"--layout", "NAME", "", "how the volume stands"});
+    add_choice(app, group::view, options.layout, layouts(), {"--layout", "NAME", "", "how the volume stands"});
     add_option(app, group::view, options.radii,
                {"--radius", "IN:OUT", join(options.radii, ':'), "radii of the horseshoe"}, parse_radii);
     add_option(app, group::view, options.height,

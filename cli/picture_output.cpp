@@ -10,8 +10,7 @@ constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths o
 
 }  // namespace
 
-PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals)
-    : signals_(signals), name_(options.path) {
+PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : signals_(signals), name_(options.path) {
     const auto held = signals.hold();
     if (is_animation(options.path)) {
         check_file_path(options.path);

@@ -33,7 +33,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
     Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}};
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
-        result.volume.add(field);
+        result.volume.add(field, job.picture.colour == VolumeColour::video ? frame.colour : Plane<Bgr>());
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
@@ -55,8 +55,9 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 Plane<Bgr> standing_picture(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
     Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(),
-                           [](std::uint8_t grey) { return Bgr{grey, grey, grey}; });
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
     return picture;
 }
 
@@ -86,8 +87,8 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
     }
     if (job.show.contains("slices")) {
         constexpr int shown = 20;
-        const Camera camera = job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size)
-                                             : renderer.camera();
+        const Camera camera =
+            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
         add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
     }
 }
@@ -101,20 +102,23 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(),
-                           [](const glm::vec4& p) { return Rgba{p.x, p.y, p.z, p.w}; });
+    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
+        return Rgba{p.x, p.y, p.z, p.w};
+    });
     return picture;
 }
 
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "boxes", "slices"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline",
+                                                   "frames", "boxes",  "slices"};
     return words;
 }
 
 std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options) {
-    const double length = info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
+    const double length =
+        info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
     const bool whole = options.start <= 0 && !options.end;
     if (whole || length <= 0 || info.rate <= 0) return info.frames;
     const double begin = std::min(options.start, length);
@@ -185,7 +189,8 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     }
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
-    for (int i = 0; i < job.pictures; ++i) sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+    for (int i = 0; i < job.pictures; ++i)
+        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
     return report;
 }
 

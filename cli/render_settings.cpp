@@ -36,12 +36,13 @@ void check(const RenderSettings& settings) {
     if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
         throw Error(ErrorKind::usage, "--end has to come after --start");
     }
+    validate(settings.fields);
 }
 
 bool wants_colour(const RenderSettings& settings) {
     // Where an object is looked for, colour counts: not only if the picture happens to show some.
     return find_filter(settings.fields.filter).traits.colour || needs_reference(settings.fields) ||
-           settings.look.shows("frames");
+           settings.look.shows("frames") || settings.look.volume_colour() == VolumeColour::video;
 }
 
 RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
@@ -68,6 +69,7 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     job.picture.slices = settings.view.slices;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.picture.colour = settings.look.volume_colour();
     job.transfer = find_transfer(settings.look.transfer);
     job.opacity = settings.look.opacity;
     job.traces = settings.look.traces;

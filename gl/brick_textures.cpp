@@ -9,6 +9,22 @@
 
 namespace vvr {
 
+namespace {
+
+/// How the texels of a brick are stored.
+struct Storage {
+    GLint internal;
+    GLenum format;
+    const void* texels;
+};
+
+Storage storage_of(const BrickTexels& brick) {
+    if (brick.coloured.empty()) return {GL_R8, GL_RED, brick.texels.data()};
+    return {GL_RGBA8, GL_RGBA, brick.coloured.data()};
+}
+
+}  // namespace
+
 BrickTextures::BrickTextures(const GladGLContext& gl, BrickRing ring)
     : gl_(&gl), ring_(ring), slots_(static_cast<std::size_t>(ring.size())) {}
 
@@ -29,11 +45,14 @@ void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
     const auto width = static_cast<GLsizei>(texels.size.width);
     const auto height = static_cast<GLsizei>(texels.size.height);
     const auto depth = static_cast<GLsizei>(texels.layers());
-    const bool fits = slot.texture && slot.size == texels.size && slot.layers == texels.layers();
+    const bool coloured = !texels.coloured.empty();
+    const bool fits =
+        slot.texture && slot.size == texels.size && slot.layers == texels.layers() && slot.coloured == coloured;
+    const Storage storage = storage_of(texels);
     if (fits) {
         gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
-        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, width, height, depth, GL_RED, GL_UNSIGNED_BYTE,
-                         texels.texels.data());
+        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, width, height, depth, storage.format, GL_UNSIGNED_BYTE,
+                         storage.texels);
     } else {
         slot.texture = GlTexture(gl);
         gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
@@ -42,18 +61,21 @@ void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
         for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
             gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
         }
-        gl.TexImage3D(GL_TEXTURE_3D, 0, GL_R8, width, height, depth, 0, GL_RED, GL_UNSIGNED_BYTE, texels.texels.data());
+        gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internal, width, height, depth, 0, storage.format, GL_UNSIGNED_BYTE,
+                      storage.texels);
     }
     check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, texels.brick.count));
     slot.number = number;
     slot.size = texels.size;
     slot.layers = texels.layers();
+    slot.coloured = coloured;
 }
 
 void BrickTextures::bind(std::int64_t number) const {
     const Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
     if (slot.number != number) {
-        throw Error(ErrorKind::backend, fmt::format("brick {} is not in the ring: its slot holds {}", number, slot.number));
+        throw Error(ErrorKind::backend,
+                    fmt::format("brick {} is not in the ring: its slot holds {}", number, slot.number));
     }
     gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
 }

@@ -27,6 +27,7 @@ class BrickTextures {
         std::int64_t number = -1;
         Size size;
         std::int64_t layers = 0;
+        bool coloured = false;
     };
 
     const GladGLContext* gl_;

@@ -30,7 +30,7 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
-      slicer_(context.gl(), layout),
+      slicer_(context.gl(), layout, options.colour),
       flow_geometry_(context.gl()),
       traceline_strips_(context.gl()),
       annotations_(context.gl()) {}
@@ -69,11 +69,23 @@ SliceStack Renderer::slices(const Camera& camera) const {
 Plane<glm::vec4> Renderer::draw(double phase) {
     const SliceStack stack = slices(camera_);
     Plane<glm::vec4> picture(options_.size);
-    for (const Tile& tile : tiles_) draw_tile(stack, phase, tile, picture);
+    for (const Tile& tile : tiles_) {
+        draw_tile(stack, phase, tile);
+        const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
+        for (int j = 0; j < tile.size.height; ++j) {
+            std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
+        }
+    }
     return picture;
 }
 
-void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile, Plane<glm::vec4>& picture) {
+void Renderer::draw_unread(double phase) {
+    const SliceStack stack = slices(camera_);
+    for (const Tile& tile : tiles_) draw_tile(stack, phase, tile);
+    gl_->Finish();
+}
+
+void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile) {
     const GladGLContext& gl = *gl_;
     const Camera camera = camera_.cropped(tile, options_.size);
     framebuffer_.bind(tile.size);
@@ -87,11 +99,6 @@ void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile
     slicer_.draw(place(), textures_, camera, stack);
     for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame(frame, *layout_, camera);
     check_gl(gl, "drawing the picture");
-
-    const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
-    for (int j = 0; j < tile.size.height; ++j) {
-        std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
-    }
 }
 
 }  // namespace vvr

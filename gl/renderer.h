@@ -23,12 +23,13 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
-    bool hold_box = false;  ///< the camera holds the layout's box, not only the volume in it
-    int slices = 0;   ///< 0 = one for every two voxels
-    int samples = 4;  ///< a pixel, for smooth edges; 1 takes about half the time
-    int ring = 8;                     ///< k, the bricks that are visible at a time
+    bool hold_box = false;           ///< the camera holds the layout's box, not only the volume in it
+    int slices = 0;                  ///< 0 = one for every two voxels
+    int samples = 4;                 ///< a pixel, for smooth edges; 1 takes about half the time
+    int ring = 8;                    ///< k, the bricks that are visible at a time
     std::int64_t window_layers = 0;  ///< n, the layers of a full window
     glm::vec3 background{1, 1, 1};
+    VolumeColour colour = VolumeColour::transfer;
     GlyphStyle glyphs;
     TraceStyle traces;
 };
@@ -53,6 +54,9 @@ class Renderer {
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(double phase = 0);
 
+    /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
+    void draw_unread(double phase = 0);
+
     /// `set_scene` and `draw` in one.
     Plane<glm::vec4> draw(const Scene& scene) {
         set_scene(scene);
@@ -68,7 +72,7 @@ class Renderer {
     std::vector<PlacedBrick> place() const;
 
   private:
-    void draw_tile(const SliceStack& stack, double phase, const Tile& tile, Plane<glm::vec4>& picture);
+    void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {
         std::int64_t number = 0;

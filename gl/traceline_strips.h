@@ -10,7 +10,7 @@ namespace vvr {
 /// How tracelines look; their colours are those of the arrows.
 struct TraceStyle {
     float width = 0.0045F;        ///< P-space units
-    float least_width = 1.6F;       ///< pixels
+    float least_width = 1.6F;     ///< pixels
     float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
     float shade = 0.3F;           ///< what is left of the colour in a dark stripe
 };
@@ -25,7 +25,8 @@ class TracelineStrips {
     void upload(const Tracelines& lines);
 
     /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
-    void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours, double phase) const;
+    void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+              double phase) const;
 
   private:
     const GladGLContext* gl_;

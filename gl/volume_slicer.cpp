@@ -1,5 +1,6 @@
 #include "gl/volume_slicer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -10,11 +11,25 @@
 
 namespace vvr {
 
-VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout)
+namespace {
+
+constexpr std::array colours{
+    VolumeColourRow{VolumeColour::transfer, "transfer", "the transfer function's", shaders::optical_transfer_glsl},
+    VolumeColourRow{VolumeColour::video, "video", "the video's own", shaders::optical_video_glsl},
+};
+
+}  // namespace
+
+std::span<const VolumeColourRow> volume_colours() {
+    return colours;
+}
+
+VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour)
     : gl_(&gl),
       layout_(&layout),
       program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
-               {layout_shader(layout), shaders::volume_frag}),
+               {layout_shader(layout), std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader,
+                shaders::volume_frag}),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
       vertex_array_(gl),

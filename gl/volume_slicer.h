@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/bricks/cells.h"
@@ -13,11 +14,25 @@
 
 namespace vvr {
 
+/// Where the volume's colour comes from; extinction is always the transfer function's.
+enum class VolumeColour { transfer, video };
+
+struct VolumeColourRow {
+    VolumeColour colour;
+    std::string_view name;
+    std::string_view help;
+    std::string_view shader;  ///< defines optical_of(voxel)
+};
+
+/// The sources of colour there are; the first is the default.
+std::span<const VolumeColourRow> volume_colours();
+
 /// Draws the window's bricks as view-aligned slices, back to front, with the layout's backward map in the fragment
 /// shader (§5.1, §6.1): one draw call a brick, in visibility order.
 class VolumeSlicer {
   public:
-    VolumeSlicer(const GladGLContext& gl, const Layout& layout);
+    /// \param colour for VolumeColour::video the bricks are coloured ones
+    VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour);
 
     void set_transfer(const TransferFunction& transfer);
 

@@ -35,8 +35,9 @@ glm::dvec2 in_plane(const Plane<std::uint32_t>& packed, double column, double ro
 
 void FlowVolume::add(std::int64_t frame, const Flow& flow) {
     Layer layer{frame, Plane<std::uint32_t>(flow.u.size())};
-    std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(),
-                           [](float u, float v) { return glm::packHalf2x16({u, v}); });
+    std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(), [](float u, float v) {
+        return glm::packHalf2x16({u, v});
+    });
     layers_.push_back(std::move(layer));
 }
 
@@ -60,7 +61,8 @@ glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
     const double share = point.z - static_cast<double>(low.frame);
     // On a kept frame, where traces without v_t stay, the next one has no weight.
     if (after == layers_.end() || share == 0) return flow;
-    return glm::mix(flow, in_plane(after->packed, point.x, point.y), share / static_cast<double>(after->frame - low.frame));
+    return glm::mix(flow, in_plane(after->packed, point.x, point.y),
+                    share / static_cast<double>(after->frame - low.frame));
 }
 
 }  // namespace vvr

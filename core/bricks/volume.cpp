@@ -1,6 +1,7 @@
 #include "core/bricks/volume.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,8 +12,14 @@ namespace vvr {
 
 namespace {
 
-void keep_stronger(Plane<std::uint8_t>& kept, const Plane<std::uint8_t>& other) {
-    std::ranges::transform(kept.pixels(), other.pixels(), kept.pixels().begin(),
+/// Joins two layers' values; each voxel keeps the colour of the stronger one.
+void keep_stronger(Layer& kept, const Plane<std::uint8_t>& scalar, const Plane<Bgr>& colour) {
+    if (!colour.empty()) {
+        for (std::size_t i = 0; i < scalar.pixels().size(); ++i) {
+            if (scalar.pixels()[i] > kept.scalar.pixels()[i]) kept.colour.pixels()[i] = colour.pixels()[i];
+        }
+    }
+    std::ranges::transform(kept.scalar.pixels(), scalar.pixels(), kept.scalar.pixels().begin(),
                            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
 }
 
@@ -21,25 +28,33 @@ void keep_stronger(Plane<std::uint8_t>& kept, const Plane<std::uint8_t>& other) 
 Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t seed_interval)
     : size_(size), capacity_(capacity), step_(step), seed_interval_(seed_interval) {
     if (capacity < 2 || step < 1 || seed_interval < 1) {
-        throw Error(ErrorKind::usage, fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
-                                                  capacity, step));
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}", capacity, step));
     }
 }
 
-void Volume::add(const Field& field) {
+void Volume::add(const Field& field, const Plane<Bgr>& colour) {
     if (field.scalar.size() != size_) {
-        throw Error(ErrorKind::not_video, fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}",
-                                                      field.index, field.scalar.width(), field.scalar.height(),
-                                                      size_.width, size_.height));
+        throw Error(ErrorKind::not_video,
+                    fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
+                                field.scalar.width(), field.scalar.height(), size_.width, size_.height));
+    }
+    if (frames_ == 0) coloured_ = !colour.empty();
+    if (colour.size() != (coloured_ ? size_ : Size{})) {
+        throw Error(
+            ErrorKind::not_video,
+            fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
+                        colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }
     if (layers_.empty() || layers_.back().frames == step_) {
         if (layers() == capacity_) join_pairs();
     }
     if (layers_.empty() || layers_.back().frames == step_) {
-        layers_.push_back({field.index, 1, field.pts, field.pts, field.scalar});
+        layers_.push_back({field.index, 1, field.pts, field.pts, field.scalar, colour});
     } else {
         Layer& layer = layers_.back();
-        keep_stronger(layer.scalar, field.scalar);
+        keep_stronger(layer, field.scalar, colour);
         layer.last_pts = field.pts;
         ++layer.frames;
     }
@@ -69,7 +84,10 @@ bool Volume::seeded(std::int64_t frame) const {
 }
 
 void Volume::release_before(std::int64_t layer) {
-    for (std::int64_t i = 0; i < std::min(layer, layers()); ++i) layers_[static_cast<std::size_t>(i)].scalar = {};
+    for (std::int64_t i = 0; i < std::min(layer, layers()); ++i) {
+        layers_[static_cast<std::size_t>(i)].scalar = {};
+        layers_[static_cast<std::size_t>(i)].colour = {};
+    }
 }
 
 void Volume::join_pairs() {
@@ -78,7 +96,7 @@ void Volume::join_pairs() {
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
         if (i + 1 < layers_.size()) {
-            keep_stronger(layer.scalar, layers_[i + 1].scalar);
+            keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour);
             layer.frames += layers_[i + 1].frames;
             layer.last_pts = layers_[i + 1].last_pts;
         }
@@ -97,14 +115,23 @@ std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {
 }
 
 BrickTexels brick_texels(const Volume& volume, const Brick& brick) {
-    BrickTexels result{brick, volume.size(), {}};
-    const std::size_t area = static_cast<std::size_t>(volume.size().width) * static_cast<std::size_t>(volume.size().height);
+    BrickTexels result{brick, volume.size(), {}, {}};
+    const std::size_t area =
+        static_cast<std::size_t>(volume.size().width) * static_cast<std::size_t>(volume.size().height);
     result.texels.resize(area * static_cast<std::size_t>(result.layers()));
+    if (volume.coloured()) result.coloured.resize(result.texels.size());
     for (std::int64_t i = 0; i < result.layers(); ++i) {
         const std::int64_t layer = std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1);
         // Both axes run against the image's, so a layer is its pixels from the last to the first.
-        std::ranges::reverse_copy(volume.layer(layer).scalar.pixels(),
-                                  result.texels.begin() + static_cast<std::ptrdiff_t>(area * static_cast<std::size_t>(i)));
+        const auto at = static_cast<std::ptrdiff_t>(area * static_cast<std::size_t>(i));
+        const auto scalar = volume.layer(layer).scalar.pixels();
+        std::ranges::reverse_copy(scalar, result.texels.begin() + at);
+        if (!volume.coloured()) continue;
+        const auto coloured = [](const Bgr& bgr, std::uint8_t value) {
+            return std::array<std::uint8_t, 4>{bgr[2], bgr[1], bgr[0], value};
+        };
+        std::ranges::transform(volume.layer(layer).colour.pixels() | std::views::reverse, scalar | std::views::reverse,
+                               result.coloured.begin() + at, coloured);
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,9 +18,10 @@ namespace vvr {
 struct Layer {
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t frames = 0;
-    double pts = 0;                ///< seconds, of its first frame
-    double last_pts = 0;           ///< seconds, of its last frame
+    double pts = 0;       ///< seconds, of its first frame
+    double last_pts = 0;  ///< seconds, of its last frame
     Plane<std::uint8_t> scalar;
+    Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
 };
 
 /// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
@@ -42,18 +44,21 @@ class Volume {
     void keep_flow() { keeps_flow_ = true; }
 
     /// Adds the next frame's field, whose scalar has this volume's size.
-    void add(const Field& field);
+    /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
+    void add(const Field& field, const Plane<Bgr>& colour = {});
 
     Size size() const { return size_; }
     std::int64_t step() const { return step_; }  ///< frames a layer takes now
     std::int64_t frames() const { return frames_; }
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
+    bool coloured() const { return coloured_; }
     const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }
 
     std::span<const FrameSeed> seeds() const { return seeds_; }
     const FlowVolume& flow() const { return flow_; }
 
-    /// Gives back the memory of the scalars of all layers before `layer`; for when they have become textures.
+    /// Gives back the memory of the scalars and colours of all layers before `layer`; for when they have become
+    /// textures.
     void release_before(std::int64_t layer);
 
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
@@ -75,6 +80,7 @@ class Volume {
     std::int64_t step_;
     std::int64_t seed_interval_;
     std::int64_t frames_ = 0;
+    bool coloured_ = false;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
     bool keeps_flow_ = false;
@@ -86,7 +92,8 @@ class Volume {
 struct BrickTexels {
     Brick brick;
     Size size;
-    std::vector<std::uint8_t> texels;  ///< x_C fastest, then y_C, then time; (count + 2) layers
+    std::vector<std::uint8_t> texels;                   ///< x_C fastest, then y_C, then time; (count + 2) layers
+    std::vector<std::array<std::uint8_t, 4>> coloured;  ///< red, green, blue and the scalar; empty without colours
 
     std::int64_t layers() const { return brick.count + 2; }
     std::span<const std::uint8_t> layer(std::int64_t i) const;

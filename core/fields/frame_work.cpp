@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/fields/changes.h"
 #include "core/fields/choice.h"
 #include "core/fields/clean.h"
 #include "core/fields/seeds.h"
@@ -30,6 +31,19 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
         std::ranges::copy(part.u.row(j), whole.u.row(where.y + j).begin() + where.x);
         std::ranges::copy(part.v.row(j), whole.v.row(where.y + j).begin() + where.x);
     }
+}
+
+/// Without what lies beyond a jump of the light: flow methods take it that things keep their brightness.
+Neighbourhood in_one_light(Neighbourhood about, int reach) {
+    for (const int step : {-1, 1}) {
+        const Shot* inner = about[static_cast<std::size_t>(reach)].get();
+        for (int k = 1; k <= reach; ++k) {
+            std::shared_ptr<Shot>& shot = about[static_cast<std::size_t>(reach + step * k)];
+            if (shot == nullptr || inner == nullptr || light_jumps(shot->levels, inner->levels)) shot = nullptr;
+            inner = shot.get();
+        }
+    }
+    return about;
 }
 
 }  // namespace
@@ -60,6 +74,7 @@ std::shared_ptr<Shot> FrameWork::begin(Frame frame) const {
     shot->frame = std::move(frame);
     shot->smooth = smoothed(shot->frame.grey, shot->frame.colour, options_.smooth);
     if (object_ && !object_->adapts()) shot->object = object_->find(shot->smooth);
+    if (flow_) shot->levels = quantiles_of(shot->frame.grey);
     return shot;
 }
 
@@ -88,18 +103,17 @@ Field FrameWork::finish(const Neighbourhood& about) const {
     field.pts = here.frame.pts;
     if (traits.in_order) {
         field.scalar = here.foreground;
-    } else if (!traits.flow) {
+    } else {
         field.scalar = filtered(here, before, {});
     }
-    const Plane<std::uint8_t>& object = traits.shows_object ? field.scalar : here.object;
-    if (flow_ && (traits.flow || here.frame.index % options_.flow.every == 0)) field.flow = flow_of(about, object);
-    if (traits.flow) {
-        field.scalar = flow_ ? filtered(here, before, field.flow) : Plane<std::uint8_t>(here.frame.grey.size());
-    }
-    if (!field.flow.u.empty() && here.frame.index % options_.flow.every == 0) {
-        field.seeds =
-            make_seeds({here.frame.index, field.flow, traits.flow ? here.object : object, here.age}, options_.seeds);
-    }
+    const bool asked = here.frame.index % options_.flow.every == 0;
+    if (!flow_ || (!asked && !traits.flow)) return field;
+
+    const Neighbourhood alike = in_one_light(about, reach_);
+    const Plane<std::uint8_t> moves = moving(alike, traits.shows_object ? field.scalar : here.object);
+    field.flow = flow_of(alike, moves);
+    if (asked) field.seeds = make_seeds({here.frame.index, field.flow, moves, here.age}, options_.seeds);
+    if (traits.flow) field.scalar = filtered(here, before, field.flow);
     return field;
 }
 
@@ -121,13 +135,15 @@ Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, co
     return scalar;
 }
 
-// Where nothing is shown nothing needs to be known: only parts of the picture about the object are looked at, larger
-// than it by what the method wants. Past an end of the clip the end's frame stands again.
-Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& shown) const {
-    const Size size = about[static_cast<std::size_t>(reach_)]->frame.grey.size();
+// Where nothing is shown and where nothing changes nothing needs to be known: only parts of the picture about what
+// moves are looked at, larger than it by what the method wants. Past an end of the clip, or a jump of the light,
+// the last frame stands again.
+Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
+    const Shot& here = *about[static_cast<std::size_t>(reach_)];
+    const Size size = here.frame.grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
-    const std::vector<Rect> parts = options_.flow.everywhere || row_.traits.flow ? std::vector<Rect>{{0, 0, size}}
-                                                                                 : parts_about(shown, flow_->margin());
+    const bool everywhere = options_.flow.everywhere || row_.traits.flow;
+    const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();
     std::vector<const FlowFrame*> frames(static_cast<std::size_t>(2 * reach + 1));
@@ -141,6 +157,18 @@ Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& s
     }
     for (const Rect& part : parts) paste((*flow_)(frames, part), part, flow);
     return flow;
+}
+
+// Of the object only what changes from the frame before, or to the next: the others' noise would be taken for motion.
+Plane<std::uint8_t> FrameWork::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
+    const auto middle = static_cast<std::size_t>(reach_);
+    const Shot& here = *about[middle];
+    Plane<std::uint8_t> result(object.size());
+    for (const std::size_t k : {middle - 1, middle + 1}) {
+        if (reach_ == 0 || about[k] == nullptr) continue;
+        mark_changes(about[k]->smooth.grey, here.smooth.grey, object, result);
+    }
+    return result;
 }
 
 const FlowFrame& FrameWork::prepared(Shot& shot) const {

@@ -20,6 +20,7 @@ struct Shot {
     Frame frame;
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
+    Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps
     Plane<std::uint8_t> foreground;  ///< what a filter gave that must see frames in order
     Plane<std::uint16_t> age;        ///< frames for which each pixel has been part of the object
     FlowFrame flow_frame;            ///< made by the first neighbour that asks for it
@@ -54,8 +55,9 @@ class FrameWork {
 
   private:
     Plane<std::uint8_t> filtered(const Shot& shot, const Shot* before, const Flow& flow) const;
-    Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& shown) const;
+    Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;
     const FlowFrame& prepared(Shot& shot) const;
+    Plane<std::uint8_t> moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const;
 
     FieldOptions options_;
     const FilterRow& row_;

@@ -19,6 +19,9 @@ namespace {
 constexpr int darkest = 3;
 constexpr int brightest = 250;
 
+// Smoothed noise about a level that is cut off: from here on it is more than it seems.
+constexpr int cut_off = 240;
+
 // Every few pixels are enough to learn a light from.
 constexpr int sampling = 3;
 
@@ -86,34 +89,39 @@ std::vector<Class> classes_of(const Planes& reference, const Planes& frame) {
 constexpr double least_gain = 0.4;
 constexpr double most_gain = 2.5;
 
-// The line through the classes, after Theil (1950) and Sen (1968): the median of all slopes between two of them, then
-// the median of what is left. A few classes that an object has covered don't move it.
-Light line_through(const std::vector<Class>& classes) {
+/// Light from what some levels became.
+struct Change {
+    double before;
+    double now;
+    double weight;
+};
+
+// The line through the points, after Theil (1950) and Sen (1968): the median of all slopes between two of them, then
+// the median of what is left. A few points that are wrong don't move it.
+Light line_through(std::span<const Change> changes) {
     std::vector<Vote> slopes;
-    for (const Class& a : classes) {
-        for (const Class& b : classes) {
-            const double distance = b.before() - a.before();
+    for (const Change& a : changes) {
+        for (const Change& b : changes) {
+            const double distance = b.before - a.before;
             if (distance < 12) continue;
-            slopes.push_back({(b.now() - a.now()) / distance, std::sqrt(1.0 * a.total() * b.total()) * distance});
+            slopes.push_back({(b.now - a.now) / distance, std::sqrt(a.weight * b.weight) * distance});
         }
     }
     // A picture of one level doesn't tell a gain from an offset; either will do.
     Light light;
     if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
     std::vector<Vote> offsets;
-    for (const Class& c : classes) offsets.push_back({c.now() - light.gain * c.before(), 1.0 * c.total()});
+    for (const Change& c : changes) offsets.push_back({c.now - light.gain * c.before, c.weight});
     light.offset = weighted_median(offsets);
     return light;
 }
 
-// A channel that was cut off at 255 may have been of any brightness: it is not made darker.
 template <class T>
-Plane<T> in_light(const Plane<T>& plane, const Light& light) {
+Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
     std::array<std::uint8_t, 256> table{};
     for (int level = 0; level < 256; ++level) {
-        const double lit = light.gain * level + light.offset;
-        const double shown = level > brightest ? std::max<double>(lit, level) : lit;
-        table[static_cast<std::size_t>(level)] = static_cast<std::uint8_t>(std::clamp(std::lround(shown), 0L, 255L));
+        table[static_cast<std::size_t>(level)] =
+            static_cast<std::uint8_t>(std::clamp(std::lround(light(level)), 0L, 255L));
     }
     Plane<T> result(plane.size());
     cv::Mat out = cv_view(result);
@@ -121,15 +129,37 @@ Plane<T> in_light(const Plane<T>& plane, const Light& light) {
     return result;
 }
 
-Planes as_it_is(const Planes& reference, const Planes&) {
+Planes as_it_is(const Planes& reference, const Planes&, const Light&) {
     return reference;
 }
 
-Planes relit_globally(const Planes& reference, const Planes& frame) {
-    const Light light = light_between(reference, frame);
-    if (light == Light{}) return reference;
-    return {in_light(reference.grey, light),
-            reference.colour.empty() ? Plane<Bgr>{} : in_light(reference.colour, light)};
+std::span<const std::uint8_t> bytes(const Plane<std::uint8_t>& plane) {
+    return plane.pixels();
+}
+std::span<const std::uint8_t> bytes(const Plane<Bgr>& plane) {
+    return {plane.pixels().front().data(), plane.pixels().size() * 3};
+}
+
+// What was cut off may have been of any brightness beyond: it is as bright as the frame shows it, or more dimly lit.
+template <class T>
+void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T>& lit) {
+    if (reference.empty() || frame.empty()) return;
+    const std::span<const std::uint8_t> before = bytes(reference);
+    const std::span<const std::uint8_t> now = bytes(frame);
+    auto* const out = reinterpret_cast<std::uint8_t*>(lit.pixels().data());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const std::uint8_t brighter = std::max(out[i], now[i]);
+        out[i] = before[i] > cut_off ? brighter : out[i];
+    }
+}
+
+Planes relit_globally(const Planes& reference, const Planes& frame, const Light& light) {
+    Planes lit = in_light(reference, light);
+    if (light.is_visible() && light(255) < 255) {
+        allow_for_cut_off(reference.grey, frame.grey, lit.grey);
+        allow_for_cut_off(reference.colour, frame.colour, lit.colour);
+    }
+    return lit;
 }
 
 // Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
@@ -175,8 +205,8 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     return result;
 }
 
-Planes relit_locally(const Planes& reference, const Planes& frame) {
-    const Planes lit = relit_globally(reference, frame);
+Planes relit_locally(const Planes& reference, const Planes& frame, const Light& light) {
+    const Planes lit = relit_globally(reference, frame, light);
     const Plane<float> blocks = local_gains(lit, frame);
     // The blocks may reach beyond the picture: enlarged as they are, then cut.
     cv::Mat gains;
@@ -201,10 +231,42 @@ Light light_between(const Planes& reference, const Planes& frame) {
     const int looked_at =
         ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
     if (places == 0 || 5 * places < looked_at) return {};
-    const Light light = line_through(classes);
-    // Less than a level anywhere.
-    if (std::abs(light.offset) < 1 && std::abs(255 * (light.gain - 1) + light.offset) < 1) return {};
-    return light;
+    std::vector<Change> changes;
+    for (const Class& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
+    return line_through(changes);
+}
+
+Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {
+    std::array<int, 256> counts{};
+    int total = 0;
+    for (int j = 0; j < grey.height(); j += sampling) {
+        for (int i = 0; i < grey.width(); i += sampling) ++counts[grey.at(i, j)];
+        total += (grey.width() + sampling - 1) / sampling;
+    }
+    Quantiles quantiles{};
+    int below = 0;
+    std::size_t level = 0;
+    for (std::size_t k = 0; k < quantiles.size(); ++k) {
+        const float wanted = static_cast<float>(total) * static_cast<float>(k + 1) / 20;
+        while (static_cast<float>(below + counts[level]) < wanted) below += counts[level++];
+        // Pixels of one level are as good as spread evenly over it.
+        const float part = (wanted - static_cast<float>(below)) / static_cast<float>(counts[level]);
+        quantiles[k] = static_cast<float>(level) - 0.5F + part;
+    }
+    return quantiles;
+}
+
+bool light_jumps(const Quantiles& from, const Quantiles& to) {
+    constexpr float least = 3;
+    std::size_t changed = 0;
+    for (std::size_t k = 0; k < from.size(); ++k) changed += std::abs(to[k] - from[k]) >= least ? 1U : 0U;
+    return 2 * changed > from.size();
+}
+
+Planes in_light(const Planes& picture, const Light& light) {
+    if (!light.is_visible()) return picture;
+    return {plane_in_light(picture.grey, light),
+            picture.colour.empty() ? Plane<Bgr>{} : plane_in_light(picture.colour, light)};
 }
 
 std::span<const IlluminationRow> illuminations() {

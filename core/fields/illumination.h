@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -13,19 +16,35 @@ struct Light {
     double offset = 0;  ///< grey levels
 
     friend bool operator==(const Light&, const Light&) = default;
+
+    double operator()(double level) const { return gain * level + offset; }
+
+    /// Whether it makes a difference of a level somewhere.
+    bool is_visible() const { return std::abs(offset) >= 1 || std::abs((*this)(255) - 255) >= 1; }
 };
 
 /// The change from `reference` to `frame`, from what became of each level of grey in most places. It stands as long
-/// as objects cover less than half of the places of most levels; exactly `Light{}` for changes too small to see.
+/// as objects cover less than half of the places of most levels; `Light{}` where there is nothing to learn from.
 Light light_between(const Planes& reference, const Planes& frame);
+
+/// The levels below which 5 %, 10 %, ... 95 % of a picture's pixels lie.
+using Quantiles = std::array<float, 19>;
+Quantiles quantiles_of(const Plane<std::uint8_t>& grey);
+
+/// Whether the light jumps between two frames near each other: by three levels or more for most pixels. Unlike the
+/// above it compares no pixel with itself, so it stands when everything moves.
+bool light_jumps(const Quantiles& from, const Quantiles& to);
+
+/// A picture as it would look in another light.
+Planes in_light(const Planes& picture, const Light& light);
 
 /// One row of the illumination table: how a change of light between reference and frame is told from an object.
 struct IlluminationRow {
     std::string_view name;
     std::string_view help;
     bool compensates;
-    /// What the picture `reference` would look like in the light of `frame`.
-    Planes (*relit)(const Planes& reference, const Planes& frame);
+    /// What the picture `reference` would look like in the light of `frame`, which has changed by `light` on the whole.
+    Planes (*relit)(const Planes& reference, const Planes& frame, const Light& light);
 };
 
 /// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.

@@ -31,10 +31,13 @@ class ObjectFinder {
     Plane<std::uint8_t> find_and_adapt(const Planes& frame);
 
   private:
-    Plane<std::uint8_t> compare(const Planes& frame, const Reference& reference) const;
+    Light light_of(const Planes& frame, const Reference& reference) const;
+    Plane<std::uint8_t> compare(const Planes& frame, const Reference& reference, const Light& light) const;
 
     const IlluminationRow& illumination_;
     CleanOptions clean_;
+    int min_area_;
+    bool shadows_;
     const Plane<std::uint8_t>& region_;
     Reference reference_;
     std::optional<RunningReference> running_;

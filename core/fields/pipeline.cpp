@@ -104,7 +104,7 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
     validate(options);
     EmptyScene scene{.reference = {}, .region = make_region(options, source.field_size(), source.info().size)};
-    if (needs_reference(options)) scene.reference = make_reference(source, options.reference);
+    if (needs_reference(options)) scene.reference = make_reference(source, options);
 
     const OneThreadInOpenCv one_thread;
     FrameWork work(scene, options);

@@ -61,8 +61,21 @@ Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
 // An odd number, so that the median is the middle value.
 constexpr int frames_for_median = 31;
 
-Reference median_of_clip(FrameSource& clip) {
-    return lasting_reference(clip.sample(frames_for_median));
+/// Frames brought to the light of the first: levels of one pixel can be compared only in one light.
+std::vector<Frame> in_one_light(std::vector<Frame> frames, const IlluminationRow& illumination) {
+    if (!illumination.compensates || frames.empty()) return frames;
+    const Planes first{frames.front().grey, frames.front().colour};
+    for (Frame& frame : frames) {
+        Planes picture{std::move(frame.grey), std::move(frame.colour)};
+        picture = in_light(picture, light_between(picture, first));
+        frame.grey = std::move(picture.grey);
+        frame.colour = std::move(picture.colour);
+    }
+    return frames;
+}
+
+Reference median_of_clip(FrameSource& clip, const IlluminationRow& illumination) {
+    return lasting_reference(in_one_light(clip.sample(frames_for_median), illumination));
 }
 
 /// The clip's first frames, every `step`-th.
@@ -79,13 +92,13 @@ std::vector<Frame> first_frames(FrameSource& clip, int count, int step) {
     return frames;
 }
 
-Reference first_frame(FrameSource& clip) {
+Reference first_frame(FrameSource& clip, const IlluminationRow&) {
     return median_reference(first_frames(clip, 1, 1));
 }
 
 // A stream can't be looked at to its end: two seconds of 25 frames must do to begin with.
-Reference first_seconds(FrameSource& clip) {
-    return median_reference(first_frames(clip, 25, 2));
+Reference first_seconds(FrameSource& clip, const IlluminationRow& illumination) {
+    return median_reference(in_one_light(first_frames(clip, 25, 2), illumination));
 }
 
 constexpr std::array rows{
@@ -131,13 +144,17 @@ void validate_reference(const std::string& kind) {
     }
 }
 
-Reference make_reference(FrameSource& clip, const std::string& kind) {
+Reference make_reference(FrameSource& clip, const FieldOptions& options) {
+    const std::string& kind = options.reference;
     validate_reference(kind);
-    if (is_in_table(kind)) return choose("--reference", kind, rows).make(clip);
-    SourceOptions options;
-    options.field_size = clip.field_size();
-    options.colour = clip.colour();
-    const auto picture = open_source(kind, options);
+    if (is_in_table(kind)) {
+        return choose("--reference", kind, rows)
+            .make(clip, choose("--illumination", options.illumination, illuminations()));
+    }
+    SourceOptions like_clip;
+    like_clip.field_size = clip.field_size();
+    like_clip.colour = clip.colour();
+    const auto picture = open_source(kind, like_clip);
     Frame frame = Scaler(*picture)(*picture->next());
     return {std::move(frame.grey), std::move(frame.colour)};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fields/illumination.h"
+#include "core/fields/options.h"
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
@@ -20,16 +21,16 @@ using Reference = Planes;
 struct ReferenceRow {
     std::string_view name;
     std::string_view help;
-    Reference (*make)(FrameSource& clip);
+    Reference (*make)(FrameSource& clip, const IlluminationRow& illumination);
 };
 
 /// "median", "first", "running".
 std::span<const ReferenceRow> reference_kinds();
 
 /// The empty scene of a clip, after a row of the table or from a picture file, which is brought to the clip's field
-/// size. Leaves the clip at its first frame.
+/// size. Where changes of light are made up for, so they are here. Leaves the clip at its first frame.
 /// \throws Error as validate_reference; io or not_video for a picture that can't be read
-Reference make_reference(FrameSource& clip, const std::string& kind);
+Reference make_reference(FrameSource& clip, const FieldOptions& options);
 
 /// \throws Error usage for what is neither in the table nor the name of a file
 void validate_reference(const std::string& kind);

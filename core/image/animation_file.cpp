@@ -38,7 +38,8 @@ struct Format {
 
 constexpr std::array formats{
     Format{".gif", "gif", {"gif", "gif"}, AV_PIX_FMT_PAL8, "loop=0"},
-    Format{".mp4", "mp4", {"libx264", "mpeg4"}, AV_PIX_FMT_YUV420P, "crf=17,preset=medium,b=12000000,x264-params=log=-1"},
+    Format{
+        ".mp4", "mp4", {"libx264", "mpeg4"}, AV_PIX_FMT_YUV420P, "crf=17,preset=medium,b=12000000,x264-params=log=-1"},
     Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, AV_PIX_FMT_YUV420P, "crf=20,b=12000000,cpu-used=4,deadline=good"},
 };
 
@@ -80,7 +81,9 @@ struct MemoryFile {
         auto& file = *static_cast<MemoryFile*>(opaque);
         const auto size = static_cast<std::int64_t>(file.bytes.size());
         if (whence == AVSEEK_SIZE) return size;
-        const std::int64_t base = whence == SEEK_SET ? 0 : whence == SEEK_CUR ? static_cast<std::int64_t>(file.at) : size;
+        const std::int64_t base = whence == SEEK_SET   ? 0
+                                  : whence == SEEK_CUR ? static_cast<std::int64_t>(file.at)
+                                                       : size;
         if (base + offset < 0 || base + offset > size) return AVERROR(EINVAL);
         file.at = static_cast<std::size_t>(base + offset);
         return base + offset;
@@ -106,9 +109,10 @@ struct AnimationFile::Encoder {
             if (!codec) codec = avcodec_find_encoder_by_name(encoder);
         }
         if (!codec) {
-            throw Error(ErrorKind::io, fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose "
-                                                   "another ending, or single pictures with a field: out.{{frame:4}}.png",
-                                                   name, fmt::join(kind.encoders, " or ")));
+            throw Error(ErrorKind::io,
+                        fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose "
+                                    "another ending, or single pictures with a field: out.{{frame:4}}.png",
+                                    name, fmt::join(kind.encoders, " or ")));
         }
         context.reset(avcodec_alloc_context3(codec));
         context->width = size.width;
@@ -125,7 +129,8 @@ struct AnimationFile::Encoder {
         av_dict_parse_string(&options, kind.quality, "=", ",", 0);
         const int opened = avcodec_open2(context.get(), codec, &options);
         stream = avformat_new_stream(container.get(), nullptr);
-        const int described = stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
+        const int described =
+            stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
         if (stream) stream->time_base = context->time_base;
         const int begun = opened < 0 || described < 0 ? 0 : avformat_write_header(container.get(), &options);
         av_dict_free(&options);
@@ -188,8 +193,8 @@ struct AnimationFile::Encoder {
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
                 // One row or column of less than two pixels stands twice.
-                const Rgba& pixel =
-                    picture.pixels.at(std::min(i, picture.pixels.width() - 1), std::min(j, picture.pixels.height() - 1));
+                const Rgba& pixel = picture.pixels.at(std::min(i, picture.pixels.width() - 1),
+                                                      std::min(j, picture.pixels.height() - 1));
                 for (std::size_t c = 0; c < 3; ++c) {
                     rgb.at(i, j)[c] = static_cast<std::uint8_t>(255 * std::clamp(pixel[c], 0.0F, 1.0F) + 0.5F);
                 }
@@ -197,8 +202,8 @@ struct AnimationFile::Encoder {
         }
         if (!scaler) {
             scaler.reset(sws_getContext(size.width, size.height, AV_PIX_FMT_RGB24, size.width, size.height,
-                                        AV_PIX_FMT_YUV420P, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP, nullptr,
-                                        nullptr, nullptr));
+                                        AV_PIX_FMT_YUV420P, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
+                                        nullptr, nullptr, nullptr));
             check(scaler ? 0 : AVERROR(ENOMEM));
         }
         const std::array<const std::uint8_t*, 1> from = {rgb.pixels().front().data()};

@@ -39,8 +39,7 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     before_ = match.prefix();
     after_ = match.suffix();
     if (std::regex_search(after_, field())) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
+        throw Error(ErrorKind::usage, fmt::format("'{}' has two fields for numbers; a name takes one", path.string()));
     }
     const std::string given = match[0];
     if (given.front() == '#') {
@@ -50,9 +49,10 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     } else {
         counts_ = match[1];
         if (std::ranges::count(counted_things(), counts_) == 0) {
-            throw Error(ErrorKind::usage, fmt::format("'{}' in '{}' is not a field; there are {{frame:4}}, {{brick:4}}, "
-                                                      "#### and %04d{}",
-                                                      given, path.string(), did_you_mean(counts_, counted_things())));
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' in '{}' is not a field; there are {{frame:4}}, {{brick:4}}, "
+                                    "#### and %04d{}",
+                                    given, path.string(), did_you_mean(counts_, counted_things())));
         }
         digits_ = match[2].matched ? digits_of(match[2], given) : 1;
     }

@@ -13,7 +13,9 @@ constexpr std::size_t most_colours = 256;
 // Colours that agree in so many bits of each channel are taken for one.
 constexpr int bits = 6;
 
-int level(float value) { return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F))); }
+int level(float value) {
+    return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+}
 
 std::size_t bin_of(const Rgba& pixel) {
     std::size_t bin = 0;
@@ -77,9 +79,8 @@ Palette::Palette(const Picture& picture) : known_(std::size_t{1} << (3 * bits), 
         const auto worst = std::ranges::max_element(boxes, {}, &Box::error);
         if (worst->error <= 0) break;
         const std::size_t c = worst->widest;
-        const auto upper = std::ranges::partition(worst->entries, [cut = worst->mean[c], c](const Entry& entry) {
-            return entry.colour[c] <= cut;
-        });
+        const auto upper = std::ranges::partition(
+            worst->entries, [cut = worst->mean[c], c](const Entry& entry) { return entry.colour[c] <= cut; });
         const auto lower = worst->entries.first(worst->entries.size() - upper.size());
         if (lower.empty() || upper.empty()) break;
         *worst = Box(lower);

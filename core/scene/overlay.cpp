@@ -10,7 +10,18 @@ namespace {
 
 // Corner i lies at the upper end in x, y, z where bit 0, 1, 2 of i is set.
 constexpr std::array<std::array<int, 2>, 12> edges = {{
-    {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7},
+    {0, 1},
+    {2, 3},
+    {4, 5},
+    {6, 7},
+    {0, 2},
+    {1, 3},
+    {4, 6},
+    {5, 7},
+    {0, 4},
+    {1, 5},
+    {2, 6},
+    {3, 7},
 }};
 
 glm::dvec3 corner(const AxisBox& box, int i) {

@@ -11,10 +11,10 @@ namespace vvr {
 
 /// A point of a traceline as it stands in the vertex buffer.
 struct TraceVertex {
-    glm::vec3 p;     ///< P-space
-    float along;     ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
-    float length;    ///< of the whole line, P-space units
-    float speed;     ///< pixels a frame
+    glm::vec3 p;   ///< P-space
+    float along;   ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
+    float length;  ///< of the whole line, P-space units
+    float speed;   ///< pixels a frame
 };
 
 /// All tracelines in one vertex buffer (§6.2), one after the other: a line begins where `along` is 0.
@@ -24,7 +24,7 @@ struct TraceOptions {
     double dt = 1;             ///< Δt of Eq. (2), frames
     int steps = 60;            ///< Euler steps at most
     double time_velocity = 0;  ///< v_t, frames a frame: 0 keeps a trace within its frame (§5.2)
-    double rest = 0.05;        ///< pixels a frame; slower flow ends the trace: its particle has left what moves
+    double rest = 0.1;         ///< pixels a frame; slower flow ends the trace: its particle has left what moves
     double spacing = 0.004;    ///< P-space units; nearer points are not stored
 };
 

@@ -65,7 +65,10 @@ const std::vector<TransferRow>& transfer_functions() {
         {"blue", "what moved, faint to strong in blue", default_transfer_function().points()},
         {"grey",
          "the same in grey, for print",
-         {{12, {0.62, 0.62, 0.62}, 0}, {48, {0.55, 0.55, 0.55}, 9}, {128, {0.33, 0.33, 0.33}, 32}, {255, {0.08, 0.08, 0.08}, 70}}},
+         {{12, {0.62, 0.62, 0.62}, 0},
+          {48, {0.55, 0.55, 0.55}, 9},
+          {128, {0.33, 0.33, 0.33}, 32},
+          {255, {0.08, 0.08, 0.08}, 70}}},
         {"heat",
          "from yellow over red to black: differences stand out by size",
          {{12, {1.00, 0.86, 0.45}, 0},
@@ -83,7 +86,9 @@ const std::vector<TransferRow>& transfer_functions() {
     return table;
 }
 
-double extinction_of(double opacity) { return -std::log1p(-std::min(opacity, 0.999)) / opacity_length; }
+double extinction_of(double opacity) {
+    return -std::log1p(-std::min(opacity, 0.999)) / opacity_length;
+}
 
 TransferFunction parse_transfer(const std::string& text, const std::string& name) {
     std::vector<TransferPoint> points;
@@ -94,14 +99,14 @@ TransferFunction parse_transfer(const std::string& text, const std::string& name
         const auto words = words_of(line);
         if (words.empty()) continue;
         if (words.size() != columns.size()) {
-            throw Error(ErrorKind::usage, fmt::format("{}: {} numbers; a point has {}: value red green blue opacity", where,
-                                                      words.size(), columns.size()));
+            throw Error(ErrorKind::usage, fmt::format("{}: {} numbers; a point has {}: value red green blue opacity",
+                                                      where, words.size(), columns.size()));
         }
         std::array<double, columns.size()> values{};
         for (std::size_t i = 0; i < columns.size(); ++i) values[i] = number_in(words[i], columns[i], where);
         if (!points.empty() && values[0] <= points.back().value) {
-            throw Error(ErrorKind::usage, fmt::format("{}: value {} follows {}; values have to ascend", where, values[0],
-                                                      points.back().value));
+            throw Error(ErrorKind::usage, fmt::format("{}: value {} follows {}; values have to ascend", where,
+                                                      values[0], points.back().value));
         }
         points.push_back({values[0], {values[1], values[2], values[3]}, extinction_of(values[4])});
     }
@@ -121,8 +126,9 @@ TransferFunction find_transfer(const std::string& name_or_file) {
     }
     std::error_code none;
     if (!std::filesystem::exists(name_or_file, none)) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is neither a transfer function nor a file; there are {}{}",
-                                                  name_or_file, fmt::join(names, ", "), did_you_mean(name_or_file, names)));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is neither a transfer function nor a file; there are {}{}", name_or_file,
+                                fmt::join(names, ", "), did_you_mean(name_or_file, names)));
     }
     return parse_transfer(read_text(name_or_file), name_or_file);
 }

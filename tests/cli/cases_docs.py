@@ -49,6 +49,8 @@ def links_lead_somewhere(t):
     for page in [t.source / "README.md", *(t.source / "docs").glob("*.md")]:
         for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):
             check((page.parent / link).exists(), f"{page.name} links to {link}, which is not there")
+        for name in re.findall(r"`((?:cli|core|gl|glsl|scripts|tests)/[\w./-]*)`", page.read_text()):
+            check((t.source / name).exists(), f"{page.name} names {name}, which is not there")
 
 
 @case

@@ -6,6 +6,7 @@ import cases_backend  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
 import cases_input  # noqa: F401
+import cases_look  # noqa: F401
 import cases_options  # noqa: F401
 import cases_output  # noqa: F401
 import cases_process  # noqa: F401

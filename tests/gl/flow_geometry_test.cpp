@@ -156,8 +156,8 @@ TEST(Tracelines, HideEachOtherAndArrows) {
         shot.options.glyphs.thickness = 1;
         shot.options.glyphs.speed_range = {1, 2};
         shot.options.glyphs.fast_colour = {0, 1, 0};
-        shot.scene.tracelines = line({-0.25F, 0.2F, line_z}, {0.25F, 0.2F, line_z});   // slow
-        shot.scene.arrows = {{{0, -0.2F, arrow_z}, {0, 0.8F, 0}, 2}};                  // fast, upwards across it
+        shot.scene.tracelines = line({-0.25F, 0.2F, line_z}, {0.25F, 0.2F, line_z});  // slow
+        shot.scene.arrows = {{{0, -0.2F, arrow_z}, {0, 0.8F, 0}, 2}};                 // fast, upwards across it
         return draw_volume(volume, shot).picture.at(80, 60);
     };
     const glm::vec4 line_before = middle(0.0F, 0.3F);
@@ -179,8 +179,8 @@ TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
         shot.options.traces.least_width = 1.5F;
         shot.scene.tracelines = line({-0.5F, 0.2F, 0.1F}, {0.5F, 0.2F, 0.1F});
         const Drawn drawn = draw_volume(volume, shot);
-        const double unit = drawn.camera.pixel({1, 0, 0}, shot.options.size).x -
-                            drawn.camera.pixel({0, 0, 0}, shot.options.size).x;
+        const double unit =
+            drawn.camera.pixel({1, 0, 0}, shot.options.size).x - drawn.camera.pixel({0, 0, 0}, shot.options.size).x;
         double covered = 0;
         int columns = 0;
         for (int i = 60; i < 100; ++i, ++columns) {
@@ -285,7 +285,8 @@ TEST(Zebra, MovesInTheDirectionOfTheFlow) {
     const auto alike = [&](double shift) {
         double sum = 0;
         for (int i = 40; i < 120; ++i) {
-            sum += static_cast<double>(std::abs(later.at(i, 60).x - first.at(i - static_cast<int>(std::lround(shift)), 60).x));
+            sum += static_cast<double>(
+                std::abs(later.at(i, 60).x - first.at(i - static_cast<int>(std::lround(shift)), 60).x));
         }
         return -sum;
     };

@@ -62,7 +62,8 @@ TEST_P(EveryView, AgreesWithTheRayCaster) {
         test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.004);
     EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
     EXPECT_LT(test::quantile_difference(drawn.picture, expected, 0.001), 12);
-    EXPECT_GT(test::max_difference(expected, Plane<glm::vec4>(small, glm::vec4(1))), 100) << "there is something to see";
+    EXPECT_GT(test::max_difference(expected, Plane<glm::vec4>(small, glm::vec4(1))), 100)
+        << "there is something to see";
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -89,7 +90,8 @@ TEST(Slicer, ManyBricksLookLikeOne) {
         const Drawn one = draw_volume(volume, shot);
         for (const int bricks : {2, 8, 32}) {
             shot.bricks = bricks;
-            EXPECT_LE(test::max_difference(draw_volume(volume, shot).picture, one.picture), 2) << layout << " " << bricks;
+            EXPECT_LE(test::max_difference(draw_volume(volume, shot).picture, one.picture), 2)
+                << layout << " " << bricks;
         }
     }
 }
@@ -142,6 +144,49 @@ TEST(Slicer, OneLayerAndOnePixelAreVolumesToo) {
         const Drawn drawn = draw_volume(test::full_volume(size, 1), shot);
         EXPECT_GT(test::max_difference(drawn.picture, Plane<glm::vec4>(small, glm::vec4(1))), 20);
     }
+}
+
+TEST(Slicer, ShowsTheVideosOwnColours) {
+    // The left half of the image is orange, the right half green; seen from the front of the box, whose beginning is
+    // the image seen from the side, so look along time.
+    constexpr Size size{32, 24};
+    Volume volume(size, 8);
+    for (int f = 0; f < 8; ++f) {
+        Field field;
+        field.index = f;
+        field.scalar = Plane<std::uint8_t>(size, 255);
+        Plane<Bgr> colour(size, {51, 128, 255});
+        for (int j = 0; j < size.height; ++j) {
+            for (int i = size.width / 2; i < size.width; ++i) colour.at(i, j) = {26, 204, 51};
+        }
+        volume.add(field, colour);
+    }
+    Shot shot = small_shot();
+    shot.layout = "box";
+    shot.options.colour = VolumeColour::video;
+    shot.transfer = TransferFunction({{0, {1, 0, 1}, 400}});
+    shot.options.view = {-90, 0, 0, 0.04};  // from the volume's beginning
+    const Drawn drawn = draw_volume(volume, shot);
+    const auto layout = make_layout("box", shape_for(size));
+    const auto pixel_at = [&](double column) {
+        const glm::dvec2 pixel = drawn.camera.pixel(layout->p_from_c({1 - column / size.width, 0.5, 0}), small);
+        return drawn.picture.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+    };
+    const glm::vec4 left = pixel_at(6);
+    const glm::vec4 right = pixel_at(26);
+    for (const auto& [seen, expected] :
+         {std::pair(left, glm::vec3(1, 0.5, 0.2)), std::pair(right, glm::vec3(0.2, 0.8, 0.1))}) {
+        EXPECT_NEAR(seen.x, expected.x, 0.01);
+        EXPECT_NEAR(seen.y, expected.y, 0.01);
+        EXPECT_NEAR(seen.z, expected.z, 0.01);
+    }
+    EXPECT_LT(drawn.camera.pixel(layout->p_from_c({1 - 6.0 / 32, 0.5, 0}), small).x,
+              drawn.camera.pixel(layout->p_from_c({1 - 26.0 / 32, 0.5, 0}), small).x)
+        << "and it reads as the image does";
+
+    shot.transfer = TransferFunction({{0, {1, 0, 1}, 0}});
+    const Plane<glm::vec4> nothing = draw_volume(volume, shot).picture;
+    EXPECT_EQ(test::max_difference(nothing, Plane<glm::vec4>(small, glm::vec4(1))), 0) << "opacity is the scalar's";
 }
 
 TEST(Slicer, OpaqueGeometryHidesAndIsHidden) {

@@ -86,7 +86,9 @@ TEST(Volume, ThinsSeedsAsItGrows) {
     for (const FrameSeed& at : volume.seeds()) EXPECT_EQ(at.frame % 256, 0);
 }
 
-Flow uniform_flow(Size size, float u, float v) { return {Plane<float>(size, u), Plane<float>(size, v)}; }
+Flow uniform_flow(Size size, float u, float v) {
+    return {Plane<float>(size, u), Plane<float>(size, v)};
+}
 
 TEST(Volume, ThinsFlowWithTheSeeds) {
     Volume volume({2, 2}, 8, 1, 2);
@@ -134,6 +136,32 @@ TEST(Volume, RefusesAFrameOfAnotherSize) {
     EXPECT_THROW(Volume({2, 2}, 1), Error);
 }
 
+TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
+    Volume volume({2, 2}, 2);
+    for (int i = 0; i < 4; ++i) {
+        Field field = frame(i, {2, 2}, 0);
+        field.scalar.at(0, 0) = static_cast<std::uint8_t>(i == 1 ? 90 : 10);
+        volume.add(field, Plane<Bgr>({2, 2}, {static_cast<std::uint8_t>(i), 100, 200}));
+    }
+    ASSERT_EQ(volume.step(), 2);
+    EXPECT_TRUE(volume.coloured());
+    EXPECT_EQ(volume.layer(0).colour.at(0, 0), (Bgr{1, 100, 200}));
+    EXPECT_EQ(volume.layer(0).colour.at(1, 1), (Bgr{0, 100, 200})) << "of equals the first";
+    EXPECT_EQ(volume.layer(1).colour.at(0, 0), (Bgr{2, 100, 200}));
+
+    const BrickTexels texels = brick_texels(volume, {0, 2});
+    ASSERT_EQ(texels.coloured.size(), texels.texels.size());
+    using Texel = std::array<std::uint8_t, 4>;
+    EXPECT_EQ(texels.coloured[4 + 3], (Texel{200, 100, 1, 90})) << "red first, the scalar last, against the image";
+    EXPECT_EQ(texels.texels[4 + 3], 90);
+
+    EXPECT_THROW(volume.add(frame(4, {2, 2}, 0)), Error) << "colours from the first frame on";
+    Volume plain({2, 2}, 2);
+    plain.add(frame(0, {2, 2}, 0));
+    EXPECT_THROW(plain.add(frame(1, {2, 2}, 0), Plane<Bgr>({2, 2})), Error);
+    EXPECT_TRUE(brick_texels(plain, {0, 1}).coloured.empty());
+}
+
 TEST(BrickTexels, RunAgainstTheImageAndHoldTheNeighboursLayers) {
     Volume volume({2, 2}, 8);
     for (int i = 0; i < 4; ++i) {
@@ -169,7 +197,8 @@ TEST(BrickCells, HoldEveryVoxelWithItsNeighbours) {
                 const bool holds = cells.range(i, j, t).high == 77;
                 marked += holds ? 1 : 0;
                 const auto at = [](const std::vector<double>& borders, int cell, double value) {
-                    return borders[static_cast<std::size_t>(cell)] <= value && value < borders[static_cast<std::size_t>(cell) + 1];
+                    return borders[static_cast<std::size_t>(cell)] <= value &&
+                           value < borders[static_cast<std::size_t>(cell) + 1];
                 };
                 if (at(cells.x, i, x) && at(cells.y, j, y) && t == cells.nt() - 1) {
                     EXPECT_TRUE(holds);

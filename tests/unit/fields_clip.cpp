@@ -65,7 +65,7 @@ TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
 
 TEST_F(Clip, ReferenceFromAPicture) {
     std::int64_t lit = 0;
-    FieldOptions options{.reference = path("full.pgm"), .threads = 2};
+    FieldOptions options{.reference = path("full.pgm"), .illumination = "none", .threads = 2};
     run(options, [&](Frame&&, Field&& field) { lit += field.scalar.at(63, 2) > 0; });
     EXPECT_EQ(lit, count);
     options.reference = path("empty.pgm");

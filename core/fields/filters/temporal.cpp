@@ -12,7 +12,8 @@ class Temporal final : public Filter {
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
-        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth));
+        const Light light = illumination_.compensates ? light_between(*input.previous, input.smooth) : Light{};
+        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth, light));
     }
 
   private:

@@ -16,7 +16,11 @@ namespace vvr {
 namespace {
 
 // The coarsest scale: a picture of less holds nothing that can be followed.
-constexpr int smallest_side = 16;
+constexpr int smallest_side = 24;
+
+// The equations are linear in what is missing from the flow and hold for a pixel or so; further than that they are not
+// to be believed, and one wrong leap would be followed by another.
+constexpr float longest_step = 1;
 
 Size half(Size size) {
     return {(size.width + 1) / 2, (size.height + 1) / 2};
@@ -131,8 +135,15 @@ class Pyramid final : public FlowMethod {
             grids.finest().set(flow.u, flow.v);
             grids.improve(1);
             const Flow solved = grids.finest().flow();
-            flow = {median_of_nine(solved.u), median_of_nine(solved.v)};
+            step_toward(flow.u, median_of_nine(solved.u));
+            step_toward(flow.v, median_of_nine(solved.v));
         }
+    }
+
+    static void step_toward(Plane<float>& flow, const Plane<float>& solved) {
+        std::ranges::transform(flow.pixels(), solved.pixels(), flow.pixels().begin(), [](float from, float to) {
+            return from + std::clamp(to - from, -longest_step, longest_step);
+        });
     }
 
     float alpha2_;

@@ -1,0 +1,56 @@
+#include "core/fields/shadows.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace vvr {
+namespace {
+
+// A shadow leaves at least this share of the light, for the sky still shines there. Dark clothes leave less.
+constexpr float darkest = 0.5F;
+
+// By how much the channels' shares may differ: the sky's light is bluer than the sun's.
+constexpr float most_tint = 0.08F;
+
+bool is_shadow(const Bgr& frame, const Bgr& empty) {
+    float least = 10;
+    float most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const float share = (frame[c] + 1.F) / (empty[c] + 1.F);
+        least = std::min(least, share);
+        most = std::max(most, share);
+    }
+    return least > darkest && most < 1 && most - least < most_tint;
+}
+
+struct Point {
+    int x;
+    int y;
+};
+
+}  // namespace
+
+void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
+    if (frame.colour.empty() || empty.colour.empty()) return;
+    const Size size = object.size();
+    std::vector<Point> points;
+    Plane<std::int8_t> votes(size);
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            if (object.at(i, j) == 0) continue;
+            points.push_back({i, j});
+            votes.at(i, j) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
+        }
+    }
+    // One pixel proves nothing: most of those about it must look like a shadow too.
+    for (const auto& [i, j] : points) {
+        int sum = 0;
+        for (int y = std::max(j - 1, 0); y <= std::min(j + 1, size.height - 1); ++y) {
+            for (int x = std::max(i - 1, 0); x <= std::min(i + 1, size.width - 1); ++x) sum += votes.at(x, y);
+        }
+        if (sum > 0) object.at(i, j) = 0;
+    }
+}
+
+}  // namespace vvr
