@@ -30,7 +30,9 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     constexpr std::int64_t source_bytes = 2;    // a pixel of a decoded picture
     constexpr std::int64_t picture_bytes = 36;  // a pixel, as floats in two copies, and encoded
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
-    return program + voxel_bytes * plan.layers * area(source.field_size()) +
+    const std::int64_t flow_bytes =
+        job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
+    return program + flow_bytes * area(source.field_size()) + voxel_bytes * plan.layers * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
            picture_bytes * area(job.picture.size);
 }
