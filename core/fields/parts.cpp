@@ -3,12 +3,10 @@
 #include <utility>
 
 #include "core/fields/flow.h"
+#include "core/fields/tiles.h"
 
 namespace vvr {
 namespace {
-
-// Tiles are looked at, not pixels: a part's border a few pixels further out does no harm.
-constexpr int tile = 16;
 
 // Parts that cover more than this of the picture cost more, with their borders, than the picture.
 constexpr double most_of_it = 0.7;
@@ -29,14 +27,6 @@ Rect around(const Rect& a, const Rect& b) {
 
 long area(const Rect& r) {
     return static_cast<long>(r.size.width) * r.size.height;
-}
-
-bool any(const Plane<std::uint8_t>& plane, const Rect& r) {
-    for (int j = r.y; j < r.y + r.size.height; ++j) {
-        const auto row = plane.row(j).subspan(static_cast<std::size_t>(r.x), static_cast<std::size_t>(r.size.width));
-        if (std::ranges::any_of(row, [](std::uint8_t p) { return p != 0; })) return true;
-    }
-    return false;
 }
 
 Rect grown(const Rect& r, int margin, Size size) {
@@ -67,10 +57,11 @@ void add(std::vector<Rect>& parts, Rect part) {
 std::vector<Rect> parts_about(const Plane<std::uint8_t>& object, int margin) {
     const Size size = object.size();
     std::vector<Rect> parts;
-    for (int y = 0; y < size.height; y += tile) {
-        for (int x = 0; x < size.width; x += tile) {
-            const Rect r{x, y, {std::min(tile, size.width - x), std::min(tile, size.height - y)}};
-            if (any(object, r)) add(parts, grown(r, margin, size));
+    const Plane<std::uint8_t> tiles = occupied_tiles(object);
+    for (int y = 0; y < tiles.height(); ++y) {
+        for (int x = 0; x < tiles.width(); ++x) {
+            if (tiles.at(x, y) == 0) continue;
+            add(parts, grown({x * tile_side, y * tile_side, {tile_side, tile_side}}, margin, size));
         }
     }
     long covered = 0;

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,58 @@ TEST_F(Clip, ReferenceFromAPicture) {
     options.reference = path("empty.pgm");
     run(options, [&](Frame&&, Field&& field) { lit -= field.scalar.at(63, 2) == 0; });
     EXPECT_EQ(lit, 0);
+}
+
+TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
+    for (const char* const filter : {"difference", "temporal", "bands"}) {
+        for (const char* const solver : {"pyramid", "multigrid", "jacobi"}) {
+            FieldOptions options{.filter = filter, .threads = 2};
+            options.flow.solver = solver;
+            options.seeds.grid = 4;
+            std::vector<Field> whole, parts;
+            run(options, [&](Frame&&, Field&& field) { whole.push_back(std::move(field)); });
+            const double seconds = count / 25.0;
+            for (int k = 0; k < 4; ++k) {
+                options.start = k * seconds / 4;
+                options.end = (k + 1) * seconds / 4;
+                const FieldSummary summary =
+                    run(options, [&](Frame&&, Field&& field) { parts.push_back(std::move(field)); });
+                EXPECT_EQ(summary.frames, count / 4);
+            }
+            ASSERT_EQ(parts.size(), whole.size());
+            for (std::size_t f = 0; f < whole.size(); ++f) {
+                ASSERT_EQ(parts[f].index, whole[f].index);
+                ASSERT_TRUE(std::ranges::equal(parts[f].scalar.pixels(), whole[f].scalar.pixels())) << filter << f;
+                ASSERT_TRUE(std::ranges::equal(parts[f].flow.u.pixels(), whole[f].flow.u.pixels())) << solver << f;
+                ASSERT_EQ(parts[f].seeds, whole[f].seeds) << solver << f;
+            }
+            EXPECT_FALSE(whole[5].seeds.empty());
+        }
+    }
+}
+
+TEST_F(Clip, APartWithoutFramesIsAnError) {
+    FieldOptions options;
+    options.start = 100;
+    try {
+        run(options, [](Frame&&, Field&&) {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::not_video);
+        EXPECT_NE(std::string(error.what()).find("between 100 s and its end"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(Clip, WhatIsMaskedIsNotLookedAt) {
+    FieldOptions options{.mask = "0,0 64,0 64,24 0,24", .threads = 2};
+    run(options, [&](Frame&&, Field&& field) {
+        for (int j = 0; j < 23; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width);
+        EXPECT_NE(field.scalar.at(5 * static_cast<int>(field.index) + 3, 28), 0);
+    });
+    options.mask = path("full.pgm");  // all of it is bright
+    run(options, [&](Frame&&, Field&& field) {
+        EXPECT_EQ(std::ranges::count(field.scalar.pixels(), 0), size.width * size.height);
+    });
 }
 
 TEST_F(Clip, ReferenceThatIsNotThere) {

@@ -72,11 +72,11 @@ Plane<float> smoothed(const Plane<float>& plane, std::span<const float> taps) {
     return smooth_any(plane, taps);
 }
 
-PlaneStack barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps,
-                              const Rect& part) {
+void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const Rect& part,
+                        PlaneStack& result) {
     const Size frame = frames.front()->size();
     const std::vector<float> change = differentiated_taps(taps);
-    PlaneStack result(part.size, derivative_planes);
+    result.reset(part.size, derivative_planes);
 
     // The frame smoothed along t: the part with two more pixels on each side for the derivatives along x and y.
     constexpr int border = 2;
@@ -108,12 +108,11 @@ PlaneStack barron_derivatives(std::span<const Plane<float>* const> frames, std::
         weighted_sum(down, five_point, result.row(along_y, j), part.size.width);
         weighted_sum(rows_at(part.x, part.y + j), change, result.row(along_t, j), part.size.width);
     }
-    return result;
 }
 
-PlaneStack cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part) {
+void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part, PlaneStack& result) {
     const Size frame = first.size();
-    PlaneStack result(part.size, derivative_planes);
+    result.reset(part.size, derivative_planes);
     for (int j = 0; j < part.size.height; ++j) {
         const int y = part.y + j;
         const int below = std::min(y + 1, frame.height - 1);
@@ -128,7 +127,6 @@ PlaneStack cube_derivatives(const Plane<float>& first, const Plane<float>& secon
             result.row(along_t, j)[i] = (e - a + f - b + g - c + h - d) / 4;
         }
     }
-    return result;
 }
 
 }  // namespace vvr

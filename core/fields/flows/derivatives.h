@@ -25,10 +25,10 @@ Plane<float> smoothed(const Plane<float>& plane, std::span<const float> taps);
 /// Derivatives after Barron, Fleet and Beauchemin (1994): frames that are smoothed along x and y already are smoothed
 /// along t with `taps`, then differentiated with (1, -8, 0, 8, -1)/12 along each axis.
 /// \param frames as many as `differentiated_taps(taps)` has; the part's derivatives are those of the middle one
-PlaneStack barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps,
-                              const Rect& part);
+void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<const float> taps, const Rect& part,
+                        PlaneStack& result);
 
 /// Derivatives after Horn and Schunck (1981): mean differences along the edges of the cube of 2×2×2 values.
-PlaneStack cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part);
+void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part, PlaneStack& result);
 
 }  // namespace vvr

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array solvers{
     SolverRow{"pyramid",
               "coarse to fine with warping, for motion of many pixels a frame",
-              {.alpha = 12, .iterations = 3, .pre_smooth = 0.8},
+              {.alpha = 15, .iterations = 1, .pre_smooth = 0.8},
               make_pyramid},
     SolverRow{"multigrid",
               "the paper's equations solved to the end, for motion under two pixels a frame",

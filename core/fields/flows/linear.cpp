@@ -1,6 +1,8 @@
 #include <array>
 #include <vector>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
@@ -17,6 +19,13 @@ Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<c
     weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
     return result;
 }
+
+/// What a thread keeps from one frame to the next.
+struct LinearWorkspace {
+    PlaneStack derivatives;
+    LinearSystem system;
+    Multigrid grids;
+};
 
 /// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels a frame.
 class Linear : public FlowMethod {
@@ -37,30 +46,37 @@ class Linear : public FlowMethod {
     Flow operator()(std::span<const FlowFrame* const> frames, const Rect& part) const override {
         std::vector<const Plane<float>*> planes;
         for (const FlowFrame* frame : frames) planes.push_back(&frame->levels.front());
-        return solve(cube_ ? cube(planes, part) : barron_derivatives(planes, taps_, part));
+        LinearWorkspace& work = workspaces_.local();
+        if (cube_) {
+            cube(planes, part, work.derivatives);
+        } else {
+            barron_derivatives(planes, taps_, part, work.derivatives);
+        }
+        return solve(work);
     }
 
   protected:
-    virtual Flow solve(const PlaneStack& derivatives) const = 0;
+    virtual Flow solve(LinearWorkspace& work) const = 0;
 
     float alpha2() const { return alpha2_; }
     int iterations() const { return iterations_; }
 
   private:
     // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
-    PlaneStack cube(std::span<const Plane<float>* const> planes, const Rect& part) const {
+    void cube(std::span<const Plane<float>* const> planes, const Rect& part, PlaneStack& result) const {
         const std::size_t middle = planes.size() / 2;
         const std::size_t first = planes[middle + 1] == planes[middle] ? middle - 1 : middle;
-        if (taps_.size() == 1) return cube_derivatives(*planes[first], *planes[first + 1], part);
+        if (taps_.size() == 1) return cube_derivatives(*planes[first], *planes[first + 1], part, result);
         const std::size_t before = first - taps_.size() / 2;
-        return cube_derivatives(along_time(planes.subspan(before, taps_.size()), taps_),
-                                along_time(planes.subspan(before + 1, taps_.size()), taps_), part);
+        cube_derivatives(along_time(planes.subspan(before, taps_.size()), taps_),
+                         along_time(planes.subspan(before + 1, taps_.size()), taps_), part, result);
     }
 
     float alpha2_;
     int iterations_;
     bool cube_;
     std::vector<float> taps_;
+    mutable oneapi::tbb::enumerable_thread_specific<LinearWorkspace> workspaces_;
 };
 
 class Jacobi final : public Linear {
@@ -71,10 +87,12 @@ class Jacobi final : public Linear {
     int margin() const override { return iterations(); }
 
   private:
-    Flow solve(const PlaneStack& derivatives) const override {
-        LinearSystem system(derivatives, alpha2());
-        system.relax(iterations());
-        return system.flow();
+    Flow solve(LinearWorkspace& work) const override {
+        work.system.reset(work.derivatives.size(), alpha2());
+        work.system.load(work.derivatives);
+        work.system.clear();
+        work.system.relax(iterations());
+        return work.system.flow();
     }
 };
 
@@ -85,10 +103,9 @@ class FullMultigrid final : public Linear {
     int margin() const override { return 32; }
 
   private:
-    Flow solve(const PlaneStack& derivatives) const override {
-        Multigrid grids(derivatives, alpha2());
-        grids.solve(iterations());
-        return grids.finest().flow();
+    Flow solve(LinearWorkspace& work) const override {
+        work.grids.solve(work.derivatives, alpha2(), iterations());
+        return work.grids.finest().flow();
     }
 };
 

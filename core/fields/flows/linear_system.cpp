@@ -20,15 +20,16 @@ constexpr int steps_together = 24;
 // Below this size no grid is coarser.
 constexpr int coarsest = 6;
 
-Size half(Size size) {
-    return {(size.width + 1) / 2, (size.height + 1) / 2};
-}
-
 }  // namespace
 
-LinearSystem::LinearSystem(Size size, float a) : a_(a), work_(size, work_planes), data_(size, data_planes) {}
+void LinearSystem::reset(Size size, float a) {
+    a_ = a;
+    work_.reset(size, work_planes);
+    data_.reset(size, data_planes);
+    turn_ = 0;
+}
 
-LinearSystem::LinearSystem(const PlaneStack& derivatives, float a) : LinearSystem(derivatives.size(), a) {
+void LinearSystem::load(const PlaneStack& derivatives) {
     for (int j = 0; j < size().height; ++j) {
         const float* const gx = derivatives.row(along_x, j);
         const float* const gy = derivatives.row(along_y, j);
@@ -50,6 +51,11 @@ void LinearSystem::invert() {
                                   work_.row(c2, j)};
         invert_tensors(j_and_f, a_, m_and_c, size().width);
     }
+}
+
+void LinearSystem::clear() {
+    work_.clear(u());
+    work_.clear(v());
 }
 
 void LinearSystem::set(const Plane<float>& new_u, const Plane<float>& new_v) {
@@ -95,8 +101,8 @@ void LinearSystem::relax(int steps) {
     }
 }
 
-LinearSystem LinearSystem::coarser() const {
-    LinearSystem coarse(half(size()), a_ / 4);
+void LinearSystem::hand_down(LinearSystem& coarse) const {
+    coarse.reset(half(size()), a_ / 4);
     const int width = size().width;
     for (int j = 0; j < coarse.size().height; ++j) {
         const int lower = std::min(2 * j + 1, size().height - 1);
@@ -109,7 +115,6 @@ LinearSystem LinearSystem::coarser() const {
         }
     }
     coarse.invert();
-    return coarse;
 }
 
 template <class Take>
@@ -148,8 +153,7 @@ void LinearSystem::hand_down_residual(LinearSystem& coarse) const {
         mean_of_pairs(upper[1].get(), r2, coarse.data_.row(f2, j / 2), coarse_width);
     });
     coarse.invert();
-    coarse.work_.clear(coarse.u());
-    coarse.work_.clear(coarse.v());
+    coarse.clear();
 }
 
 void LinearSystem::add(const LinearSystem& coarse) {
@@ -173,27 +177,39 @@ double LinearSystem::residual() const {
     return std::sqrt(sum / (static_cast<double>(size().width) * size().height));
 }
 
-Multigrid::Multigrid(const PlaneStack& derivatives, float a) {
-    grids_.emplace_back(derivatives, a);
-    while (std::max(grids_.back().size().width, grids_.back().size().height) > coarsest) {
-        grids_.push_back(grids_.back().coarser());
+void Multigrid::load(const PlaneStack& derivatives, float a) {
+    const auto grid = [this](std::size_t k) -> LinearSystem& {
+        if (k == grids_.size()) grids_.emplace_back();
+        return grids_[k];
+    };
+    grid(0).reset(derivatives.size(), a);
+    grids_.front().load(derivatives);
+    used_ = 1;
+    while (std::max(grids_[used_ - 1].size().width, grids_[used_ - 1].size().height) > coarsest) {
+        LinearSystem& coarse = grid(used_);
+        grids_[used_ - 1].hand_down(coarse);
+        ++used_;
     }
 }
 
-void Multigrid::solve(int cycles) {
-    grids_.back().relax(2 * coarsest);
-    for (std::size_t k = grids_.size() - 1; k-- > 0;) {
+void Multigrid::solve(const PlaneStack& derivatives, float a, int cycles) {
+    load(derivatives, a);
+    for (std::size_t k = 0; k < used_; ++k) grids_[k].clear();
+    grids_[used_ - 1].relax(2 * coarsest);
+    for (std::size_t k = used_ - 1; k-- > 0;) {
         grids_[k].add(grids_[k + 1]);
         for (int i = 0; i < cycles; ++i) cycle(k);
     }
 }
 
-void Multigrid::improve(int cycles) {
-    for (int i = 0; i < cycles; ++i) cycle(0);
+void Multigrid::improve(const PlaneStack& derivatives, float a, const Flow& flow) {
+    load(derivatives, a);
+    grids_.front().set(flow.u, flow.v);
+    cycle(0);
 }
 
 void Multigrid::cycle(std::size_t from) {
-    const std::size_t last = grids_.size() - 1;
+    const std::size_t last = used_ - 1;
     for (std::size_t k = from; k < last; ++k) {
         grids_[k].relax(2);
         grids_[k].hand_down_residual(grids_[k + 1]);

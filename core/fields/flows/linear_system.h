@@ -14,22 +14,31 @@ namespace vvr {
 /// with the mean over the mask 1/6, 1/12 of [HS81]. Their fixed-point iteration (§4.1) is Jacobi's for it.
 class LinearSystem {
   public:
-    /// The equations of derivatives, with w = 0.
-    LinearSystem(const PlaneStack& derivatives, float a);
+    LinearSystem() = default;
+    LinearSystem(Size size, float a) { reset(size, a); }
+
+    /// Makes room for equations of so many points.
+    void reset(Size size, float a);
+
+    /// Takes the equations of derivatives.
+    void load(const PlaneStack& derivatives);
 
     Size size() const { return work_.size(); }
 
     /// Jacobi steps.
     void relax(int steps);
 
+    /// Takes w = 0.
+    void clear();
+
     /// Takes a flow as w.
     void set(const Plane<float>& u, const Plane<float>& v);
 
     Flow flow() const { return {work_.plane(u()), work_.plane(v())}; }
 
-    /// The same equations on a grid of half the size: J and f are means over 2×2 points, a is a quarter because the
-    /// distance between points is twice as long.
-    LinearSystem coarser() const;
+    /// Makes `coarse` the same equations on a grid of half the size: J and f are means over 2×2 points, a is a quarter
+    /// because the distance between points is twice as long.
+    void hand_down(LinearSystem& coarse) const;
 
     /// Gives the coarser system the residual of this one as its f, and w = 0.
     void hand_down_residual(LinearSystem& coarse) const;
@@ -44,7 +53,7 @@ class LinearSystem {
     enum WorkPlane { u_even, v_even, u_odd, v_odd, m11, m12, m22, c1, c2, work_planes };
     enum DataPlane { j11, j12, j22, f1, f2, data_planes };
 
-    LinearSystem(Size size, float a);
+    static Size half(Size size) { return {(size.width + 1) / 2, (size.height + 1) / 2}; }
 
     int u() const { return turn_ == 0 ? u_even : u_odd; }
     int v() const { return turn_ == 0 ? v_even : v_odd; }
@@ -53,7 +62,7 @@ class LinearSystem {
     template <class Take>
     void for_each_residual(Take take) const;
 
-    float a_;
+    float a_ = 0;
     PlaneStack work_;  ///< flow before and after a step, taking turns, and the coefficients of a step
     PlaneStack data_;  ///< J and f
     int turn_ = 0;
@@ -64,20 +73,20 @@ class LinearSystem {
 /// of three or more a step, a cycle takes the residual down by about ten.
 class Multigrid {
   public:
-    Multigrid(const PlaneStack& derivatives, float a);
+    /// From w = 0. Solving again, be it for another size, takes the same memory again.
+    void solve(const PlaneStack& derivatives, float a, int cycles);
 
-    /// From w = 0.
-    void solve(int cycles);
-
-    /// From the flow given with `finest().set`.
-    void improve(int cycles);
+    /// From a flow that is near, with one cycle.
+    void improve(const PlaneStack& derivatives, float a, const Flow& flow);
 
     LinearSystem& finest() { return grids_.front(); }
 
   private:
+    void load(const PlaneStack& derivatives, float a);
     void cycle(std::size_t from);
 
     std::vector<LinearSystem> grids_;
+    std::size_t used_ = 0;  ///< of them
 };
 
 }  // namespace vvr

@@ -22,27 +22,31 @@ HWY_INLINE void order(Vec& a, Vec& b) {
     a = low;
 }
 
+HWY_INLINE void sort(Vec& a, Vec& b, Vec& c) {
+    order(a, b);
+    order(b, c);
+    order(a, b);
+}
+
 /// Three rows with a border of one value on the left and a vector's length on the right.
 void median_row(const float* above, const float* row, const float* below, float* out, int width) {
     const Tag d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    const float* const rows[3] = {above, row, below};
     for (int x = 0; x < width; x += lanes) {
         // Sort each column; the median of nine is that of the largest small, the middle of the middle and the
         // smallest large one.
-        Vec low[3], middle[3], high[3];
-        for (int k = 0; k < 3; ++k) {
-            low[k] = hn::LoadU(d, rows[0] + x + k);
-            middle[k] = hn::LoadU(d, rows[1] + x + k);
-            high[k] = hn::LoadU(d, rows[2] + x + k);
-            order(low[k], middle[k]);
-            order(middle[k], high[k]);
-            order(low[k], middle[k]);
-        }
-        Vec a = hn::Max(hn::Max(low[0], low[1]), low[2]);
-        order(middle[0], middle[1]);
-        Vec b = hn::Max(middle[0], hn::Min(middle[1], middle[2]));
-        Vec c = hn::Min(hn::Min(high[0], high[1]), high[2]);
+        Vec low0 = hn::LoadU(d, above + x), middle0 = hn::LoadU(d, row + x), high0 = hn::LoadU(d, below + x);
+        Vec low1 = hn::LoadU(d, above + x + 1), middle1 = hn::LoadU(d, row + x + 1),
+            high1 = hn::LoadU(d, below + x + 1);
+        Vec low2 = hn::LoadU(d, above + x + 2), middle2 = hn::LoadU(d, row + x + 2),
+            high2 = hn::LoadU(d, below + x + 2);
+        sort(low0, middle0, high0);
+        sort(low1, middle1, high1);
+        sort(low2, middle2, high2);
+        Vec a = hn::Max(hn::Max(low0, low1), low2);
+        order(middle0, middle1);
+        Vec b = hn::Max(middle0, hn::Min(middle1, middle2));
+        const Vec c = hn::Min(hn::Min(high0, high1), high2);
         order(a, b);
         b = hn::Max(a, hn::Min(b, c));
         hn::StoreU(b, d, out + x);

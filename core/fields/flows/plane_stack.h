@@ -12,19 +12,23 @@ namespace vvr {
 
 /// Planes of floats of one size for the solvers: row j of each lies beside row j of the others, each row starts on
 /// a cache line and may be read and written up to the next two cache lines beyond its end, and there is a border of
-/// one value all round.
+/// one value all round. Values are whatever they are until they are written.
 ///
 /// Rows take an odd number of cache lines. Were it a power of two, the same column of all planes would fall in the
 /// same few places of the cache and push each other out; at 384 columns that costs a third of the speed.
 class PlaneStack {
   public:
     PlaneStack() = default;
-    PlaneStack(Size size, int planes)
-        : size_(size),
-          planes_(planes),
-          stride_((2 * ((size.width + 2 * line) / (2 * line)) + 1) * line),
-          values_(hwy::AllocateAligned<float>(count())) {
-        std::fill_n(values_.get(), count(), 0.F);
+    PlaneStack(Size size, int planes) { reset(size, planes); }
+
+    /// Another size. Memory is kept: the system takes more time to hand out fresh pages than a solver to fill them.
+    void reset(Size size, int planes) {
+        size_ = size;
+        planes_ = planes;
+        stride_ = (2 * ((size.width + 2 * line) / (2 * line)) + 1) * line;
+        if (count() <= capacity_) return;
+        values_ = hwy::AllocateAligned<float>(count());
+        capacity_ = count();
     }
 
     Size size() const { return size_; }
@@ -74,6 +78,7 @@ class PlaneStack {
     Size size_;
     int planes_ = 0;
     std::ptrdiff_t stride_ = 0;
+    std::size_t capacity_ = 0;
     hwy::AlignedFreeUniquePtr<float[]> values_;
 };
 

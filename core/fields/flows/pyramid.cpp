@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
@@ -55,17 +57,18 @@ Plane<float> reduced(const Plane<float>& plane) {
 /// A flow of half the size, brought to `size`: linear between points, and twice as long.
 Plane<float> enlarged(const Plane<float>& coarse, Size size) {
     Plane<float> fine(size);
+    // A coarse row's worth of values, with its edges repeated.
+    std::vector<float> down(static_cast<std::size_t>(coarse.width()) + 2);
     for (int j = 0; j < size.height; ++j) {
-        const int far_row = std::clamp(j / 2 + (j % 2 == 0 ? -1 : 1), 0, coarse.height() - 1);
         const std::span<const float> near = coarse.row(j / 2);
-        const std::span<const float> far = coarse.row(far_row);
-        const auto down = [&](int i) {
-            const auto k = static_cast<std::size_t>(std::clamp(i, 0, coarse.width() - 1));
-            return 1.5F * near[k] + 0.5F * far[k];
-        };
-        for (int i = 0; i < size.width; ++i) {
-            fine.at(i, j) = 0.75F * down(i / 2) + 0.25F * down(i / 2 + (i % 2 == 0 ? -1 : 1));
-        }
+        const std::span<const float> far =
+            coarse.row(std::clamp(j / 2 + (j % 2 == 0 ? -1 : 1), 0, coarse.height() - 1));
+        for (std::size_t i = 0; i < near.size(); ++i) down[i + 1] = 1.5F * near[i] + 0.5F * far[i];
+        down.front() = down[1];
+        down.back() = down[near.size()];
+        const std::span<float> out = fine.row(j);
+        for (std::size_t i = 0; i < out.size(); i += 2) out[i] = 0.75F * down[i / 2 + 1] + 0.25F * down[i / 2];
+        for (std::size_t i = 1; i < out.size(); i += 2) out[i] = 0.75F * down[i / 2 + 1] + 0.25F * down[i / 2 + 2];
     }
     return fine;
 }
@@ -87,7 +90,7 @@ class Pyramid final : public FlowMethod {
           taps_(gaussian_taps(settings.pre_smooth)) {}
 
     int reach() const override { return 1; }
-    int margin() const override { return 24; }
+    int margin() const override { return 16; }
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override {
         FlowFrame frame{grey, {smoothed(grey, taps_)}};
@@ -130,11 +133,11 @@ class Pyramid final : public FlowMethod {
     }
 
     void improve(Flow& flow, const Plane<float>& here, const Plane<float>& next, const Rect& part) const {
+        Workspace& work = workspaces_.local();
         for (int i = 0; i < warps_; ++i) {
-            Multigrid grids(warped_derivatives(here, next, flow, part), alpha2_);
-            grids.finest().set(flow.u, flow.v);
-            grids.improve(1);
-            const Flow solved = grids.finest().flow();
+            warped_derivatives(here, next, flow, part, work.derivatives);
+            work.grids.improve(work.derivatives, alpha2_, flow);
+            const Flow solved = work.grids.finest().flow();
             step_toward(flow.u, median_of_nine(solved.u));
             step_toward(flow.v, median_of_nine(solved.v));
         }
@@ -146,9 +149,16 @@ class Pyramid final : public FlowMethod {
         });
     }
 
+    /// What a thread keeps from one frame to the next.
+    struct Workspace {
+        PlaneStack derivatives;
+        Multigrid grids;
+    };
+
     float alpha2_;
     int warps_;
     std::vector<float> taps_;
+    mutable oneapi::tbb::enumerable_thread_specific<Workspace> workspaces_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace vvr {
 /// are 0: nothing is known there.
 ///
 /// \param here part `part` of the first frame; `flow` is of its size
-PlaneStack warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part);
+void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part,
+                        PlaneStack& result);
 
 }  // namespace vvr
