@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/config_file.h"
+#include "cli/options/config_file.h"
 #include "cli/help.h"
-#include "cli/option.h"
+#include "cli/options/option.h"
 #include "cli/print.h"
 #include "core/error.h"
 #include "core/suggest.h"

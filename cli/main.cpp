@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/commands/command.h"
 #include "cli/log.h"
 #include "cli/report_errors.h"
 #include "cli/signals.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/exit_status.h"
-#include "cli/parse_value.h"
+#include "cli/options/parse_value.h"
 
 namespace vvr {
 namespace {

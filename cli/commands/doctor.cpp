@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/commands/command.h"
+#include "cli/command_line.h"
+#include "cli/options/run.h"
+#include "cli/print.h"
+#include "cli/versions.h"
+#include "gl/context.h"
+
+namespace vvr {
+
+namespace {
+
+std::string describe(const BackendReport& report) {
+    std::string text =
+        fmt::format("{:<14} {}: {}\n", report.name, report.works ? "works" : "does not work", report.what);
+    const auto line = [&text](const std::string& name, const std::string& value) {
+        if (!value.empty()) text += fmt::format("    {:<10} {}\n", name, value);
+    };
+    line("renderer", report.renderer);
+    line("version", report.version);
+    line("reason", report.reason);
+    line("mend with", report.mend);
+    for (std::size_t i = 0; i < report.devices.size(); ++i) line(fmt::format("device {}", i), report.devices[i]);
+    return text;
+}
+
+}  // namespace
+
+ExitStatus run_doctor(const Command& command, Arguments arguments, const Environment& environment) {
+    RunOptions run;
+    CommandLine line(command.name, command.help);
+    add_options(line.app(), run);
+    if (!line.parse(arguments)) return ExitStatus::done;
+    apply(run, environment.log);
+
+    std::string text = version_text();
+    const std::vector<BackendReport> reports = probe_backends();
+    for (const BackendReport& report : reports) text += "\n" + describe(report);
+    print(text);
+    if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
+    environment.log.error("no backend works, so vvr can draw nothing here; the commands above mend it");
+    return ExitStatus::backend;
+}
+
+}  // namespace vvr

@@ -1,0 +1,128 @@
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/commands/command.h"
+#include "cli/command_line.h"
+#include "cli/work/find_frame.h"
+#include "cli/work/open_fields.h"
+#include "cli/options/option.h"
+#include "cli/options/fields.h"
+#include "cli/options/input.h"
+#include "cli/options/run.h"
+#include "cli/progress.h"
+#include "cli/options/words.h"
+#include "core/fields/pipeline.h"
+#include "core/store/data_folder.h"
+
+namespace vvr {
+
+namespace {
+
+struct ExtractSettings {
+    InputOptions input;
+    FieldOptions fields;
+    RunOptions run;
+    std::filesystem::path folder;
+    int flow_every = 1;
+};
+
+void add_options(CLI::App& app, ExtractSettings& settings) {
+    add_option(app, group::output, settings.folder,
+               {"-o,--output", "DIR", "", "a new or empty folder, or one with an older extraction, which is replaced"},
+               [](const std::string& given) { return std::filesystem::path(given); });
+    // Its group isn't that of the fields: it changes what is kept, not what a field is.
+    add_integer(app, group::output, settings.flow_every, 1, 1'000'000,
+                {"--flow-every", "FRAMES", "", "keep flow and seeds of frames whose number is a multiple of it"});
+    add_options(app, settings.input);
+    add_options(app, settings.fields);
+    add_options(app, settings.run);
+}
+
+/// The whole clip, of which the fields then say what part counts: so the empty scene is that of the whole, the frames
+/// beside the part serve as neighbours, and parts fit together.
+std::unique_ptr<FrameSource> open_whole(const ExtractSettings& settings) {
+    InputOptions input = settings.input;
+    input.start.reset();
+    input.end.reset();
+    constexpr bool colour = true;
+    return open_clip(input, colour, settings.run.threads);
+}
+
+FieldOptions options_for(const ExtractSettings& settings, FrameSource& clip) {
+    FieldOptions options = settings.fields;
+    options.threads = settings.run.threads;
+    options.flow.every = settings.flow_every;
+    if (settings.input.start) {
+        const FoundFrame start = frame_at(clip, *settings.input.start, "--start");
+        options.start = settings.input.start->unit == Time::Unit::seconds ? settings.input.start->value : start.pts;
+    }
+    if (const auto& end = settings.input.end) {
+        if (end->unit == Time::Unit::seconds) {
+            options.end = end->value;
+        } else if (const FoundFrame found = find_frame(clip, *end); found.is_there) {
+            options.end = found.pts;
+        }
+    }
+    if (options.end && *options.end <= options.start) throw Error(ErrorKind::usage, "--end has to come after --start");
+    return options;
+}
+
+Metadata settings_of(const CommandLine& line) {
+    Metadata settings;
+    for (const char* name : {group::input, group::fields}) {
+        for (const auto& [option, value] : line.settings(name)) {
+            settings.emplace_back(option, without_folder(option, value));
+        }
+    }
+    return settings;
+}
+
+}  // namespace
+
+ExitStatus run_extract(const Command& command, Arguments arguments, const Environment& environment) {
+    ExtractSettings settings;
+    CommandLine line(command.name, command.help);
+    add_options(line.app(), settings);
+    if (!line.parse(arguments)) return ExitStatus::done;
+    apply(settings.run, environment.log);
+    if (settings.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
+    only_input(settings.input);
+    check_data_folder(settings.folder);
+    const auto begin = std::chrono::steady_clock::now();
+
+    const auto clip = open_whole(settings);
+    const FieldOptions options = options_for(settings, *clip);
+    const bool flow = options.flow.method != "none";
+    Progress progress("frames", settings.input.start || settings.input.end ? 0 : clip->info().frames,
+                      !settings.run.quiet && stderr_is_terminal());
+    std::optional<DataFolder> folder;
+    std::int64_t frames = 0;
+    const FieldSummary summary = compute_fields(*clip, options, [&](Frame&& frame, Field&& field) {
+        // Not before there is something to write: an older extraction stays if this one comes to nothing.
+        if (!folder) folder.emplace(settings.folder, flow ? settings.flow_every : 0);
+        folder->add(frame, field);
+        progress.set(++frames);
+    });
+    progress.clear();
+    Manifest manifest;
+    manifest.clip = clip->info();
+    manifest.field_size = clip->field_size();
+    manifest.damaged = summary.damaged;
+    manifest.settings = settings_of(line);
+    {
+        const auto held = environment.signals.hold();
+        folder->close(std::move(manifest), summary.reference);
+    }
+    if (summary.damaged > 0) {
+        environment.log.warn("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet"));
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    environment.log.info("'{}': {} of {}x{}, {:.1f} s", settings.folder.string(), counted(summary.frames, "frame"),
+                         clip->field_size().width, clip->field_size().height, took.count());
+    return ExitStatus::done;
+}
+
+}  // namespace vvr

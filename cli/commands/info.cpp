@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands/command.h"
+#include "cli/command_line.h"
+#include "cli/work/open_fields.h"
+#include "cli/options/option.h"
+#include "cli/work/plan.h"
+#include "cli/print.h"
+#include "cli/options/render_settings.h"
+#include "cli/options/words.h"
+
+namespace vvr {
+
+namespace {
+
+std::string text_of(Size size) {
+    return fmt::format("{}x{}", size.width, size.height);
+}
+
+std::string or_unknown(double value, const std::string& text) {
+    return value > 0 ? text : "unknown";
+}
+
+std::string as_text(const FieldSource& source, const Plan& plan) {
+    const VideoInfo& info = source.info();
+    std::string text = info.name + "\n";
+    const auto line = [&text](const char* name, const std::string& value) {
+        text += fmt::format("  {:<8} {}\n", name, value);
+    };
+    line("format", fmt::format("{}, {}", info.container, info.codec));
+    line("size", text_of(info.size));
+    line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames a second", info.rate)));
+    line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
+    line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
+    text += "a render of it\n";
+    line("fields", text_of(source.field_size()));
+    line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
+                               counted(plan.step, "frame")));
+    line("bricks", fmt::to_string(plan.bricks));
+    line("memory", fmt::format("about {} MB", plan.bytes / 1'000'000));
+    return text;
+}
+
+std::string as_json(const FieldSource& source, const Plan& plan) {
+    const VideoInfo& info = source.info();
+    const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
+    const nlohmann::ordered_json json{
+        {"name", info.name},
+        {"container", info.container},
+        {"codec", info.codec},
+        {"width", info.size.width},
+        {"height", info.size.height},
+        {"rate", known(info.rate)},
+        {"frames", known(info.frames)},
+        {"seconds", known(info.duration)},
+        {"render",
+         {{"field_width", source.field_size().width},
+          {"field_height", source.field_size().height},
+          {"frames", known(plan.frames)},
+          {"step", plan.step},
+          {"layers", plan.layers},
+          {"bricks", plan.bricks},
+          {"memory_bytes", plan.bytes}}},
+    };
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+ExitStatus run_info(const Command& command, Arguments arguments, const Environment& environment) {
+    RenderSettings settings;
+    bool json = false;
+    CommandLine line(command.name, command.help);
+    line.app().add_flag("--json", json, "for programs: null where the container does not say")->group(group::output);
+    add_options(line.app(), settings);
+    if (!line.parse(arguments)) return ExitStatus::done;
+    apply(settings.run, environment.log);
+    check(settings);
+
+    const auto source = open_fields(settings, line).source;
+    const Plan plan = make_plan(job_for(settings, source->info()), *source);
+    print(json ? as_json(*source, plan) : as_text(*source, plan));
+    return ExitStatus::done;
+}
+
+}  // namespace vvr

@@ -1,0 +1,98 @@
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "cli/commands/command.h"
+#include "cli/command_line.h"
+#include "cli/work/open_fields.h"
+#include "cli/options/option.h"
+#include "cli/options/output.h"
+#include "cli/work/picture_output.h"
+#include "cli/work/plan.h"
+#include "cli/progress.h"
+#include "cli/work/render_clip.h"
+#include "cli/options/render_settings.h"
+#include "cli/options/words.h"
+
+namespace vvr {
+
+namespace {
+
+/// The settings that made the picture, and what they made of this clip.
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
+    Metadata metadata;
+    for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
+        for (const auto& [option, value] : line.settings(name, extracted)) {
+            metadata.emplace_back(option, without_folder(option, value));
+        }
+    }
+    metadata.emplace_back("frames", fmt::to_string(report.frames));
+    metadata.emplace_back("damaged", fmt::to_string(report.damaged));
+    metadata.emplace_back("frames-a-layer", fmt::to_string(report.step));
+    metadata.emplace_back("layers", fmt::to_string(report.layers));
+    metadata.emplace_back("renderer", report.renderer);
+    return metadata;
+}
+
+void log_report(const RenderReport& report, spdlog::logger& log) {
+    const std::string& name = report.info.name;
+    log.debug("backend {}: {}", report.backend, report.renderer);
+    log.debug("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows);
+    if (report.damaged > 0) {
+        log.warn("'{}': {}; the picture shows {} that decoded", name, counted(report.damaged, "damaged packet"),
+                 counted(report.frames, "frame"));
+    }
+    if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
+    if (report.step > 1)
+        log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
+}
+
+RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
+                    spdlog::logger& log) {
+    RenderJob job = job_for(settings, source.info());
+    job.pictures = pictures;
+    const Plan plan = make_plan(job, source);
+    check_memory(plan);
+    Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
+    RenderReport report = render_clip(
+        job, source, [&](std::int64_t frames) { progress.set(frames); },
+        [&](const RenderReport& so_far, int number, Picture&& picture) {
+            progress.clear();
+            sink(so_far, number, std::move(picture));
+        });
+    log_report(report, log);
+    return report;
+}
+
+}  // namespace
+
+ExitStatus run_render(const Command& command, Arguments arguments, const Environment& environment) {
+    RenderSettings settings;
+    OutputOptions output;
+    CommandLine line(command.name, command.help);
+    add_options(line.app(), output);
+    add_options(line.app(), settings);
+    if (!line.parse(arguments)) return ExitStatus::done;
+    apply(settings.run, environment.log);
+    check(settings);
+    check(output);
+    if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
+        throw Error(ErrorKind::usage, "an animation moves the stripes of tracelines, and none are shown: add them with "
+                                      "--show volume,tracelines,outline,frames");
+    }
+    PictureOutput pictures(output, environment.signals);
+    const auto begin = std::chrono::steady_clock::now();
+    const OpenedFields fields = open_fields(settings, line);
+    const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
+        pictures.add(number, picture, describe(line, fields.extracted, report));
+    };
+    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
+    pictures.close();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),
+                         counted(report.layers, "layer"),
+                         counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    return ExitStatus::done;
+}
+
+}  // namespace vvr

@@ -1,0 +1,63 @@
+#include "cli/options/output.h"
+
+#include <fmt/format.h>
+
+#include "cli/options/option.h"
+#include "core/image/animation_file.h"
+#include "core/image/name_pattern.h"
+#include "core/image/picture_file.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int standard_animation = 24;
+
+}  // namespace
+
+void add_options(CLI::App& app, OutputOptions& options) {
+    add_option(app, group::output, options.path,
+               {"-o,--output", "FILE", "",
+                fmt::format("the picture: {}; or animated: {}", fmt::join(picture_endings(), " "),
+                            fmt::join(animation_endings(), " "))},
+               [](const std::string& given) { return std::filesystem::path(given); });
+    add_option(
+        app, group::output, options.animate,
+        {"--animate", "COUNT", "",
+         fmt::format("so many pictures in which stripes run along the tracelines, 2..10000; FILE is animated ({} "
+                     "if not given) or has a field: {{frame:4}}, #### or %04d",
+                     standard_animation)},
+        [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+}
+
+void check(const OutputOptions& options) {
+    if (options.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    const NamePattern name(options.path);
+    const std::string text = options.path.string();
+    if (is_animation(options.path)) {
+        if (!name.has_field()) return;
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
+    }
+    if (name.counts() == "brick") {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': there is one picture of all bricks; --animate takes {{frame}}", text));
+    }
+    if (name.has_field() && !options.animate) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' has a field for many pictures; say how many with --animate", text));
+    }
+    if (options.animate && !name.has_field()) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
+                        "or an animated file: {}",
+                        *options.animate, text, fmt::join(animation_endings(), " ")));
+    }
+}
+
+int pictures_of(const OutputOptions& options) {
+    return options.animate.value_or(is_animation(options.path) ? standard_animation : 1);
+}
+
+}  // namespace vvr

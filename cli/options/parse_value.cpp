@@ -1,0 +1,122 @@
+#include "cli/options/parse_value.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/suggest.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int largest_side = 16384;  // what OpenGL 4 guarantees for a texture or a viewport
+constexpr double longest_clip = 1e9;
+
+[[noreturn]] void refuse(std::string_view text, std::string_view wanted) {
+    throw Error(ErrorKind::usage, fmt::format("'{}' is not {}", text, wanted));
+}
+
+/// All of `text` as a number, whatever the locale.
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+    Number value{};
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stopped != end) return std::nullopt;
+    return value;
+}
+
+std::optional<double> number_within(std::string_view text, Range range) {
+    const auto value = number<double>(text);
+    return value && std::isfinite(*value) && *value >= range.low && *value <= range.high ? value : std::nullopt;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (auto at = text.find(separator); at != std::string_view::npos; at = text.find(separator)) {
+        parts.push_back(text.substr(0, at));
+        text.remove_prefix(at + 1);
+    }
+    parts.push_back(text);
+    return parts;
+}
+
+}  // namespace
+
+double parse_number(std::string_view text, Range range) {
+    const auto value = number_within(text, range);
+    if (!value) refuse(text, fmt::format("a number from {} to {}", range.low, range.high));
+    return *value;
+}
+
+std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high) {
+    const auto value = number<std::int64_t>(text);
+    if (!value || *value < low || *value > high) refuse(text, fmt::format("a whole number from {} to {}", low, high));
+    return *value;
+}
+
+Size parse_size(std::string_view text) {
+    const auto sides = split(text, 'x');
+    const auto width = number<std::int64_t>(sides[0]);
+    const auto height = sides.size() == 2 ? number<std::int64_t>(sides[1]) : std::nullopt;
+    if (!width || !height) refuse(text, "a size like 1280x800");
+    for (const std::int64_t side : {*width, *height}) {
+        if (side < 1 || side > largest_side) {
+            refuse(text, fmt::format("a size from 1x1 to {0}x{0}", largest_side));
+        }
+    }
+    return {static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::pair<double, double> parse_pair(std::string_view text, char separator, Range first, Range second) {
+    const auto parts = split(text, separator);
+    const auto a = number_within(parts[0], first);
+    const auto b = parts.size() == 2 ? number_within(parts[1], second) : std::nullopt;
+    if (!a || !b) {
+        refuse(text,
+               fmt::format("two numbers with '{}' between them, the first from {} to {}, the second from {} to {}",
+                           separator, first.low, first.high, second.low, second.high));
+    }
+    return {*a, *b};
+}
+
+std::string parse_name(std::string_view text, std::span<const std::string> names) {
+    for (const std::string& name : names) {
+        if (name == text) return name;
+    }
+    refuse(text, fmt::format("one of {}{}", fmt::join(names, ", "), did_you_mean(text, names)));
+}
+
+Time parse_time(std::string_view text) {
+    constexpr std::string_view wanted = "a time like 250 (a frame), 12.5s or 00:00:12.5";
+    const auto parts = split(text, ':');
+    if (parts.size() == 1) {
+        if (text.ends_with('s')) {
+            const auto seconds = number_within(text.substr(0, text.size() - 1), {0, longest_clip});
+            if (!seconds) refuse(text, wanted);
+            return {*seconds, Time::Unit::seconds};
+        }
+        const auto frame = number<std::int64_t>(text);
+        if (!frame || *frame < 0 || static_cast<double>(*frame) > longest_clip) refuse(text, wanted);
+        return {static_cast<double>(*frame), Time::Unit::frames};
+    }
+    if (parts.size() > 3) refuse(text, wanted);
+    double seconds = 0;
+    for (const std::string_view part : parts) {
+        // Only the last part may have a fraction, and only the first may be 60 or more.
+        const bool last = part.data() == parts.back().data();
+        const bool first = part.data() == parts.front().data();
+        auto value = number_within(part, {0, first ? longest_clip : 59.9999999});
+        if (value && !last && *value != std::floor(*value)) value.reset();
+        if (!value) refuse(text, wanted);
+        seconds = seconds * 60 + *value;
+    }
+    return {seconds, Time::Unit::seconds};
+}
+
+}  // namespace vvr

@@ -1,0 +1,86 @@
+#include "cli/options/render_settings.h"
+
+#include "cli/options/option.h"
+#include "core/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/pipeline.h"
+
+namespace vvr {
+
+namespace {
+
+double seconds(const Time& time, double rate) {
+    if (time.unit == Time::Unit::seconds) return time.value;
+    return rate > 0 ? time.value / rate : 0;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, RenderSettings& settings) {
+    add_options(app, settings.input);
+    add_integer(app, group::input, settings.input.step, 0, 1'000'000,
+                {"--step", "FRAMES", "", "frames that share a layer; 0 = as few as the window allows"});
+    add_options(app, settings.fields);
+    add_text(app, group::fields, settings.seeds,
+             {"--seeds", "DIR", "", "lists of seeds, as `vvr extract` writes them, instead of computed ones"});
+    add_options(app, settings.bricks);
+    add_options(app, settings.view);
+    add_options(app, settings.look);
+    add_options(app, settings.run);
+    add_options(app, settings.backend);
+}
+
+void check(const RenderSettings& settings) {
+    const InputOptions& input = settings.input;
+    if (input.names.size() < 2) only_input(input);
+    if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
+        throw Error(ErrorKind::usage, "--end has to come after --start");
+    }
+    validate(settings.fields);
+}
+
+bool wants_colour(const RenderSettings& settings) {
+    // Where an object is looked for, colour counts: not only if the picture happens to show some.
+    return find_filter(settings.fields.filter).traits.colour || needs_reference(settings.fields) ||
+           settings.look.shows("frames") || settings.look.volume_colour() == VolumeColour::video;
+}
+
+RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
+    RenderJob job;
+    if (settings.input.start) job.source.start = seconds(*settings.input.start, info.rate);
+    if (settings.input.end && (settings.input.end->unit == Time::Unit::seconds || info.rate > 0)) {
+        job.source.end = seconds(*settings.input.end, info.rate);
+    }
+    job.step = settings.input.step;
+
+    job.bricks = settings.bricks.count;
+    if (const auto& brick = settings.bricks.length) {
+        if (brick->unit == Time::Unit::seconds) job.brick_seconds = brick->value;
+        if (brick->unit == Time::Unit::frames) job.brick_frames = static_cast<std::int64_t>(brick->value);
+    }
+
+    job.layout = settings.view.layout;
+    job.r_min = settings.view.radii.first;
+    job.r_max = settings.view.radii.second;
+    job.height = settings.view.height.value_or(0);
+    job.picture.size = settings.view.size;
+    job.picture.view = view_of(settings.view);
+    job.slice_view = slice_view_of(settings.view);
+    job.picture.slices = settings.view.slices;
+
+    job.show = {settings.look.show.begin(), settings.look.show.end()};
+    job.picture.colour = settings.look.volume_colour();
+    job.transfer = find_transfer(settings.look.transfer);
+    job.opacity = settings.look.opacity;
+    job.traces = settings.look.traces;
+    job.glyphs.time_velocity = settings.look.traces.time_velocity;
+    job.glyphs.frames *= settings.look.glyph_scale;
+    job.glyphs.cap *= settings.look.glyph_scale;
+    job.picture.glyphs.thickness *= static_cast<float>(settings.look.glyph_scale);
+
+    job.backend = settings.backend.backend;
+    job.device = settings.backend.device;
+    return job;
+}
+
+}  // namespace vvr

@@ -1,0 +1,27 @@
+#include "cli/options/run.h"
+
+#include "cli/log.h"
+#include "cli/options/option.h"
+#include "gl/context.h"
+
+namespace vvr {
+
+void add_options(CLI::App& app, RunOptions& options) {
+    add_integer(app, group::run, options.threads, 0, 1024,
+                {"--threads", "COUNT", "", "threads; 0 = one for each core"});
+    app.add_flag("-q,--quiet", options.quiet, "say nothing unless it fails")->group(group::run);
+    app.add_flag("-v,--verbose", options.verbose, "say more")->group(group::run)->excludes("--quiet");
+}
+
+void add_options(CLI::App& app, BackendOptions& options) {
+    add_name(app, group::run, options.backend, backend_names(), {"--backend", "NAME", "", "which OpenGL draws"});
+    add_integer(app, group::run, options.device, -1, 255,
+                {"--device", "NUMBER", "", "EGL device as `vvr doctor` numbers them; -1 = the first that works"});
+}
+
+void apply(const RunOptions& options, spdlog::logger& log) {
+    if (options.quiet) set_talk(log, Talk::quiet);
+    if (options.verbose) set_talk(log, Talk::verbose);
+}
+
+}  // namespace vvr

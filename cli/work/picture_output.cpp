@@ -1,0 +1,38 @@
+#include "cli/work/picture_output.h"
+
+#include "core/image/atomic_file.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths of a second each
+
+}  // namespace
+
+PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : signals_(signals), name_(options.path) {
+    const auto held = signals.hold();
+    if (is_animation(options.path)) {
+        check_file_path(options.path);
+        animation_.emplace(options.path, pictures_a_second);
+    } else {
+        check_picture_path(name_.at(0));
+    }
+}
+
+void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
+    if (animation_) {
+        animation_->add(picture);
+        return;
+    }
+    const auto held = signals_.hold();
+    write_picture(name_.at(number), picture, metadata);
+}
+
+void PictureOutput::close() {
+    if (!animation_) return;
+    const auto held = signals_.hold();
+    animation_->close();
+}
+
+}  // namespace vvr

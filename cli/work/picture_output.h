@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/options/output.h"
+#include "cli/signals.h"
+#include "core/image/animation_file.h"
+#include "core/image/name_pattern.h"
+#include "core/image/picture_file.h"
+
+namespace vvr {
+
+/// Writes the pictures of a render: to one file, to a file each, or to one that is animated.
+class PictureOutput {
+  public:
+    /// What can fail without a picture fails here.
+    /// \throws Error usage or io
+    PictureOutput(const OutputOptions& options, Signals& signals);
+
+    void add(int number, const Picture& picture, const Metadata& metadata);
+
+    /// After the last picture.
+    void close();
+
+  private:
+    Signals& signals_;
+    NamePattern name_;
+    std::optional<AnimationFile> animation_;
+};
+
+}  // namespace vvr
