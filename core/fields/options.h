@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/video/frame_span.h"
+
 namespace vvr {
 
 /// §4.1. Units: pixels of the field, grey levels 0..255.
@@ -38,8 +40,7 @@ struct FieldOptions {
     std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};
     SeedOptions seeds{};
-    double start = 0;             ///< seconds; frames before it serve as neighbours, but give no field
-    std::optional<double> end{};  ///< seconds; the same for frames at it or after it
+    FrameSpan span{};             ///< frames beside it serve as neighbours, but give no field
     int threads = 0;              ///< 0 = one for each core
 };
 

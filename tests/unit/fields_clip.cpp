@@ -85,8 +85,8 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
             run(options, [&](Frame&&, Field&& field) { whole.push_back(std::move(field)); });
             const double seconds = count / 25.0;
             for (int k = 0; k < 4; ++k) {
-                options.start = k * seconds / 4;
-                options.end = (k + 1) * seconds / 4;
+                options.span.start = k * seconds / 4;
+                options.span.end = (k + 1) * seconds / 4;
                 const FieldSummary summary =
                     run(options, [&](Frame&&, Field&& field) { parts.push_back(std::move(field)); });
                 EXPECT_EQ(summary.frames, count / 4);
@@ -105,13 +105,13 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
 
 TEST_F(Clip, APartWithoutFramesIsAnError) {
     FieldOptions options;
-    options.start = 100;
+    options.span.start = 100;
     try {
         run(options, [](Frame&&, Field&&) {});
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::not_video);
-        EXPECT_NE(std::string(error.what()).find("between 100 s and its end"), std::string::npos) << error.what();
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(error.what()).find("has no frame from 100 s to its end: it has"), std::string::npos) << error.what();
     }
 }
 

@@ -207,8 +207,8 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
         fields.reference = "first";
         fields.flow.solver = solver;
         fields.flow.every = 20;
-        fields.start = 10;
-        fields.end = 12;
+        fields.span.start = 10;
+        fields.span.end = 12;
         const std::vector<Field> parts = fields_of(scene, fields);
         fields.flow.everywhere = true;
         const std::vector<Field> whole = fields_of(scene, fields);
@@ -239,8 +239,8 @@ TEST(Walkers, TheDefaultFlowFollowsEachOfThem) {
     FieldOptions fields;
     fields.reference = "first";
     fields.flow.every = 25;
-    fields.start = 5;
-    fields.end = 20;
+    fields.span.start = 5;
+    fields.span.end = 20;
     int seen = 0, followed = 0;
     for (const Field& field : fields_of(scene, fields)) {
         if (field.flow.u.empty()) continue;
