@@ -27,6 +27,7 @@ void check_range(const char* option, T found, T least, T most) {
 
 void validate(const FlowOptions& flow) {
     choose("--flow", flow.method, flow_methods());
+    choose("--flow-area", flow.area, flow_areas());
     choose("--solver", flow.solver, flow_solvers());
     choose("--derivatives", flow.derivatives, derivative_kinds());
     // Less than this and float can't hold α² beside the squares of the derivatives.

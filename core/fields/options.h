@@ -17,7 +17,7 @@ struct FlowOptions {
     std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
     std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
     std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
-    bool everywhere = false;             ///< in the whole frame, not only about what the object covers
+    std::string area = "auto";           ///< a name in the table of flow areas
 };
 
 /// §4.2's three phases: points of a grid that move, put in an order, and some of them taken.

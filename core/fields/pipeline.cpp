@@ -107,7 +107,9 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     if (needs_reference(options)) scene.reference = make_reference(source, options);
 
     const OneThreadInOpenCv one_thread;
-    FrameWork work(scene, options);
+    FieldOptions resolved = options;
+    resolved.flow.area = resolved_area(options.flow.area, source.info().frames);
+    FrameWork work(scene, resolved);
     ClipReader read(source, options.span, work.reach(), work.remembers());
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);

@@ -103,6 +103,18 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
     }
 }
 
+TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
+    const auto still = [&](const char* area) {
+        FieldOptions options{.threads = 2};
+        options.flow.area = area;
+        std::int64_t zeros = 0;
+        run(options, [&](Frame&&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
+        return zeros;
+    };
+    EXPECT_EQ(still("auto"), still("all"));
+    EXPECT_GT(still("moving"), 2 * still("all"));
+}
+
 TEST_F(Clip, APartWithoutFramesIsAnError) {
     FieldOptions options;
     options.span.start = 100;

@@ -150,7 +150,7 @@ TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
     const scene::Scene scene = scene::make_shifted_texture(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     const std::vector<Field> result = fields_of(scene, fields);
     EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
     EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
@@ -166,7 +166,7 @@ TEST(ShiftedTexture, ConvergenceHalvesTheErrorOfSixtySteps) {
     const scene::Scene scene = scene::make_shifted_texture(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     fields.flow.every = 7;
     const auto angle = [&](const char* solver) {
         fields.flow.solver = solver;
@@ -183,7 +183,7 @@ TEST(SpinningSphere, FlowTurns) {
     const scene::Scene scene = scene::make_spinning_sphere(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     const Field field = fields_of(scene, fields)[2];
     const scene::Truth truth = scene.truth(2);
     double sum = 0;
@@ -210,7 +210,7 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
         fields.span.start = 10;
         fields.span.end = 12;
         const std::vector<Field> parts = fields_of(scene, fields);
-        fields.flow.everywhere = true;
+        fields.flow.area = "all";
         const std::vector<Field> whole = fields_of(scene, fields);
         ASSERT_EQ(parts.size(), 50U);
         double sum = 0, most = 0;
