@@ -4,6 +4,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/command_line.h"
+#include "cli/work/golden.h"
 #include "cli/work/open_fields.h"
 #include "cli/options/option.h"
 #include "cli/options/output.h"
@@ -83,15 +84,21 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
     const OpenedFields fields = open_fields(settings, line);
-    const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
+    Picture drawn;
+    const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         pictures.add(number, picture, describe(line, fields.extracted, report));
+        drawn = std::move(picture);
     };
     const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),
+    const std::string target = output.path.empty() ? report.info.name : output.path.string();
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", target, counted(report.frames, "frame"),
                          counted(report.layers, "layer"),
                          counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    if (!output.golden.path.empty()) {
+        meet_golden(output.golden, drawn, describe(line, fields.extracted, report), environment);
+    }
     return ExitStatus::done;
 }
 

@@ -16,6 +16,11 @@ std::vector<std::string> picture_endings();
 ///         can't be written to
 void check_picture_path(const std::filesystem::path& path);
 
+/// The bytes of a picture file, of the format that the ending of `path` names.
+/// \throws Error usage for an ending that is not in the table of formats
+std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
+                                          const Metadata& metadata = {});
+
 /// Writes `picture` with its settings. Same picture and settings, same bytes: no date goes into the file. The target
 /// is replaced as a whole or not touched at all. Linear values are encoded as sRGB in the formats of integers.
 /// \throws Error usage or io, as `check_picture_path` does, and io when the disk is full
