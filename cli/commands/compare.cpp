@@ -28,8 +28,8 @@ ExitStatus run_compare(const Command& command, Arguments arguments, const Enviro
     if (!line.parse(arguments)) return ExitStatus::done;
     apply(run, environment.log);
     if (names.size() != 2) {
-        throw Error(ErrorKind::usage, fmt::format("compare takes two pictures, and was given {}: vvr compare A B",
-                                                  names.size()));
+        throw Error(ErrorKind::usage,
+                    fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names.size()));
     }
     check(options);
 

@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands/command.h"
 #include "cli/command_line.h"
-#include "cli/work/golden.h"
-#include "cli/work/open_fields.h"
+#include "cli/commands/command.h"
 #include "cli/options/option.h"
 #include "cli/options/output.h"
-#include "cli/work/picture_output.h"
-#include "cli/work/plan.h"
-#include "cli/progress.h"
-#include "cli/work/render_clip.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
+#include "cli/progress.h"
+#include "cli/work/golden.h"
+#include "cli/work/open_fields.h"
+#include "cli/work/picture_output.h"
+#include "cli/work/plan.h"
+#include "cli/work/render_clip.h"
 
 namespace vvr {
 
@@ -78,8 +78,9 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     check(settings);
     check(output);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
-        throw Error(ErrorKind::usage, "an animation moves the stripes of tracelines, and none are shown: add them with "
-                                      "--show volume,tracelines,outline,frames");
+        throw Error(ErrorKind::usage,
+                    "an animation moves the stripes of tracelines, and none are shown: add them with "
+                    "--show volume,tracelines,outline,frames");
     }
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();

@@ -47,7 +47,8 @@ void check(const GoldenOptions& options) {
         if (options.bless && !options.comparison.diff.empty()) {
             throw Error(ErrorKind::usage, "--bless compares nothing, so there is nothing for --diff to show");
         }
-        return check_picture_path(options.path);
+        // A folder that is only there to be read is as good to compare with.
+        return options.bless ? check_picture_path(options.path) : check_picture_ending(options.path);
     }
     if (options.bless) throw Error(ErrorKind::usage, "--bless: say which picture is to be blessed with --golden FILE");
     if (!options.comparison.diff.empty()) {

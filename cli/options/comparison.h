@@ -27,7 +27,7 @@ void add_options(CLI::App& app, GoldenOptions& options);
 /// \throws Error usage for a diff of a format that can't be written, io for a place that can't
 void check(const ComparisonOptions& options);
 
-/// The same, and what belongs to a golden picture stands with one only.
+/// The same, for the golden picture too where it is to be written, and that no option stands without one that needs it.
 void check(const GoldenOptions& options);
 
 }  // namespace vvr

@@ -77,7 +77,8 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     }
     const Samples expected = read_samples(golden);
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
-    if (comparison.has_numbers() && !how.diff.empty()) write_picture(how.diff, difference_picture(expected, comparison));
+    if (comparison.has_numbers() && !how.diff.empty())
+        write_picture(how.diff, difference_picture(expected, comparison));
     if (comparison.verdict == Verdict::same) {
         remove_candidate(golden);
         environment.log.info("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}", golden.string(),

@@ -50,11 +50,8 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     json["patch"] = number(comparison.patch);
     json["worst"] = nlohmann::ordered_json::array();
     for (const PixelPair& pixel : comparison.worst) {
-        json["worst"].push_back({{"x", pixel.column},
-                                 {"y", pixel.row},
-                                 {"difference", pixel.difference},
-                                 {"a", pixel.a},
-                                 {"b", pixel.b}});
+        json["worst"].push_back(
+            {{"x", pixel.column}, {"y", pixel.row}, {"difference", pixel.difference}, {"a", pixel.a}, {"b", pixel.b}});
     }
     return json;
 }

@@ -40,10 +40,10 @@ std::optional<Comparison> refusal(const Samples& a, const Samples& b) {
         if (bad > 0) {
             const auto at = std::ranges::find_if(samples->values, [](float value) { return !std::isfinite(value); });
             const auto pixel = (at - samples->values.begin()) / std::ssize(samples->channels);
-            return refuse(Verdict::not_finite,
-                          fmt::format("{} of the {} picture's values {} no number or infinite, first at {},{}", bad,
-                                      which, bad == 1 ? "is" : "are", pixel % samples->size.width,
-                                      pixel / samples->size.width));
+            return refuse(
+                Verdict::not_finite,
+                fmt::format("{} of the {} picture's values {} no number or infinite, first at {},{}", bad, which,
+                            bad == 1 ? "is" : "are", pixel % samples->size.width, pixel / samples->size.width));
         }
         which = "second";
     }
@@ -131,7 +131,8 @@ Comparison compare(const Samples& a, const Samples& b, const Tolerance& toleranc
     }
     const auto pixels = comparison.pixels.pixels();
     comparison.off = std::ranges::count_if(pixels, [&](float value) { return value > tolerance.level; });
-    comparison.percent = 100 * static_cast<double>(comparison.off) / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
+    comparison.percent =
+        100 * static_cast<double>(comparison.off) / static_cast<double>(std::max<std::size_t>(1, pixels.size()));
     comparison.patch = worst_patch(comparison.pixels);
     comparison.worst = worst_of(a, b, comparison.pixels);
     judge(comparison, tolerance);

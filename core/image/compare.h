@@ -10,9 +10,9 @@ namespace vvr {
 
 /// What two pictures may differ by and still count as the same. Values are 0..1, as the files hold them.
 struct Tolerance {
-    double level = 0.02;   ///< a pixel is off where one of its channels differs by more
-    double percent = 1;    ///< so many of the pixels may be off
-    double patch = 0.03;   ///< the mean difference of any patch of `patch_size` by `patch_size` pixels may be so large
+    double level = 0.02;  ///< a pixel is off where one of its channels differs by more
+    double percent = 1;   ///< so many of the pixels may be off
+    double patch = 0.03;  ///< the mean difference of any patch of `patch_size` by `patch_size` pixels may be so large
 };
 
 /// Pixels along a side of a patch: about as wide as an arrow, so that a change a person would see fills one, while
@@ -41,16 +41,16 @@ struct PixelPair {
 /// in size, for one, there are no numbers.
 struct Comparison {
     Verdict verdict = Verdict::same;
-    std::string reason;       ///< why they are not the same, for people; empty where they are
-    double mean = 0;          ///< of the absolute differences of all values
+    std::string reason;  ///< why they are not the same, for people; empty where they are
+    double mean = 0;     ///< of the absolute differences of all values
     double max = 0;
     double rms = 0;
-    double psnr = 0;          ///< dB for values 0..1; infinite where nothing differs
-    std::int64_t off = 0;     ///< pixels that differ by more than the tolerance's level
-    double percent = 0;       ///< the same, of all
-    double patch = 0;         ///< mean difference of the patch that differs most
+    double psnr = 0;               ///< dB for values 0..1; infinite where nothing differs
+    std::int64_t off = 0;          ///< pixels that differ by more than the tolerance's level
+    double percent = 0;            ///< the same, of all
+    double patch = 0;              ///< mean difference of the patch that differs most
     std::vector<PixelPair> worst;  ///< ten at most that differ, the worst first
-    Plane<float> pixels;      ///< the largest difference of each pixel's channels
+    Plane<float> pixels;           ///< the largest difference of each pixel's channels
 
     bool has_numbers() const { return !pixels.empty(); }
 };

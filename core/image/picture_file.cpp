@@ -90,8 +90,12 @@ std::vector<std::string> picture_endings() {
     return endings;
 }
 
-void check_picture_path(const std::filesystem::path& path) {
+void check_picture_ending(const std::filesystem::path& path) {
     format_of(path);
+}
+
+void check_picture_path(const std::filesystem::path& path) {
+    check_picture_ending(path);
     check_file_path(path);
 }
 

@@ -11,6 +11,10 @@ namespace vvr {
 /// Endings of the picture files that can be written, with their dots.
 std::vector<std::string> picture_endings();
 
+/// Says whether there is a format for the ending of `path`.
+/// \throws Error usage
+void check_picture_ending(const std::filesystem::path& path);
+
 /// Says before any long work whether `write_picture` could write to `path`.
 /// \throws Error usage for an ending that is not in the table of formats, io for a folder that isn't there or that
 ///         can't be written to

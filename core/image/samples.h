@@ -18,7 +18,8 @@ struct Samples {
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {
-        const auto place = static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
+        const auto place =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
         return std::span(values).subspan(place * channels.size(), channels.size());
     }
 };

@@ -94,7 +94,8 @@ TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
     const Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
     write_picture(file("a" + GetParam()), picture, metadata);
 
-    EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))), GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
+    EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))),
+              GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
     Metadata read = read_metadata(file("a" + GetParam()));
     std::ranges::sort(read);
     EXPECT_EQ(read, (Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
