@@ -14,7 +14,7 @@ enum class ExitStatus {
     backend = 4,    ///< no OpenGL backend, or OpenGL failed
     limit = 5,      ///< out of memory, or over a stated limit
     partial = 6,    ///< some of several inputs failed
-    differs = 7,    ///< a picture differs from its reference
+    differs = 7,    ///< a picture differs from its golden one, or there is none
     bug = 70,       ///< an error that vvr should have foreseen
 };
 

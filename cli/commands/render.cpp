@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands/command.h"
 #include "cli/command_line.h"
-#include "cli/work/open_fields.h"
+#include "cli/commands/command.h"
 #include "cli/options/option.h"
 #include "cli/options/output.h"
-#include "cli/work/picture_output.h"
-#include "cli/work/plan.h"
-#include "cli/progress.h"
-#include "cli/work/render_clip.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
+#include "cli/progress.h"
+#include "cli/work/golden.h"
+#include "cli/work/open_fields.h"
+#include "cli/work/picture_output.h"
+#include "cli/work/plan.h"
+#include "cli/work/render_clip.h"
 
 namespace vvr {
 
@@ -77,21 +78,28 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     check(settings);
     check(output);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
-        throw Error(ErrorKind::usage, "an animation moves the stripes of tracelines, and none are shown: add them with "
-                                      "--show volume,tracelines,outline,frames");
+        throw Error(ErrorKind::usage,
+                    "an animation moves the stripes of tracelines, and none are shown: add them with "
+                    "--show volume,tracelines,outline,frames");
     }
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
     const OpenedFields fields = open_fields(settings, line);
-    const auto write = [&](const RenderReport& report, int number, const Picture& picture) {
+    Picture drawn;
+    const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         pictures.add(number, picture, describe(line, fields.extracted, report));
+        drawn = std::move(picture);
     };
     const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", output.path.string(), counted(report.frames, "frame"),
+    const std::string target = output.path.empty() ? report.info.name : output.path.string();
+    environment.log.info("'{}': {} in {} and {}, {:.1f} s", target, counted(report.frames, "frame"),
                          counted(report.layers, "layer"),
                          counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    if (!output.golden.path.empty()) {
+        meet_golden(output.golden, drawn, describe(line, fields.extracted, report), environment);
+    }
     return ExitStatus::done;
 }
 

@@ -28,10 +28,18 @@ void add_options(CLI::App& app, OutputOptions& options) {
                      "if not given) or has a field: {{frame:4}}, #### or %04d",
                      standard_animation)},
         [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+    add_options(app, options.golden);
 }
 
 void check(const OutputOptions& options) {
-    if (options.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    check(options.golden);
+    if (options.path.empty() && options.golden.path.empty()) {
+        throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    }
+    if (!options.golden.path.empty() && pictures_of(options) > 1) {
+        throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
+    }
+    if (options.path.empty()) return;
     const NamePattern name(options.path);
     const std::string text = options.path.string();
     if (is_animation(options.path)) {

@@ -5,12 +5,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/options/comparison.h"
+
 namespace vvr {
 
-/// Where the picture goes, or the pictures.
+/// Where the picture goes, or the pictures, and what it is compared with.
 struct OutputOptions {
     std::filesystem::path path;
     std::optional<int> animate;  ///< pictures of the moving texture
+    GoldenOptions golden;
 };
 
 void add_options(CLI::App& app, OutputOptions& options);

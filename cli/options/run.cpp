@@ -9,6 +9,10 @@ namespace vvr {
 void add_options(CLI::App& app, RunOptions& options) {
     add_integer(app, group::run, options.threads, 0, 1024,
                 {"--threads", "COUNT", "", "threads; 0 = one for each core"});
+    add_talk_options(app, options);
+}
+
+void add_talk_options(CLI::App& app, RunOptions& options) {
     app.add_flag("-q,--quiet", options.quiet, "say nothing unless it fails")->group(group::run);
     app.add_flag("-v,--verbose", options.verbose, "say more")->group(group::run)->excludes("--quiet");
 }

@@ -21,6 +21,10 @@ struct BackendOptions {
 };
 
 void add_options(CLI::App& app, RunOptions& options);
+
+/// Only those about what is said, for a command that has nothing to share out among threads.
+void add_talk_options(CLI::App& app, RunOptions& options);
+
 void add_options(CLI::App& app, BackendOptions& options);
 
 /// Makes the log as talkative as asked for.

@@ -11,6 +11,7 @@ constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths o
 }  // namespace
 
 PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : signals_(signals), name_(options.path) {
+    if (options.path.empty()) return;
     const auto held = signals.hold();
     if (is_animation(options.path)) {
         check_file_path(options.path);
@@ -21,6 +22,7 @@ PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : s
 }
 
 void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
+    if (name_.path().empty()) return;
     if (animation_) {
         animation_->add(picture);
         return;

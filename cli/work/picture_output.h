@@ -10,7 +10,7 @@
 
 namespace vvr {
 
-/// Writes the pictures of a render: to one file, to a file each, or to one that is animated.
+/// Writes the pictures of a render: to one file, to a file each, to one that is animated, or nowhere.
 class PictureOutput {
   public:
     /// What can fail without a picture fails here.

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/image/atomic_file.h"
+#include "core/image/samples.h"
 #include "core/suggest.h"
 #include "core/version.h"
 
@@ -80,14 +81,6 @@ void add_attributes(OIIO::ImageSpec& spec, const Format& format, const Metadata&
     if (!format.settings && !lines.empty()) spec.attribute("ImageDescription", lines);
 }
 
-std::unique_ptr<OIIO::ImageInput> open_picture(const std::filesystem::path& path) {
-    auto input = OIIO::ImageInput::open(path.string());
-    if (!input) {
-        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), OIIO::geterror()));
-    }
-    return input;
-}
-
 }  // namespace
 
 std::vector<std::string> picture_endings() {
@@ -97,12 +90,17 @@ std::vector<std::string> picture_endings() {
     return endings;
 }
 
-void check_picture_path(const std::filesystem::path& path) {
+void check_picture_ending(const std::filesystem::path& path) {
     format_of(path);
+}
+
+void check_picture_path(const std::filesystem::path& path) {
+    check_picture_ending(path);
     check_file_path(path);
 }
 
-void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {
+std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
+                                          const Metadata& metadata) {
     const Format& format = format_of(path);
     const auto pixels = picture.pixels.pixels();
     const bool opaque = std::ranges::all_of(pixels, [](const Rgba& pixel) { return pixel[3] >= 1; });
@@ -116,7 +114,6 @@ void write_picture(const std::filesystem::path& path, const Picture& picture, co
     if (format.settings) spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     add_attributes(spec, format, metadata);
 
-    // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
     OIIO::Filesystem::IOVecOutput encoded;
     const auto output = OIIO::ImageOutput::create(std::string(format.ending.substr(1)));
     const bool done = output && output->set_ioproxy(&encoded) && output->open(path.string(), spec) &&
@@ -125,23 +122,23 @@ void write_picture(const std::filesystem::path& path, const Picture& picture, co
         throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", path.string(),
                                                output ? output->geterror() : OIIO::geterror()));
     }
-    replace_file(path, std::as_bytes(std::span(encoded.buffer())));
+    return encoded.buffer();
+}
+
+void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {
+    // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
+    const std::vector<unsigned char> encoded = encode_picture(path, picture, metadata);
+    replace_file(path, std::as_bytes(std::span(encoded)));
 }
 
 Picture read_picture(const std::filesystem::path& path) {
-    const auto input = open_picture(path);
-    const OIIO::ImageSpec& spec = input->spec();
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
-    std::vector<float> values(spec.image_pixels() * channels);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) {
-        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), input->geterror()));
-    }
+    const Samples samples = read_samples(path);
+    const std::size_t channels = samples.channels.size();
     const bool grey = channels < 3;
     const bool alpha = channels == 2 || channels >= 4;
-    Picture picture{Plane<Rgba>(Size{spec.width, spec.height})};
-    picture.encoding = spec.get_string_attribute("oiio:ColorSpace") == "Linear" ? Encoding::linear : Encoding::srgb;
+    Picture picture{Plane<Rgba>(samples.size), samples.encoding};
     for (std::size_t i = 0; i < picture.pixels.pixels().size(); ++i) {
-        const auto from = std::span(values).subspan(i * channels, channels);
+        const auto from = std::span(samples.values).subspan(i * channels, channels);
         picture.pixels.pixels()[i] = {from[0], from[grey ? 0 : 1], from[grey ? 0 : 2],
                                       alpha ? from[grey ? 1 : 3] : 1.0F};
     }
@@ -149,7 +146,10 @@ Picture read_picture(const std::filesystem::path& path) {
 }
 
 Metadata read_metadata(const std::filesystem::path& path) {
-    const auto input = open_picture(path);
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), OIIO::geterror()));
+    }
     Metadata metadata;
     for (const auto& attribute : input->spec().extra_attribs) {
         const std::string name = attribute.name().string();

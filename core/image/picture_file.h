@@ -11,10 +11,19 @@ namespace vvr {
 /// Endings of the picture files that can be written, with their dots.
 std::vector<std::string> picture_endings();
 
+/// Says whether there is a format for the ending of `path`.
+/// \throws Error usage
+void check_picture_ending(const std::filesystem::path& path);
+
 /// Says before any long work whether `write_picture` could write to `path`.
 /// \throws Error usage for an ending that is not in the table of formats, io for a folder that isn't there or that
 ///         can't be written to
 void check_picture_path(const std::filesystem::path& path);
+
+/// The bytes of a picture file, of the format that the ending of `path` names.
+/// \throws Error usage for an ending that is not in the table of formats
+std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
+                                          const Metadata& metadata = {});
 
 /// Writes `picture` with its settings. Same picture and settings, same bytes: no date goes into the file. The target
 /// is replaced as a whole or not touched at all. Linear values are encoded as sRGB in the formats of integers.

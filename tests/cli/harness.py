@@ -83,6 +83,12 @@ class Bench:
         self.ffmpeg("-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration={seconds}", *codec, name)
         return name
 
+    def scene(self, name, clip, *options):
+        """A generated scene, of which everything is known."""
+        done = self.run([os.environ["VVR_SCENE"], name, clip, *options])
+        check(done.status == 0, str(done))
+        return clip
+
     def files(self):
         """Everything in the folder, hidden files too."""
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))

@@ -3,8 +3,11 @@
 import sys
 
 import cases_backend  # noqa: F401
+import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
+import cases_examples  # noqa: F401
+import cases_golden  # noqa: F401
 import cases_input  # noqa: F401
 import cases_look  # noqa: F401
 import cases_options  # noqa: F401

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/image/compare.h"
+#include "core/image/picture.h"
+
+namespace vvr {
+
+/// Where two pictures differ, over the first of them in pale grey: yellow for a little, by way of red to black for
+/// all of the range. Weak differences are lifted, so that none goes unseen.
+/// \param comparison one with numbers
+Picture difference_picture(const Samples& a, const Comparison& comparison);
+
+/// The same in letters for a terminal, at most `columns` wide, framed: the strongest difference of each cell, from
+/// ` ` for at most `level`, by way of `.:-=+*#%`, to `@` for all of the range.
+std::string difference_letters(const Plane<float>& pixels, double level, int columns = 60);
+
+}  // namespace vvr
