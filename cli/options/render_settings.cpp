@@ -30,12 +30,13 @@ void add_options(CLI::App& app, RenderSettings& settings) {
     add_options(app, settings.backend);
 }
 
-void check(const RenderSettings& settings) {
+void check(const RenderSettings& settings, bool series) {
     const InputOptions& input = settings.input;
     if (input.names.size() < 2) only_input(input);
     if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
         throw Error(ErrorKind::usage, "--end has to come after --start");
     }
+    check(settings.bricks, series);
     validate(settings.fields);
 }
 
@@ -53,7 +54,7 @@ RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
     }
     job.step = settings.input.step;
 
-    job.bricks = settings.bricks.count;
+    job.bricks = settings.bricks.count.value_or(standard_window);
     if (const auto& brick = settings.bricks.length) {
         if (brick->unit == Time::Unit::seconds) job.brick_seconds = brick->value;
         if (brick->unit == Time::Unit::frames) job.brick_frames = static_cast<std::int64_t>(brick->value);
