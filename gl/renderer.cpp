@@ -37,9 +37,18 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
 
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
     textures_.upload(number, texels);
-    const double t_span = static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span, *layout_)});
+    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span(texels), *layout_)});
+}
+
+void Renderer::renew_ends(std::int64_t number, const BrickTexels& texels) {
+    textures_.upload_ends(number, texels);
+    const auto held = std::ranges::find(window_, number, &Held::number);
+    held->cells = brick_cells(texels, t_span(texels), *layout_);
+}
+
+double Renderer::t_span(const BrickTexels& texels) const {
+    return static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
 }
 
 std::vector<PlacedBrick> Renderer::place() const {

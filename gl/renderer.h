@@ -46,6 +46,10 @@ class Renderer {
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickTexels& texels);
 
+    /// Renews what the texels of a brick in the window repeat of its neighbours, after one has come or gone. So the
+    /// window looks as if nothing stood before or after it, and moving it is the same as drawing it afresh.
+    void renew_ends(std::int64_t number, const BrickTexels& texels);
+
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(Scene scene);
 
@@ -72,6 +76,7 @@ class Renderer {
     std::vector<PlacedBrick> place() const;
 
   private:
+    double t_span(const BrickTexels& texels) const;
     void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {

@@ -14,13 +14,14 @@
 #include "cli/work/picture_output.h"
 #include "cli/work/plan.h"
 #include "cli/work/render_clip.h"
+#include "cli/work/render_series.h"
 
 namespace vvr {
 
 namespace {
 
 /// The settings that made the picture, and what they made of this clip.
-Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report, bool series) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (const auto& [option, value] : line.settings(name, extracted)) {
@@ -28,7 +29,13 @@ Metadata describe(const CommandLine& line, const Metadata& extracted, const Rend
         }
     }
     metadata.emplace_back("frames", fmt::to_string(report.frames));
-    metadata.emplace_back("damaged", fmt::to_string(report.damaged));
+    if (series) {
+        // Damage is only known at the end of the clip.
+        metadata.emplace_back("first-frame", fmt::to_string(report.first_frame));
+        metadata.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", report.first_pts, report.last_pts));
+    } else {
+        metadata.emplace_back("damaged", fmt::to_string(report.damaged));
+    }
     metadata.emplace_back("frames-a-layer", fmt::to_string(report.step));
     metadata.emplace_back("layers", fmt::to_string(report.layers));
     metadata.emplace_back("renderer", report.renderer);
@@ -40,8 +47,11 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
     log.debug("backend {}: {}", report.backend, report.renderer);
     log.debug("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows);
     if (report.damaged > 0) {
-        log.warn("'{}': {}; the picture shows {} that decoded", name, counted(report.damaged, "damaged packet"),
+        log.warn("'{}': {}; shown are {} that decoded", name, counted(report.damaged, "damaged packet"),
                  counted(report.frames, "frame"));
+    }
+    if (report.frames_missing) {
+        log.warn("'{}' holds only the clip's first and last picture; --show frames draws no others", name);
     }
     if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
     if (report.step > 1)
@@ -49,20 +59,31 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
 }
 
 RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
-                    spdlog::logger& log) {
+                    bool series, spdlog::logger& log) {
     RenderJob job = job_for(settings);
     job.pictures = pictures;
+    job.series = series;
     const Plan plan = make_plan(job, source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
-    RenderReport report = render_clip(
-        job, source, [&](std::int64_t frames) { progress.set(frames); },
-        [&](const RenderReport& so_far, int number, Picture&& picture) {
-            progress.clear();
-            sink(so_far, number, std::move(picture));
-        });
+    const FrameProgress count = [&](std::int64_t frames) { progress.set(frames); };
+    const PictureSink write = [&](const RenderReport& so_far, int number, Picture&& picture) {
+        progress.clear();
+        sink(so_far, number, std::move(picture));
+    };
+    const RenderReport report =
+        series ? render_series(job, source, count, write) : render_clip(job, source, count, write);
     log_report(report, log);
     return report;
+}
+
+/// What came of it, in a line.
+std::string outcome(const OutputOptions& output, const RenderReport& report) {
+    const std::string name = output.path.empty() ? report.info.name : output.path.string();
+    const std::string frames = counted(report.frames, "frame");
+    if (is_series(output)) return fmt::format("'{}': {} of {}", name, counted(report.pictures, "picture"), frames);
+    return fmt::format("'{}': {} in {} and {}", name, frames, counted(report.layers, "layer"),
+                       counted(std::ssize(report.bricks), "brick"));
 }
 
 }  // namespace
@@ -75,8 +96,9 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     add_options(line.app(), settings);
     if (!line.parse(arguments)) return ExitStatus::done;
     apply(settings.run, environment.log);
-    check(settings);
     check(output);
+    const bool series = is_series(output);
+    check(settings, series);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "
@@ -87,18 +109,15 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     const OpenedFields fields = open_fields(settings, line);
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
-        pictures.add(number, picture, describe(line, fields.extracted, report));
+        pictures.add(number, picture, describe(line, fields.extracted, report, series));
         drawn = std::move(picture);
     };
-    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
+    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, series, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    const std::string target = output.path.empty() ? report.info.name : output.path.string();
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", target, counted(report.frames, "frame"),
-                         counted(report.layers, "layer"),
-                         counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    environment.log.info("{}, {:.1f} s", outcome(output, report), took.count());
     if (!output.golden.path.empty()) {
-        meet_golden(output.golden, drawn, describe(line, fields.extracted, report), environment);
+        meet_golden(output.golden, drawn, describe(line, fields.extracted, report, series), environment);
     }
     return ExitStatus::done;
 }

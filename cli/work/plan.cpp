@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/work/render_series.h"
 #include "core/error.h"
 
 namespace vvr {
@@ -52,6 +53,14 @@ void check_memory(const Plan& plan) {
 Plan make_plan(const RenderJob& job, const FieldSource& source) {
     Plan plan;
     plan.frames = source.expected_frames();
+    if (job.series) {
+        const SlidingWindow window = sliding_window(job, source);
+        plan.step = window.step;
+        plan.layers = window.layers();
+        plan.bricks = window.bricks;
+        plan.bytes = bytes_of(job, plan, source);
+        return plan;
+    }
     plan.step = planned_step(job, plan.frames);
     while (plan.frames > job.max_layers * plan.step) plan.step *= 2;
     plan.layers = plan.frames > 0 ? (plan.frames + plan.step - 1) / plan.step : job.max_layers;

@@ -17,9 +17,9 @@ namespace vvr {
 
 /// Everything that decides how a clip becomes a picture.
 struct RenderJob {
-    std::int64_t max_layers = 800;   ///< of the window; a longer clip is sampled in time
-    std::int64_t step = 0;           ///< frames a layer takes; 0 = as many as max_layers asks for
-    int bricks = 8;                  ///< K, where brick_seconds and brick_frames are 0
+    std::int64_t max_layers = 800;  ///< of the window; a longer clip is sampled in time
+    std::int64_t step = 0;          ///< frames a layer takes; 0 = as many as max_layers asks for
+    int bricks = 8;                 ///< K, where brick_seconds and brick_frames are 0; of a series, k
     double brick_seconds = 0;
     std::int64_t brick_frames = 0;
 
@@ -28,10 +28,11 @@ struct RenderJob {
     double r_max = 1;
     double height = 0;  ///< y_s; 0 = square pixels
 
+    bool series = false;    ///< a picture for each brick, while a window of `bricks` of them slides over the clip
     int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;  ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();
-    double opacity = 1;     ///< factor on its extinctions
+    double opacity = 1;  ///< factor on its extinctions
     GlyphOptions glyphs;
     TraceOptions traces;
     std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
@@ -48,16 +49,19 @@ const std::vector<std::string>& show_words();
 struct RenderReport {
     VideoInfo info;
     Size field_size;
-    std::int64_t frames = 0;    ///< that reached the volume
+    std::int64_t frames = 0;  ///< that reached the volume
     std::int64_t damaged = 0;
-    double first_pts = 0;       ///< seconds
+    double first_pts = 0;  ///< seconds
     double last_pts = 0;
+    std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t layers = 0;
     std::int64_t step = 1;      ///< frames a layer
     std::vector<Brick> bricks;  ///< in layers
+    std::int64_t pictures = 1;  ///< so far
     std::size_t arrows = 0;
-    bool still = false;         ///< nothing in the volume is visible
-    std::string renderer;       ///< GL_RENDERER
+    bool still = false;           ///< nothing in the volume is visible
+    bool frames_missing = false;  ///< frames that should stand in the picture came without one
+    std::string renderer;         ///< GL_RENDERER
     std::string backend;
 };
 

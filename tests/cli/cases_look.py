@@ -40,7 +40,7 @@ def animated_files(t):
 def animations_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", *LINES).expect(1, "--animate makes 3 pictures, but 'out.png' is the name of one")
-    t.render("clip.avi", *LINES, output="a.####.png").expect(1, "'a.####.png' has a field", "--animate")
+    t.render("clip.avi", *LINES, output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate")
     t.render("clip.avi", "--animate", "3", output="a.gif").expect(1, "none are shown: add them with --show")
     t.render("clip.avi", "--animate", "3", *LINES, output="a.{farme}.png").expect(1, "did you mean 'frame'?")
     t.render("clip.avi", "--animate", "3", *LINES, output="a.##.gif").expect(1, "its name takes no field")
