@@ -123,7 +123,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     renderer.set_scene(std::move(scene));
     for (int i = 0; i < job.pictures; ++i) {
         report.pictures = i + 1;
-        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+        sink(report, i, draw_picture(job, renderer, volume, static_cast<double>(i) / job.pictures));
     }
     return report;
 }

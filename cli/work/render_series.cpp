@@ -118,7 +118,8 @@ class Series {
         report_.arrows = scene.arrows.size();
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
-        sink_(report_, static_cast<int>(newest_), to_picture(renderer_.draw(scene)));
+        renderer_.set_scene(std::move(scene));
+        sink_(report_, static_cast<int>(newest_), draw_picture(job_, renderer_, volume_));
     }
 
     const RenderJob& job_;
