@@ -107,8 +107,7 @@ PictureLayers Renderer::draw_layers(const TimeTable& times) {
     PictureLayers layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
                          Plane<float>(options_.size, -1)};
     for (const Tile& tile : tiles_) {
-        draw_tile_layers(stack, times.frames_a_layer(), tile);
-        const Plane<glm::vec4> seen = seen_->read(tile.size);
+        const Plane<glm::vec4> seen = draw_tile_seen(stack, times.frames_a_layer(), tile);
         for (int j = 0; j < tile.size.height; ++j) {
             for (int i = 0; i < tile.size.width; ++i) {
                 const glm::vec4& state = seen.at(i, j);
@@ -123,15 +122,23 @@ PictureLayers Renderer::draw_layers(const TimeTable& times) {
     return layers;
 }
 
-void Renderer::draw_tile_layers(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile) {
+Plane<glm::vec4> Renderer::draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile) {
     const GladGLContext& gl = *gl_;
     const Camera camera = camera_.cropped(tile, options_.size);
     seen_->begin(tile.size);
     flow_geometry_.draw_seen(camera, options_.glyphs);
     traceline_strips_.draw_seen(camera, tile.size, options_.traces);
+    const Plane<glm::vec4> opaque = seen_->read(tile.size);
+    seen_->begin_before_geometry();
     slicer_.draw_seen(place(), textures_, camera, stack, frames_a_layer, *seen_);
     for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame_seen(frame, *layout_, camera, *seen_);
+    Plane<glm::vec4> seen = seen_->read(tile.size);
     check_gl(gl, "drawing the layers");
+    std::ranges::transform(opaque.pixels(), seen.pixels(), seen.pixels().begin(),
+                           [](const glm::vec4& behind, const glm::vec4& before) {
+                               return behind.w > 0 && before.w <= 0.5F ? behind : before;
+                           });
+    return seen;
 }
 
 void Renderer::draw_unread(double phase) {

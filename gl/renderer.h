@@ -62,9 +62,10 @@ class Renderer {
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(double phase = 0);
 
-    /// What is seen in each pixel of the picture, at its centre: of all that shows a frame, what contributes most to
-    /// it. Lines show none and hide nothing. It takes a pass of its own, and leaves `draw` as it is. \param times of
-    /// the frames of the bricks and the scene
+    /// What is seen in each pixel of the picture, at its centre: opaque geometry where it contributes at least as much
+    /// as all that stands before it, else the sample of the volume, or the standing frame, that contributes most.
+    /// Lines show no frame and hide none. It takes a pass of its own, and leaves `draw` as it is.
+    /// \param times of the frames of the bricks and the scene
     PictureLayers draw_layers(const TimeTable& times);
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
@@ -86,7 +87,7 @@ class Renderer {
 
   private:
     double t_span(const BrickTexels& texels) const;
-    void draw_tile_layers(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile);
+    Plane<glm::vec4> draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile);
     void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {
