@@ -7,6 +7,9 @@
 
 namespace vvr {
 
+/// \throws Error limit when the driver has no framebuffers with so many samples a pixel
+void check_samples(const GladGLContext& gl, int samples);
+
 /// The lower left `size` of the bound framebuffer, top row first.
 Plane<glm::vec4> read_pixels(const GladGLContext& gl, Size size);
 

@@ -6,6 +6,7 @@
 
 #include "cli/work/build_scene.h"
 #include "gl/context.h"
+#include "gl/framebuffer.h"
 
 namespace vvr {
 
@@ -79,6 +80,7 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
     const std::int64_t expected = expected_frames(source.info(), job.source);
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
