@@ -38,7 +38,8 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
-      camera_(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size)),
+      camera_(
+          options.camera.value_or(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size))),
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),

@@ -27,6 +27,7 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
+    std::optional<Camera> camera;    ///< instead of the one that holds the volume from `view`
     bool hold_box = false;           ///< the camera holds the layout's box, not only the volume in it
     int slices = 0;                  ///< 0 = one for every two voxels
     int samples = 4;                 ///< a pixel, for smooth edges; 1 takes about half the time
