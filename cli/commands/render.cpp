@@ -58,11 +58,8 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
-                    bool series, spdlog::logger& log) {
-    RenderJob job = job_for(settings);
-    job.pictures = pictures;
-    job.series = series;
+RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldSource& source, const PictureSink& sink,
+                    spdlog::logger& log) {
     const Plan plan = make_plan(job, source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
@@ -72,7 +69,7 @@ RenderReport render(const RenderSettings& settings, FieldSource& source, int pic
         sink(so_far, number, std::move(picture));
     };
     const RenderReport report =
-        series ? render_series(job, source, count, write) : render_clip(job, source, count, write);
+        job.series ? render_series(job, source, count, write) : render_clip(job, source, count, write);
     log_report(report, log);
     return report;
 }
@@ -110,9 +107,13 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         pictures.add(number, picture, describe(line, fields.extracted, report, series));
-        drawn = std::move(picture);
+        drawn = {std::move(picture.pixels), picture.encoding, {}};
     };
-    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, series, environment.log);
+    RenderJob job = job_for(settings);
+    job.pictures = pictures_of(output);
+    job.series = series;
+    job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);
+    const RenderReport report = render(settings, job, *fields.source, write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("{}, {:.1f} s", outcome(output, report), took.count());

@@ -52,6 +52,7 @@ RenderJob job_for(const RenderSettings& settings) {
     job.picture.view = view_of(settings.view);
     job.slice_view = slice_view_of(settings.view);
     job.picture.slices = settings.view.slices;
+    job.picture.samples = settings.view.samples;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
     job.picture.colour = settings.look.volume_colour();

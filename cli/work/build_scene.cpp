@@ -57,12 +57,12 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.show.contains("outline")) scene.lines = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
     if (job.show.contains("frames")) {
         constexpr float opacity = 0.5F;
-        const auto stand = [&scene](double t, const Frame& frame) {
+        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number) {
             Plane<Bgr> picture = standing_picture(frame);
-            if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity});
+            if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
         };
-        stand(0, ends.first);
-        stand(volume.t_end(), ends.last);
+        stand(0, ends.first, 0);
+        stand(volume.t_end(), ends.last, volume.frames() - 1);
     }
     return scene;
 }
@@ -92,8 +92,10 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
     return true;
 }
 
-Picture to_picture(const Plane<glm::vec4>& drawn) {
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase) {
+    const Plane<glm::vec4> drawn = renderer.draw(phase);
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
+    if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
     std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
         return Rgba{p.x, p.y, p.z, p.w};
     });

@@ -36,6 +36,7 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
 
-Picture to_picture(const Plane<glm::vec4>& drawn);
+/// Draws what the renderer holds, with its layers where the job wants them.
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase = 0);
 
 }  // namespace vvr

@@ -27,9 +27,9 @@ std::int64_t bricks_of(const RenderJob& job, const Plan& plan, double rate) {
 std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource& source) {
     constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
-    constexpr std::int64_t field_bytes = 30;    // a pixel of a frame in flight: colour, planes of floats, flow
-    constexpr std::int64_t source_bytes = 2;    // a pixel of a decoded picture
-    constexpr std::int64_t picture_bytes = 36;  // a pixel, as floats in two copies, and encoded
+    constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
+    constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
+    const std::int64_t picture_bytes = job.layers ? 72 : 36;  // a pixel, as floats in two copies, and encoded
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats

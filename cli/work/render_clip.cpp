@@ -6,6 +6,7 @@
 
 #include "cli/work/build_scene.h"
 #include "gl/context.h"
+#include "gl/framebuffer.h"
 
 namespace vvr {
 
@@ -69,6 +70,7 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
     const std::int64_t expected = source.expected_frames();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -113,7 +115,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     renderer.set_scene(std::move(scene));
     for (int i = 0; i < job.pictures; ++i) {
         report.pictures = i + 1;
-        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+        sink(report, i, draw_picture(job, renderer, volume, static_cast<double>(i) / job.pictures));
     }
     return report;
 }

@@ -29,6 +29,7 @@ struct RenderJob {
     double height = 0;  ///< y_s; 0 = square pixels
 
     bool series = false;    ///< a picture for each brick, while a window of `bricks` of them slides over the clip
+    bool layers = false;    ///< pictures come with what each of their pixels shows
     int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;  ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();

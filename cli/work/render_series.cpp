@@ -10,6 +10,7 @@
 #include "cli/work/build_scene.h"
 #include "core/error.h"
 #include "gl/context.h"
+#include "gl/framebuffer.h"
 #include "gl/context_loan.h"
 
 namespace vvr {
@@ -118,7 +119,8 @@ class Series {
         report_.arrows = scene.arrows.size();
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
-        sink_(report_, static_cast<int>(newest_), to_picture(renderer_.draw(scene)));
+        renderer_.set_scene(std::move(scene));
+        sink_(report_, static_cast<int>(newest_), draw_picture(job_, renderer_, volume_));
     }
 
     const RenderJob& job_;
@@ -153,6 +155,7 @@ SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source) {
 RenderReport render_series(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                            const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
     Series series(job, source, *context, sink);
     const FieldNeeds needs = needs_of(job, source, sliding_window(job, source).frames());
     // Fields come from other threads in turn, which draw when a brick is full.

@@ -50,6 +50,25 @@ def animations_that_cannot_be(t):
 
 
 @case
+def samples_smooth_edges(t):
+    t.clip()
+    for samples in ("1", "4"):
+        t.render("clip.avi", "--samples", samples, "--show", "outline", "--backend", "software",
+                 output=f"{samples}.png").expect(0)
+    t.render("clip.avi", "--show", "outline", "--backend", "software").expect(0)
+
+    def greys(name):
+        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt gray - | od -An -v -tu1 -w1 | sort -u"])
+        return len(raw.out.split())
+    check(greys("1.png") == 2, f"one sample: {greys('1.png')} shades, not that of the paper and that of the line")
+    check(greys("4.png") > 3, f"four samples: {greys('4.png')} shades")
+    check(greys("out.png") == greys("4.png"), "four is what it is without the option")
+    t.render("clip.avi", "--samples", "64", "--backend", "software", output="no.png").expect(
+        5, "--samples 64: this OpenGL has at most ", "or fewer")
+    check(not t.path("no.png").exists(), "a picture all the same")
+
+
+@case
 def transfer_functions(t):
     t.clip()
     t.write("mine.tf", "0 0 0 0 0\n255, 1, 0, 0, 1  # red\n")
