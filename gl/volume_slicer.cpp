@@ -133,7 +133,7 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
     const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
     for (const int i : layout_->back_to_front(from, borders)) {
         const PlacedBrick& brick = bricks[static_cast<std::size_t>(i)];
-        const SliceMesh mesh = cut_slices(brick, *layout_, transfer_, camera, stack);
+        const SliceMesh mesh = cut_slices(bricks, static_cast<std::size_t>(i), *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
         textures.bind(brick.number);
         // The texture has a layer more at each end than the brick.

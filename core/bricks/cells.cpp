@@ -9,7 +9,9 @@ namespace vvr {
 namespace {
 
 // Voxels. Smaller cells leave out more of what is empty, larger ones make fewer triangles; measured on street scenes.
-constexpr int cell_side = 12;
+// A cell's box leaves out what is empty at its sides, but not before and after: hence they are shorter in time.
+constexpr int cell_side = 32;
+constexpr int cell_layers = 16;
 
 std::vector<double> borders(int cells) {
     std::vector<double> result(static_cast<std::size_t>(cells) + 1);
@@ -19,49 +21,101 @@ std::vector<double> borders(int cells) {
     return result;
 }
 
-int cells_along(std::int64_t voxels) { return static_cast<int>((voxels + cell_side - 1) / cell_side); }
+int cells_along(std::int64_t voxels, int side) { return static_cast<int>((voxels + side - 1) / side); }
 
-/// First and last of the `count` texels of one axis that touch cell `i` of `cells`, `apron` texels more on each side.
-std::array<std::int64_t, 2> touched(int i, int cells, std::int64_t count, double apron) {
+/// First and last of the texels of one axis that touch a cell.
+struct Reach {
+    std::int64_t first;
+    std::int64_t last;
+};
+
+/// What cell `i` of `cells` touches of `count` texels, `apron` texels more on each side.
+Reach reach(int i, int cells, std::int64_t count, double apron) {
     const double scale = static_cast<double>(count) / cells;
     const auto low = static_cast<std::int64_t>(std::floor(i * scale - 0.5 - apron));
     const auto high = static_cast<std::int64_t>(std::ceil((i + 1) * scale - 0.5 + apron));
     return {std::clamp<std::int64_t>(low, 0, count - 1), std::clamp<std::int64_t>(high, 0, count - 1)};
 }
 
-/// The range of every cell of one texel layer, joined into `into`.
-void join_layer(std::span<const std::uint8_t> layer, Size size, const std::vector<std::array<std::int64_t, 2>>& columns,
-                const std::vector<std::array<std::int64_t, 2>>& rows, std::vector<ValueRange>& into) {
-    std::vector<ValueRange> of_row(columns.size());
-    for (int j = 0; j < size.height; ++j) {
-        const auto row = layer.subspan(static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width),
-                                       static_cast<std::size_t>(size.width));
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            ValueRange range;
-            for (std::int64_t i = columns[c][0]; i <= columns[c][1]; ++i) {
-                const std::uint8_t value = row[static_cast<std::size_t>(i)];
-                range.low = std::min(range.low, value);
-                range.high = std::max(range.high, value);
-            }
-            of_row[c] = range;
-        }
-        for (std::size_t r = 0; r < rows.size(); ++r) {
-            if (j < rows[r][0] || j > rows[r][1]) continue;
-            for (std::size_t c = 0; c < columns.size(); ++c) {
-                ValueRange& cell = into[r * columns.size() + c];
-                cell.low = std::min(cell.low, of_row[c].low);
-                cell.high = std::max(cell.high, of_row[c].high);
+/// The texel layers that cell `i` of `cells` touches in time. Texel layer l stands at (l - 1 + 0.5) / count of the
+/// brick: one more layer before the brick than in it.
+Reach layers_reach(int i, int cells, const BrickTexels& texels) {
+    const double scale = static_cast<double>(texels.brick.count) / cells;
+    const auto low = static_cast<std::int64_t>(std::floor(i * scale + 0.5));
+    const auto high = static_cast<std::int64_t>(std::ceil((i + 1) * scale + 0.5));
+    return {std::max<std::int64_t>(low, 0), std::min(high, texels.layers() - 1)};
+}
+
+/// The extremes over some layers of each texel of a strip of rows. Whole rows at a time: the compiler makes vectors of
+/// that, and it is as fast as the texels can be read.
+class Strip {
+  public:
+    explicit Strip(int width) : width_(static_cast<std::size_t>(width)) {}
+
+    void join(const BrickTexels& texels, Reach rows, Reach layers) {
+        rows_ = rows;
+        const auto first = static_cast<std::size_t>(rows.first) * width_;
+        const std::size_t count = static_cast<std::size_t>(rows.last - rows.first + 1) * width_;
+        low_.assign(count, 255);
+        high_.assign(count, 0);
+        for (std::int64_t layer = layers.first; layer <= layers.last; ++layer) {
+            const auto strip = texels.layer(layer).subspan(first, count);
+            for (std::size_t i = 0; i < count; ++i) {
+                low_[i] = std::min(low_[i], strip[i]);
+                high_[i] = std::max(high_[i], strip[i]);
             }
         }
     }
+
+    ValueRange range(Reach columns) const {
+        ValueRange range;
+        each(columns, [&](std::int64_t, std::int64_t, std::size_t at) {
+            range.low = std::min(range.low, low_[at]);
+            range.high = std::max(range.high, high_[at]);
+        });
+        return range;
+    }
+
+    /// The columns and rows of what isn't 0; the first after the last if all is.
+    std::array<Reach, 2> occupied(Reach columns) const {
+        std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1}, Reach{rows_.last + 1, rows_.first - 1}};
+        each(columns, [&](std::int64_t column, std::int64_t row, std::size_t at) {
+            if (high_[at] == 0) return;
+            found[0] = {std::min(found[0].first, column), std::max(found[0].last, column)};
+            found[1] = {std::min(found[1].first, row), std::max(found[1].last, row)};
+        });
+        return found;
+    }
+
+  private:
+    template <typename Visit>
+    void each(Reach columns, const Visit& visit) const {
+        for (std::int64_t row = rows_.first; row <= rows_.last; ++row) {
+            const std::size_t begin = static_cast<std::size_t>(row - rows_.first) * width_;
+            for (std::int64_t column = columns.first; column <= columns.last; ++column) {
+                visit(column, row, begin + static_cast<std::size_t>(column));
+            }
+        }
+    }
+
+    std::size_t width_;
+    Reach rows_{0, -1};
+    std::vector<std::uint8_t> low_;
+    std::vector<std::uint8_t> high_;
+};
+
+/// How far the texels of `reach` are felt, from 0 to 1 over `count` texels, and `more` beyond.
+std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
+    const auto n = static_cast<double>(count);
+    return {(static_cast<double>(reach.first) - 0.5) / n - more, (static_cast<double>(reach.last) + 1.5) / n + more};
 }
 
 }  // namespace
 
 BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& layout) {
-    const int nx = cells_along(texels.size.width);
-    const int ny = cells_along(texels.size.height);
-    const int nt = std::max(cells_along(texels.brick.count),
+    const int nx = cells_along(texels.size.width, cell_side);
+    const int ny = cells_along(texels.size.height, cell_side);
+    const int nt = std::max(cells_along(texels.brick.count, cell_layers),
                             static_cast<int>(std::ceil(t_span / layout.straight_t() - 1e-9)));
 
     BrickCells cells;
@@ -70,32 +124,24 @@ BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& l
     cells.t = borders(nt);
 
     // Between two straight cells lies a sliver that bends out of one and into the other: the apron covers it.
-    const double bend = layout.sagitta_x(t_span / nt) * texels.size.width;
-    std::vector<std::array<std::int64_t, 2>> columns;
-    std::vector<std::array<std::int64_t, 2>> rows;
-    for (int i = 0; i < nx; ++i) columns.push_back(touched(i, nx, texels.size.width, bend));
-    for (int j = 0; j < ny; ++j) rows.push_back(touched(j, ny, texels.size.height, 0));
+    const double bend = layout.sagitta_x(t_span / nt);
+    std::vector<Reach> columns;
+    for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, texels.size.width, bend * texels.size.width));
 
-    const auto plane = static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny);
-    std::vector<ValueRange> of_layers(plane * static_cast<std::size_t>(texels.layers()));
-    for (std::int64_t layer = 0; layer < texels.layers(); ++layer) {
-        std::vector<ValueRange> ranges(plane);
-        join_layer(texels.layer(layer), texels.size, columns, rows, ranges);
-        std::ranges::copy(ranges, of_layers.begin() + static_cast<std::ptrdiff_t>(plane * static_cast<std::size_t>(layer)));
-    }
-
-    cells.ranges.resize(plane * static_cast<std::size_t>(nt));
+    Strip strip(texels.size.width);
     for (int t = 0; t < nt; ++t) {
-        // Texel layer l stands at (l - 1 + 0.5) / count of the brick: one more layer before the brick than in it.
-        const double scale = static_cast<double>(texels.brick.count) / nt;
-        const auto low = static_cast<std::int64_t>(std::floor(t * scale + 0.5));
-        const auto high = static_cast<std::int64_t>(std::ceil((t + 1) * scale + 0.5));
-        for (std::int64_t layer = std::max<std::int64_t>(low, 0); layer <= std::min(high, texels.layers() - 1); ++layer) {
-            for (std::size_t c = 0; c < plane; ++c) {
-                ValueRange& cell = cells.ranges[plane * static_cast<std::size_t>(t) + c];
-                const ValueRange& of_layer = of_layers[plane * static_cast<std::size_t>(layer) + c];
-                cell.low = std::min(cell.low, of_layer.low);
-                cell.high = std::max(cell.high, of_layer.high);
+        for (int j = 0; j < ny; ++j) {
+            strip.join(texels, reach(j, ny, texels.size.height, 0), layers_reach(t, nt, texels));
+            const auto row = static_cast<std::size_t>(j);
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                cells.ranges.push_back(strip.range(columns[i]));
+                CellBox& box = cells.boxes.emplace_back();
+                if (cells.ranges.back().high == 0) continue;
+                const auto [lit_columns, lit_rows] = strip.occupied(columns[i]);
+                const auto [x_low, x_high] = felt(lit_columns, texels.size.width, bend);
+                const auto [y_low, y_high] = felt(lit_rows, texels.size.height, 0);
+                box = {std::max(x_low, cells.x[i]), std::min(x_high, cells.x[i + 1]), std::max(y_low, cells.y[row]),
+                       std::min(y_high, cells.y[row + 1])};
             }
         }
     }

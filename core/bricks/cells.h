@@ -16,6 +16,14 @@ struct ValueRange {
     std::uint8_t high = 0;
 };
 
+/// The part of a cell, in x_C and y_C, outside of which interpolation gives nothing but 0. Empty where all is 0.
+struct CellBox {
+    double x_low = 1;
+    double x_high = 0;
+    double y_low = 1;
+    double y_high = 0;
+};
+
 /// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
 /// Cells with nothing visible in them are passed over when slices are cut (DESIGN: empty space).
 struct BrickCells {
@@ -23,13 +31,20 @@ struct BrickCells {
     std::vector<double> y;
     std::vector<double> t;           ///< in t_B, from 0 to 1 over the brick
     std::vector<ValueRange> ranges;  ///< x fastest, then y, then t
+    std::vector<CellBox> boxes;      ///< of the same cells
 
     int nx() const { return static_cast<int>(x.size()) - 1; }
     int ny() const { return static_cast<int>(y.size()) - 1; }
     int nt() const { return static_cast<int>(t.size()) - 1; }
-    const ValueRange& range(int ix, int iy, int it) const {
-        return ranges[static_cast<std::size_t>((it * ny() + iy) * nx() + ix)];
+    const ValueRange& range(int ix, int iy, int it) const { return ranges[at(ix, iy, it)]; }
+    /// The whole of a cell.
+    CellBox whole(int ix, int iy) const {
+        const auto i = static_cast<std::size_t>(ix);
+        const auto j = static_cast<std::size_t>(iy);
+        return {x[i], x[i + 1], y[j], y[j + 1]};
     }
+    const CellBox& box(int ix, int iy, int it) const { return boxes[at(ix, iy, it)]; }
+    std::size_t at(int ix, int iy, int it) const { return static_cast<std::size_t>((it * ny() + iy) * nx() + ix); }
 };
 
 /// The cells of a brick.

@@ -65,18 +65,19 @@ AxisBox layout_box(const Layout& layout) {
 
 AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, const TransferFunction& transfer) {
     AxisBox box;
+    const bool zero_is_empty = !transfer.visible({0, 0});
     for (const PlacedBrick& brick : bricks) {
         const BrickCells& cells = *brick.cells;
         for (int it = 0; it < cells.nt(); ++it) {
             for (int iy = 0; iy < cells.ny(); ++iy) {
                 for (int ix = 0; ix < cells.nx(); ++ix) {
                     if (!transfer.visible(cells.range(ix, iy, it))) continue;
+                    const CellBox part = zero_is_empty ? cells.box(ix, iy, it) : cells.whole(ix, iy);
                     for (int i = 0; i < 8; ++i) {
-                        const auto x = static_cast<std::size_t>(ix + (i & 1));
-                        const auto y = static_cast<std::size_t>(iy + (i >> 1 & 1));
-                        const auto t = static_cast<std::size_t>(it + (i >> 2));
-                        box.add(layout.p_from_c(
-                            {cells.x[x], cells.y[y], std::lerp(brick.t_begin, brick.t_end, cells.t[t])}));
+                        const double x = (i & 1) != 0 ? part.x_high : part.x_low;
+                        const double y = (i >> 1 & 1) != 0 ? part.y_high : part.y_low;
+                        const double t_b = cells.t[static_cast<std::size_t>(it + (i >> 2))];
+                        box.add(layout.p_from_c({x, y, std::lerp(brick.t_begin, brick.t_end, t_b)}));
                     }
                 }
             }

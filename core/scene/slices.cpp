@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vvr {
 
@@ -25,48 +26,93 @@ struct Piece {
     int slice = 0;
 };
 
-struct Cell {
+/// The part of a cell that is drawn: a hexahedron in P-space.
+struct Proxy {
     std::array<glm::dvec3, 8> corners;
-    std::array<double, 8> depth;  ///< in slices from the nearest slice
+    std::array<double, 8> depth{};  ///< in slices from the nearest slice
     float t_reference = 0;
+    bool visible = false;
+
+    /// Where slice `slice` meets edge `edge`. Who shares an edge, or cuts the same one, gets the same bits.
+    glm::vec3 crossing(std::size_t edge, int slice) const {
+        const auto [a, b] = ends(edge);
+        return glm::vec3(glm::mix(corners[a], corners[b], (slice - depth[a]) / (depth[b] - depth[a])));
+    }
+
+    bool crosses(std::size_t edge, int slice) const {
+        const auto [a, b] = ends(edge);
+        return (depth[a] >= slice) != (depth[b] >= slice);
+    }
+
+  private:
+    static std::array<std::size_t, 2> ends(std::size_t edge) {
+        return {static_cast<std::size_t>(edges[edge][0]), static_cast<std::size_t>(edges[edge][1])};
+    }
 };
 
-/// The polygon in which slice `slice` meets the cell, its corners in order around it. Walks from edge to edge over the
-/// faces, so no sorting by angle is needed and neighbours get bit for bit the same corners on a shared edge.
-int cut_cell(const Cell& cell, int slice, std::array<glm::vec3, 6>& polygon) {
-    std::array<bool, 12> crossed{};
-    int start = -1;
-    for (int e = 0; e < 12; ++e) {
-        const auto [a, b] = edges[static_cast<std::size_t>(e)];
-        const bool above_a = cell.depth[static_cast<std::size_t>(a)] >= slice;
-        const bool above_b = cell.depth[static_cast<std::size_t>(b)] >= slice;
-        crossed[static_cast<std::size_t>(e)] = above_a != above_b;
-        if (above_a != above_b) start = e;
-    }
-    if (start < 0) return 0;
+/// The neighbours of a proxy by face; null where there is none.
+using Neighbours = std::array<const Proxy*, 6>;
 
-    int corners = 0;
-    int edge = start;
-    int face = faces_of_edge[static_cast<std::size_t>(start)][0];
-    do {
-        const auto [a, b] = edges[static_cast<std::size_t>(edge)];
-        const double depth_a = cell.depth[static_cast<std::size_t>(a)];
-        const double depth_b = cell.depth[static_cast<std::size_t>(b)];
-        const double share = (slice - depth_a) / (depth_b - depth_a);
-        polygon[static_cast<std::size_t>(corners++)] =
-            glm::vec3(glm::mix(cell.corners[static_cast<std::size_t>(a)], cell.corners[static_cast<std::size_t>(b)], share));
-        crossed[static_cast<std::size_t>(edge)] = false;
-        int next = -1;
-        for (int e = 0; e < 12 && next < 0; ++e) {
-            const auto& faces = faces_of_edge[static_cast<std::size_t>(e)];
-            if (crossed[static_cast<std::size_t>(e)] && (faces[0] == face || faces[1] == face)) next = e;
-        }
-        if (next < 0) break;
-        const auto& faces = faces_of_edge[static_cast<std::size_t>(next)];
-        face = faces[0] == face ? faces[1] : faces[0];
+struct Corner {
+    glm::vec3 p;
+    int face = 0;  ///< on which the polygon goes on to the next corner
+};
+
+bool borders_on(std::size_t edge, int face) { return faces_of_edge[edge][0] == face || faces_of_edge[edge][1] == face; }
+
+int other_face(std::size_t edge, int face) { return faces_of_edge[edge][faces_of_edge[edge][0] == face ? 1 : 0]; }
+
+/// The polygon in which slice `slice` meets the proxy, its corners in order around it. Walks from edge to edge over the
+/// faces, so no sorting by angle is needed.
+void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
+    polygon.clear();
+    std::array<bool, 12> crossed{};
+    std::size_t edge = edges.size();
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        crossed[e] = proxy.crosses(e, slice);
+        if (crossed[e]) edge = e;
+    }
+    if (edge == edges.size()) return;
+    for (int face = faces_of_edge[edge][0];; face = other_face(edge, face)) {
+        polygon.push_back({proxy.crossing(edge, slice), face});
+        crossed[edge] = false;
+        std::size_t next = 0;
+        while (next < edges.size() && !(crossed[next] && borders_on(next, face))) ++next;
+        if (next == edges.size()) return;
         edge = next;
-    } while (corners < 6);
-    return corners;
+    }
+}
+
+/// Makes a fan of triangles of a polygon, with those corners of the neighbours' polygons that lie on its sides. Without
+/// them two polygons that meet would be rounded to pixels along different lines, and here and there a pixel would get
+/// both or none of them.
+void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>& polygon,
+              std::vector<glm::vec3>& fan) {
+    fan.clear();
+    glm::vec3 sum{0};
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner& from = polygon[i];
+        const glm::vec3 way = polygon[(i + 1) % polygon.size()].p - from.p;
+        sum += from.p;
+        fan.push_back(from.p);
+        const Proxy* beyond = neighbours[static_cast<std::size_t>(from.face)];
+        if (beyond == nullptr) continue;
+        std::array<float, 2> places{};
+        std::array<glm::vec3, 2> points;
+        std::size_t found = 0;
+        for (std::size_t e = 0; e < edges.size() && found < 2; ++e) {
+            if (!borders_on(e, from.face ^ 1) || !beyond->crosses(e, slice)) continue;
+            points[found] = beyond->crossing(e, slice);
+            places[found] = glm::dot(points[found] - from.p, way) / glm::dot(way, way);
+            if (places[found] > 0 && places[found] < 1) ++found;
+        }
+        if (found == 2 && places[0] > places[1]) std::swap(points[0], points[1]);
+        fan.insert(fan.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(found));
+    }
+    if (fan.size() == polygon.size()) return;
+    // Spread from one of the corners, the fan would pass over those on the two sides that meet there.
+    fan.push_back(fan.front());
+    fan.insert(fan.begin(), sum / static_cast<float>(polygon.size()));
 }
 
 /// One bit for each side of the picture that a point of clip space lies beyond.
@@ -74,37 +120,51 @@ unsigned outside_of(const glm::dvec4& p) {
     return (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < -p.w ? 4U : 0U) | (p.y > p.w ? 8U : 0U);
 }
 
-/// The borders of cells in P-space and in slices, computed once for all the cells that share them.
-struct Lattice {
-    Lattice(const PlacedBrick& brick, const Layout& layout, const Camera& camera, const SliceStack& stack)
-        : nx(brick.cells->x.size()), ny(brick.cells->y.size()) {
-        const BrickCells& cells = *brick.cells;
-        const glm::dmat4 clip_from_p = camera.clip_from_p();
-        const double bulge = layout.sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
-        for (const double t_b : cells.t) {
-            const double t = std::lerp(brick.t_begin, brick.t_end, t_b);
-            for (const double y : cells.y) {
-                for (const double x : cells.x) {
-                    // Flat outer faces would cut the curved volume short; the fragment shader rejects what is too much.
-                    const glm::dvec3 p = layout.p_from_c({x == cells.x.back() ? x * (1 + 2 * bulge) : x, y, t});
-                    points.push_back(p);
-                    depths.push_back((glm::dot(p - camera.eye, camera.forward) - stack.nearest) / stack.spacing);
-                    outside.push_back(outside_of(clip_from_p * glm::dvec4(p, 1)));
-                }
-            }
-        }
-    }
-
-    std::size_t at(int ix, int iy, int it) const {
-        return (static_cast<std::size_t>(it) * ny + static_cast<std::size_t>(iy)) * nx + static_cast<std::size_t>(ix);
-    }
-
-    std::size_t nx;
-    std::size_t ny;
-    std::vector<glm::dvec3> points;
-    std::vector<double> depths;
-    std::vector<unsigned> outside;
+/// What all the proxies of a picture have in common.
+struct Cutting {
+    const Layout* layout;
+    const TransferFunction* transfer;
+    const Camera* camera;
+    const SliceStack* stack;
+    glm::dmat4 clip_from_p;
+    bool zero_is_empty;
 };
+
+/// The cells of a brick between two of its borders in time.
+using Sheet = std::vector<Proxy>;
+
+Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int iy, int it) {
+    const BrickCells& cells = *brick.cells;
+    Proxy proxy;
+    if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
+    CellBox box = cutting.zero_is_empty ? cells.box(ix, iy, it) : cells.whole(ix, iy);
+    // Flat outer faces would cut the curved volume short; the fragment shader rejects what is too much.
+    if (box.x_high >= 1) box.x_high += 2 * cutting.layout->sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
+    const auto t_at = [&](double t_b) { return std::lerp(brick.t_begin, brick.t_end, t_b); };
+    const double t_low = cells.t[static_cast<std::size_t>(it)];
+    const double t_high = cells.t[static_cast<std::size_t>(it) + 1];
+    unsigned outside = ~0U;
+    for (std::size_t i = 0; i < proxy.corners.size(); ++i) {
+        const glm::dvec3 p = cutting.layout->p_from_c({(i & 1) != 0 ? box.x_high : box.x_low,
+                                                       (i & 2) != 0 ? box.y_high : box.y_low,
+                                                       t_at((i & 4) != 0 ? t_high : t_low)});
+        proxy.corners[i] = p;
+        proxy.depth[i] =
+            (glm::dot(p - cutting.camera->eye, cutting.camera->forward) - cutting.stack->nearest) / cutting.stack->spacing;
+        outside &= outside_of(cutting.clip_from_p * glm::dvec4(p, 1));
+    }
+    proxy.t_reference = static_cast<float>(t_at((t_low + t_high) / 2));
+    proxy.visible = outside == 0;
+    return proxy;
+}
+
+Sheet make_sheet(const Cutting& cutting, const PlacedBrick& brick, int it) {
+    Sheet sheet;
+    for (int iy = 0; iy < brick.cells->ny(); ++iy) {
+        for (int ix = 0; ix < brick.cells->nx(); ++ix) sheet.push_back(make_proxy(cutting, brick, ix, iy, it));
+    }
+    return sheet;
+}
 
 /// Orders pieces by slice, the farthest first, by counting: there are many more pieces than slices.
 std::vector<Piece> farthest_first(const std::vector<Piece>& pieces, int slices) {
@@ -134,42 +194,58 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     return stack;
 }
 
-SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const TransferFunction& transfer,
-                     const Camera& camera, const SliceStack& stack) {
-    const BrickCells& cells = *brick.cells;
-    const Lattice lattice(brick, layout, camera, stack);
+SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+                     const TransferFunction& transfer, const Camera& camera, const SliceStack& stack) {
+    const Cutting cutting{&layout, &transfer, &camera, &stack, camera.clip_from_p(), !transfer.visible({0, 0})};
+    const PlacedBrick& brick = bricks[number];
+    const int nx = brick.cells->nx();
+    const int ny = brick.cells->ny();
+    const int nt = brick.cells->nt();
+    // Its own sheets with the one before and the one after them, which may be another brick's.
+    const auto sheet_at = [&](int it) -> Sheet {
+        if (it >= 0 && it < nt) return make_sheet(cutting, brick, it);
+        const std::size_t beside = it < 0 ? number - 1 : number + 1;  // far too large before the first
+        if (beside >= bricks.size() || bricks[beside].cells->nx() != nx || bricks[beside].cells->ny() != ny) return {};
+        return make_sheet(cutting, bricks[beside], it < 0 ? bricks[beside].cells->nt() - 1 : 0);
+    };
+
     SliceMesh mesh;
     std::vector<Piece> pieces;
-    std::array<glm::vec3, 6> polygon;
-    for (int it = 0; it < cells.nt(); ++it) {
-        for (int iy = 0; iy < cells.ny(); ++iy) {
-            for (int ix = 0; ix < cells.nx(); ++ix) {
-                if (!transfer.visible(cells.range(ix, iy, it))) continue;
-                Cell cell;
-                unsigned outside = ~0U;
-                for (int corner = 0; corner < 8; ++corner) {
-                    const std::size_t at = lattice.at(ix + (corner & 1), iy + (corner >> 1 & 1), it + (corner >> 2));
-                    cell.corners[static_cast<std::size_t>(corner)] = lattice.points[at];
-                    cell.depth[static_cast<std::size_t>(corner)] = lattice.depths[at];
-                    outside &= lattice.outside[at];
-                }
-                if (outside != 0) continue;
-                const double t_b = (cells.t[static_cast<std::size_t>(it)] + cells.t[static_cast<std::size_t>(it) + 1]) / 2;
-                cell.t_reference = static_cast<float>(std::lerp(brick.t_begin, brick.t_end, t_b));
-                const auto [low, high] = std::ranges::minmax(cell.depth);
+    std::vector<Corner> polygon;
+    std::vector<glm::vec3> fan;
+    Sheet before = sheet_at(-1);
+    Sheet sheet = sheet_at(0);
+    for (int it = 0; it < nt; ++it) {
+        Sheet after = sheet_at(it + 1);
+        const auto at = [nx](int ix, int iy) { return static_cast<std::size_t>(iy * nx + ix); };
+        const auto drawn = [](const Sheet& of, std::size_t i) {
+            return !of.empty() && of[i].visible ? &of[i] : nullptr;
+        };
+        for (int iy = 0; iy < ny; ++iy) {
+            for (int ix = 0; ix < nx; ++ix) {
+                const Proxy& proxy = sheet[at(ix, iy)];
+                if (!proxy.visible) continue;
+                const Neighbours neighbours = {ix > 0 ? drawn(sheet, at(ix - 1, iy)) : nullptr,
+                                               ix + 1 < nx ? drawn(sheet, at(ix + 1, iy)) : nullptr,
+                                               iy > 0 ? drawn(sheet, at(ix, iy - 1)) : nullptr,
+                                               iy + 1 < ny ? drawn(sheet, at(ix, iy + 1)) : nullptr,
+                                               drawn(before, at(ix, iy)),
+                                               drawn(after, at(ix, iy))};
+                const auto [low, high] = std::ranges::minmax(proxy.depth);
                 const int first = std::max(0, static_cast<int>(std::ceil(low)));
                 const int last = std::min(stack.count - 1, static_cast<int>(std::floor(high)));
                 for (int slice = first; slice <= last; ++slice) {
-                    const int corners = cut_cell(cell, slice, polygon);
-                    if (corners < 3) continue;
+                    cut_proxy(proxy, slice, polygon);
+                    if (polygon.size() < 3) continue;
+                    make_fan(neighbours, slice, polygon, fan);
                     pieces.push_back({static_cast<std::uint32_t>(mesh.vertices.size()),
-                                      static_cast<std::uint32_t>(corners), slice});
-                    for (int i = 0; i < corners; ++i) {
-                        mesh.vertices.push_back({polygon[static_cast<std::size_t>(i)], cell.t_reference});
-                    }
+                                      static_cast<std::uint32_t>(fan.size()), slice});
+                    for (const glm::vec3& corner : fan) mesh.vertices.push_back({corner, proxy.t_reference});
                 }
             }
         }
+        before = std::move(sheet);
+        sheet = std::move(after);
     }
     int slice = stack.count;
     for (const Piece& piece : farthest_first(pieces, stack.count)) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -35,10 +37,11 @@ struct SliceMesh {
 /// `count` slices through the volume as seen by `camera`; 0 = as many as bring the spacing to `spacing` P-space units.
 SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
 
-/// Where the slices meet those cells of a brick that hold something visible and lie in the picture: plane ∩ cell
-/// polygons, farthest first.
-SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const TransferFunction& transfer,
-                     const Camera& camera, const SliceStack& stack);
+/// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:
+/// plane ∩ cell polygons, farthest first. Polygons that meet have the corners on their common side in common, across
+/// bricks too, so that each pixel belongs to one of them.
+SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+                     const TransferFunction& transfer, const Camera& camera, const SliceStack& stack);
 
 /// Points of P-space whose hull holds the whole volume: what a camera has to show.
 std::vector<glm::dvec3> outline_points(const Layout& layout);

@@ -1,0 +1,32 @@
+#include "bench/left_bag.h"
+
+#include <algorithm>
+
+#include "core/fields/pipeline.h"
+#include "tests/scene/scene.h"
+#include "tests/scene/scene_source.h"
+
+namespace vvr::bench {
+
+Volume left_bag_volume(const std::string& filter) {
+    SourceOptions in_colour;
+    in_colour.colour = true;
+    const auto source = scene::open_scene(scene::make_left_bag(), in_colour);
+    FieldOptions options;
+    options.filter = filter;
+    options.flow.every = 16;
+    Volume volume(source->field_size(), 1600, 1, options.flow.every);
+    compute_fields(*source, options, [&](Frame&&, Field&& field) { volume.add(field); });
+    return volume;
+}
+
+double occupied_share(const Volume& volume) {
+    std::int64_t lit = 0;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        lit += std::ranges::count_if(volume.layer(i).scalar.pixels(), [](std::uint8_t value) { return value > 0; });
+    }
+    const double voxels = 1.0 * volume.size().width * volume.size().height * static_cast<double>(volume.layers());
+    return static_cast<double>(lit) / voxels;
+}
+
+}  // namespace vvr::bench

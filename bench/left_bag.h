@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "core/bricks/volume.h"
+
+namespace vvr::bench {
+
+/// The volume of the left-bag scene, 384x288x1600 voxels, seen through a filter, with the seeds of every 16th frame.
+Volume left_bag_volume(const std::string& filter);
+
+/// The share of the voxels that aren't 0.
+double occupied_share(const Volume& volume);
+
+}  // namespace vvr::bench
