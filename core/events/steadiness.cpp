@@ -1,0 +1,38 @@
+#include "core/events/steadiness.h"
+
+#include <cstdlib>
+
+namespace vvr {
+
+namespace {
+
+constexpr int tolerance = 40;  // levels of a difference that is doubled: 20 grey levels
+constexpr int most_misses = 3;
+
+}  // namespace
+
+bool Steadiness::alike(std::uint8_t value, std::uint8_t level) {
+    return value != 0 && std::abs(int{value} - int{level}) <= tolerance;
+}
+
+void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
+    if (pixels_.empty()) pixels_ = Plane<Pixel>(field.size());
+    const auto values = field.pixels();
+    const auto pixels = pixels_.pixels();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const std::uint8_t value = values[k];
+        Pixel& pixel = pixels[k];
+        if (value == 0 && pixel.level == 0) continue;
+        if (pixel.level != 0 && alike(value, pixel.level)) {
+            // Follows light that changes slowly.
+            pixel.level = static_cast<std::uint8_t>((7 * pixel.level + value + 4) / 8);
+            pixel.misses = 0;
+            continue;
+        }
+        if (pixel.misses == 0) pixel.missed = now;
+        if (pixel.level != 0 && ++pixel.misses < most_misses) continue;
+        pixel = {.since = pixel.missed, .level = value, .misses = 0, .missed = {}};
+    }
+}
+
+}  // namespace vvr

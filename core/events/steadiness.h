@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/events/event.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// Knows of each pixel since when its value has been about the same: of an object that was put down while somebody
+/// stood about it, that is when, though it was not to be told from the person then.
+class Steadiness {
+  public:
+    struct Pixel {
+        Moment since;             ///< of use where `level` is not 0
+        std::uint8_t level = 0;   ///< the value that it has had; 0 = no object
+        std::uint8_t misses = 0;  ///< frames in a row that were otherwise
+        Moment missed;            ///< the first of them
+    };
+
+    void add(const Plane<std::uint8_t>& field, const Moment& now);
+
+    const Pixel& at(int i, int j) const { return pixels_.at(i, j); }
+
+    /// Whether a value counts as `level`: noise and the seams of a codec's blocks do.
+    static bool alike(std::uint8_t value, std::uint8_t level);
+
+  private:
+    Plane<Pixel> pixels_;
+};
+
+}  // namespace vvr
