@@ -18,7 +18,7 @@ constexpr double own_share = 0.2;
 }  // namespace
 
 EventFinder::EventFinder(Size field, const EventOptions& options)
-    : options_(options), reach_(std::max(1, std::max(field.width, field.height) / 192)),
+    : options_(options), field_(field), reach_(std::max(1, std::max(field.width, field.height) / 192)),
       min_area_(std::max(4, field.width * field.height / 5000)) {}
 
 void EventFinder::add(const Plane<std::uint8_t>& field, const Moment& now) {
@@ -116,7 +116,8 @@ void EventFinder::look_after_hidden(const Plane<std::uint8_t>& field, const Blob
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t) { covered += field.at(i, j) != 0 ? 1 : 0; });
         const auto most = blobs.patches.empty() ? overlap_[k].end() : std::ranges::max_element(overlap_[k]);
         if (2 * covered < track.patch().area || most == overlap_[k].end() || *most == 0) {
-            end(followed, followed.near.has_value());
+            if (!followed.near) followed.near = about(track);
+            end(followed, true);
             continue;
         }
         auto& chosen = choices[static_cast<std::size_t>(most - overlap_[k].begin())];
@@ -132,6 +133,22 @@ void EventFinder::look_after_hidden(const Plane<std::uint8_t>& field, const Blob
         }
         if (now.seconds - track.seen().seconds > covered_after) end(followed, true);
     }
+}
+
+/// Who moves beside something that stands.
+std::optional<std::size_t> EventFinder::about(const Track& standing) const {
+    const PixelBox& box = standing.patch().box;
+    const PixelBox wide{box.left - box.width(), box.top - box.height(), box.right + box.width(),
+                        box.bottom + box.height()};
+    for (const Followed& followed : followed_) {
+        const PixelBox& other = followed.track.patch().box;
+        const bool meets = other.left < wide.right && wide.left < other.right && other.top < wide.bottom &&
+                           wide.top < other.bottom;
+        if (meets && !followed.over && !followed.track.stands() && followed.track.is_certain()) {
+            return followed.track.number();
+        }
+    }
+    return std::nullopt;
 }
 
 /// Pieces that were never seen for long belong to the rest of what they are part of now.
@@ -203,9 +220,11 @@ void EventFinder::settle(const Moment& now) {
 void EventFinder::end(Followed& followed, bool taken) {
     if (followed.over) return;
     followed.over = true;
-    if (!followed.track.is_certain()) return;
-    ended_.push_back({followed.track.finish(), followed.track.number(), followed.from,
-                      taken ? followed.near : std::nullopt});
+    if (!followed.track.is_event()) return;
+    Event event = followed.track.finish();
+    event.box = {std::max(0, event.box.left), std::max(0, event.box.top), std::min(field_.width, event.box.right),
+                 std::min(field_.height, event.box.bottom)};
+    ended_.push_back({std::move(event), followed.track.number(), followed.from, taken ? followed.near : std::nullopt});
 }
 
 std::vector<Event> EventFinder::finish() {

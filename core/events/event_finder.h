@@ -45,6 +45,7 @@ class EventFinder {
     Choices choose(const Blobs& blobs);
     void share_out(const Blobs& blobs, Choices& choices) const;
     void look_after_hidden(const Plane<std::uint8_t>& field, const Blobs& blobs, Choices& choices, const Moment& now);
+    std::optional<std::size_t> about(const Track& standing) const;
     void join_pieces(std::vector<std::size_t>& chosen);
     void go_on(const Plane<std::uint8_t>& field, const Blobs& blobs, const Choices& choices, const Moment& now);
     void begin(const Patch& patch, std::optional<std::size_t> from, const Moment& now);
@@ -53,6 +54,7 @@ class EventFinder {
     std::vector<int> overlaps(const Track& track, const Blobs& blobs, const glm::ivec2& by) const;
 
     EventOptions options_;
+    Size field_;
     int reach_;
     int min_area_;
     std::size_t next_ = 0;

@@ -14,6 +14,9 @@ constexpr double abrupt = 1.5;
 constexpr double settled_part = 0.6;
 constexpr double like_part = 0.5;
 constexpr int search = 2;
+// What only flutters at its place goes less far than it is long, and is not to be seen every so often.
+constexpr double own_lengths = 1.25;
+constexpr double seen_part = 0.6;
 
 Patch moved(Patch patch, const glm::ivec2& by) {
     patch.box = {patch.box.left + by.x, patch.box.top + by.y, patch.box.right + by.x, patch.box.bottom + by.y};
@@ -32,10 +35,10 @@ double like(const Patch& patch, const glm::ivec2& by, const Plane<std::uint8_t>&
     return static_cast<double>(alike) / std::max(1, patch.area);
 }
 
-/// What is a quarter of the way from the earliest to the latest: the edges of an object come to rest last, and some of
-/// its pixels were hidden behind whoever brought it.
-Moment early_of(std::vector<Moment> moments) {
-    const auto place = moments.begin() + std::ssize(moments) / 2;
+/// When nearly all were reached. Of what comes to rest slowly the foremost edge does so last, and it is a tenth of it;
+/// the few that are later still were hidden behind whoever brought it.
+Moment nearly_last_of(std::vector<Moment> moments) {
+    const auto place = moments.begin() + (std::ssize(moments) - 1) * 9 / 10;
     std::ranges::nth_element(moments, place, {}, &Moment::frame);
     return *place;
 }
@@ -52,9 +55,20 @@ bool Track::is_certain() const {
     return seen_.seconds - first_.seconds >= options_.least;
 }
 
+bool Track::is_event() const {
+    const double mean_side = sides_ / std::max(1, sightings_);
+    const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
+    const bool went = glm::distance(low_, high_) >= own_lengths * mean_side && sightings_ >= seen_part * frames;
+    return is_certain() && (settled_ || went);
+}
+
 void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place) {
     seen_ = now;
     box_ = hull_of(box_, box);
+    low_ = sightings_ == 0 ? place : glm::min(low_, place);
+    high_ = sightings_ == 0 ? place : glm::max(high_, place);
+    sides_ += std::max(box.width(), box.height());
+    ++sightings_;
     path_.add(now, place);
     const double reach = std::max(2.0, 0.15 * std::sqrt(static_cast<double>(patch_.area)));
     if (!stands_) stays_.add(now, place, box, reach);
@@ -126,7 +140,7 @@ void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
         patch_.values.at(i - patch_.box.left, j - patch_.box.top) = steadiness.at(i, j).level;
     });
-    Moment still = early_of(std::move(since));
+    Moment still = nearly_last_of(std::move(since));
     if (out_of_another) {
         // What was seen of it before was its bearer.
         first_ = still;
@@ -138,6 +152,7 @@ void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_
         still = first_;
     }
     stands_ = true;
+    settled_ = true;
     velocity_ = {};
     shift_ = {};
     recent_.clear();

@@ -26,8 +26,11 @@ class Track {
     const Moment& first() const { return first_; }
     const Moment& seen() const { return seen_; }
 
-    /// Whether it has been seen for long enough to be an event.
+    /// Whether it has been seen for long enough to be more than a piece of something.
     bool is_certain() const;
+
+    /// Whether it is one: it stood still, or it has gone farther than it is long, which a flag in the wind does not.
+    bool is_event() const;
 
     /// Where it will be, as a shift of its patch: whole pixels.
     glm::ivec2 step() const { return glm::ivec2(glm::round(velocity_)); }
@@ -73,6 +76,11 @@ class Track {
     Moment first_;
     Moment seen_;
     PixelBox box_;
+    glm::dvec2 low_{};  ///< corners of the box about all its places
+    glm::dvec2 high_{};
+    double sides_ = 0;  ///< of its boxes, the longer one, added up
+    int sightings_ = 0;
+    bool settled_ = false;  ///< whether it ever stood
     glm::dvec2 velocity_{};  ///< field pixels a frame
     glm::dvec2 shift_{};     ///< by which a patch within a larger object is off whole pixels
     std::deque<glm::dvec2> recent_;
