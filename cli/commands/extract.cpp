@@ -6,7 +6,6 @@
 
 #include "cli/commands/command.h"
 #include "cli/command_line.h"
-#include "cli/work/find_frame.h"
 #include "cli/work/open_fields.h"
 #include "cli/options/option.h"
 #include "cli/options/fields.h"
@@ -27,6 +26,7 @@ struct ExtractSettings {
     RunOptions run;
     std::filesystem::path folder;
     int flow_every = 1;
+    bool colour = false;
 };
 
 void add_options(CLI::App& app, ExtractSettings& settings) {
@@ -36,37 +36,18 @@ void add_options(CLI::App& app, ExtractSettings& settings) {
     // Its group isn't that of the fields: it changes what is kept, not what a field is.
     add_integer(app, group::output, settings.flow_every, 1, 1'000'000,
                 {"--flow-every", "FRAMES", "", "keep flow and seeds of frames whose number is a multiple of it"});
+    app.add_flag("--with-color", settings.colour, "keep every frame's picture, for renders with --color video")
+        ->group(group::output);
     add_options(app, settings.input);
     add_options(app, settings.fields);
     add_options(app, settings.run);
 }
 
-/// The whole clip, of which the fields then say what part counts: so the empty scene is that of the whole, the frames
-/// beside the part serve as neighbours, and parts fit together.
-std::unique_ptr<FrameSource> open_whole(const ExtractSettings& settings) {
-    InputOptions input = settings.input;
-    input.start.reset();
-    input.end.reset();
-    constexpr bool colour = true;
-    return open_clip(input, colour, settings.run.threads);
-}
-
-FieldOptions options_for(const ExtractSettings& settings, FrameSource& clip) {
+FieldOptions options_for(const ExtractSettings& settings) {
     FieldOptions options = settings.fields;
     options.threads = settings.run.threads;
     options.flow.every = settings.flow_every;
-    if (settings.input.start) {
-        const FoundFrame start = frame_at(clip, *settings.input.start, "--start");
-        options.start = settings.input.start->unit == Time::Unit::seconds ? settings.input.start->value : start.pts;
-    }
-    if (const auto& end = settings.input.end) {
-        if (end->unit == Time::Unit::seconds) {
-            options.end = end->value;
-        } else if (const FoundFrame found = find_frame(clip, *end); found.is_there) {
-            options.end = found.pts;
-        }
-    }
-    if (options.end && *options.end <= options.start) throw Error(ErrorKind::usage, "--end has to come after --start");
+    options.span = span_of(settings.input);
     return options;
 }
 
@@ -93,22 +74,24 @@ ExitStatus run_extract(const Command& command, Arguments arguments, const Enviro
     check_data_folder(settings.folder);
     const auto begin = std::chrono::steady_clock::now();
 
-    const auto clip = open_whole(settings);
-    const FieldOptions options = options_for(settings, *clip);
+    const FieldOptions options = options_for(settings);
+    constexpr bool colour = true;
+    const auto clip = open_clip(settings.input, colour, settings.run.threads);
     const bool flow = options.flow.method != "none";
-    Progress progress("frames", settings.input.start || settings.input.end ? 0 : clip->info().frames,
+    Progress progress("frames", expected_frames(clip->info(), options.span),
                       !settings.run.quiet && stderr_is_terminal());
     std::optional<DataFolder> folder;
     std::int64_t frames = 0;
     const FieldSummary summary = compute_fields(*clip, options, [&](Frame&& frame, Field&& field) {
         // Not before there is something to write: an older extraction stays if this one comes to nothing.
-        if (!folder) folder.emplace(settings.folder, flow ? settings.flow_every : 0);
+        if (!folder) folder.emplace(settings.folder, flow ? settings.flow_every : 0, settings.colour);
         folder->add(frame, field);
         progress.set(++frames);
     });
     progress.clear();
     Manifest manifest;
     manifest.clip = clip->info();
+    manifest.span = options.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
     manifest.settings = settings_of(line);

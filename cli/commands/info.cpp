@@ -79,7 +79,7 @@ ExitStatus run_info(const Command& command, Arguments arguments, const Environme
     check(settings);
 
     const auto source = open_fields(settings, line).source;
-    const Plan plan = make_plan(job_for(settings, source->info()), *source);
+    const Plan plan = make_plan(job_for(settings), *source);
     print(json ? as_json(*source, plan) : as_text(*source, plan));
     return ExitStatus::done;
 }

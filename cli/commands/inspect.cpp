@@ -1,6 +1,4 @@
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -43,8 +41,8 @@ void add_options(CLI::App& app, InspectSettings& settings) {
 FieldOptions only(const FoundFrame& frame, const InspectSettings& settings) {
     FieldOptions options = settings.fields;
     options.threads = settings.run.threads;
-    options.start = frame.pts;
-    options.end = std::nextafter(frame.pts, std::numeric_limits<double>::max());
+    options.span.first = frame.index;
+    options.span.stop = frame.index + 1;
     return options;
 }
 

@@ -50,7 +50,7 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
 
 RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
                     spdlog::logger& log) {
-    RenderJob job = job_for(settings, source.info());
+    RenderJob job = job_for(settings);
     job.pictures = pictures;
     const Plan plan = make_plan(job, source);
     check_memory(plan);

@@ -35,6 +35,7 @@ void add_filter_options(CLI::App& app, FieldOptions& options) {
 
 void add_flow_options(CLI::App& app, FlowOptions& options) {
     add_choice(app, group::fields, options.method, flow_methods(), {"--flow", "NAME", "", "optical flow"});
+    add_choice(app, group::fields, options.area, flow_areas(), {"--flow-area", "NAME", "", "where flow is looked for"});
     add_choice(app, group::fields, options.solver, flow_solvers(), {"--solver", "NAME", "", "of horn-schunck"});
     add_choice(app, group::fields, options.derivatives, derivative_kinds(),
                {"--derivatives", "NAME", "", "of horn-schunck, not with the solver pyramid"});

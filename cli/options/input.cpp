@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "cli/options/option.h"
-#include "core/video/frame_range.h"
 
 namespace vvr {
 
@@ -57,14 +56,20 @@ std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour,
     source.colour = colour;
     source.threads = threads;
     source.rate = options.rate;
-    source.start = in(Time::Unit::seconds, options.start).value_or(0);
-    source.end = in(Time::Unit::seconds, options.end);
-    const auto first = in(Time::Unit::frames, options.start);
-    const auto last = in(Time::Unit::frames, options.end);
-    auto opened = open_source(only_input(options), source);
-    if (!first && !last) return opened;
-    return limit_frames(std::move(opened), static_cast<std::int64_t>(first.value_or(0)),
-                        last ? std::optional(static_cast<std::int64_t>(*last)) : std::nullopt);
+    return open_source(only_input(options), source);
+}
+
+FrameSpan span_of(const InputOptions& options) {
+    const auto number = [](double value) { return static_cast<std::int64_t>(value); };
+    FrameSpan span;
+    span.start = in(Time::Unit::seconds, options.start).value_or(0);
+    span.end = in(Time::Unit::seconds, options.end);
+    span.first = number(in(Time::Unit::frames, options.start).value_or(0));
+    if (const auto stop = in(Time::Unit::frames, options.end)) span.stop = number(*stop);
+    if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
+        throw Error(ErrorKind::usage, "--end has to come after --start");
+    }
+    return span;
 }
 
 }  // namespace vvr

@@ -9,6 +9,7 @@
 
 #include "cli/options/parse_value.h"
 #include "core/video/frame_source.h"
+#include "core/video/frame_span.h"
 
 namespace vvr {
 
@@ -31,7 +32,11 @@ void add_options(CLI::App& app, InputOptions& options);
 /// \throws Error usage unless there is exactly one
 const std::string& only_input(const InputOptions& options);
 
-/// Opens the input between the times asked for.
+/// Opens the whole of the input.
 std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads);
+
+/// The part of it that is asked for.
+/// \throws Error usage for an end before the start
+FrameSpan span_of(const InputOptions& options);
 
 }  // namespace vvr

@@ -7,15 +7,6 @@
 
 namespace vvr {
 
-namespace {
-
-double seconds(const Time& time, double rate) {
-    if (time.unit == Time::Unit::seconds) return time.value;
-    return rate > 0 ? time.value / rate : 0;
-}
-
-}  // namespace
-
 void add_options(CLI::App& app, RenderSettings& settings) {
     add_options(app, settings.input);
     add_integer(app, group::input, settings.input.step, 0, 1'000'000,
@@ -31,11 +22,8 @@ void add_options(CLI::App& app, RenderSettings& settings) {
 }
 
 void check(const RenderSettings& settings) {
-    const InputOptions& input = settings.input;
-    if (input.names.size() < 2) only_input(input);
-    if (input.start && input.end && input.start->unit == input.end->unit && input.start->value >= input.end->value) {
-        throw Error(ErrorKind::usage, "--end has to come after --start");
-    }
+    if (settings.input.names.size() < 2) only_input(settings.input);
+    span_of(settings.input);
     validate(settings.fields);
 }
 
@@ -45,12 +33,8 @@ bool wants_colour(const RenderSettings& settings) {
            settings.look.shows("frames") || settings.look.volume_colour() == VolumeColour::video;
 }
 
-RenderJob job_for(const RenderSettings& settings, const VideoInfo& info) {
+RenderJob job_for(const RenderSettings& settings) {
     RenderJob job;
-    if (settings.input.start) job.source.start = seconds(*settings.input.start, info.rate);
-    if (settings.input.end && (settings.input.end->unit == Time::Unit::seconds || info.rate > 0)) {
-        job.source.end = seconds(*settings.input.end, info.rate);
-    }
     job.step = settings.input.step;
 
     job.bricks = settings.bricks.count;

@@ -38,6 +38,6 @@ bool wants_colour(const RenderSettings& settings);
 
 /// The job for a clip. Its source options only serve estimates, where the frame numbers that the user may have
 /// given count as times: the source itself is opened already, by the exact ones.
-RenderJob job_for(const RenderSettings& settings, const VideoInfo& info);
+RenderJob job_for(const RenderSettings& settings);
 
 }  // namespace vvr

@@ -41,6 +41,7 @@ OpenedFields open_any(const RenderSettings& settings, const CommandLine& line) {
     if (std::ranges::all_of(names, is_data_folder)) return open_extracted(names, line);
     FieldOptions options = settings.fields;
     options.threads = settings.run.threads;
+    options.span = span_of(settings.input);
     auto clip = open_clip(settings.input, wants_colour(settings), settings.run.threads);
     return {std::make_unique<ClipFields>(std::move(clip), options), {}};
 }

@@ -51,7 +51,7 @@ void check_memory(const Plan& plan) {
 
 Plan make_plan(const RenderJob& job, const FieldSource& source) {
     Plan plan;
-    plan.frames = expected_frames(source.info(), job.source);
+    plan.frames = source.expected_frames();
     plan.step = planned_step(job, plan.frames);
     while (plan.frames > job.max_layers * plan.step) plan.step *= 2;
     plan.layers = plan.frames > 0 ? (plan.frames + plan.step - 1) / plan.step : job.max_layers;

@@ -23,17 +23,18 @@ struct Fields {
 };
 
 Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step, const FrameProgress& progress) {
-    const std::int64_t expected = expected_frames(source.info(), job.source);
+    const std::int64_t expected = source.expected_frames();
     const std::int64_t every = expected > 0 ? expected / arrow_times : step * job.max_layers / arrow_times;
     FieldNeeds needs;
     needs.flow = job.show.contains("tracelines");
     needs.seeds = needs.flow || job.show.contains("arrows");
+    needs.colour = job.picture.colour == VolumeColour::video;
     needs.every = source.interval(std::max<std::int64_t>(1, every));
 
     Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}};
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
-        result.volume.add(field, job.picture.colour == VolumeColour::video ? frame.colour : Plane<Bgr>());
+        result.volume.add(field, needs.colour ? frame.colour : Plane<Bgr>());
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
@@ -116,16 +117,6 @@ const std::vector<std::string>& show_words() {
     return words;
 }
 
-std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options) {
-    const double length =
-        info.duration > 0 ? info.duration : (info.rate > 0 ? static_cast<double>(info.frames) / info.rate : 0);
-    const bool whole = options.start <= 0 && !options.end;
-    if (whole || length <= 0 || info.rate <= 0) return info.frames;
-    const double begin = std::min(options.start, length);
-    const double end = std::clamp(options.end.value_or(length), begin, length);
-    return std::llround((end - begin) / length * static_cast<double>(info.frames));
-}
-
 std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
     if (job.step > 0) return job.step;
     return std::max<std::int64_t>(1, (frames + job.max_layers - 1) / job.max_layers);
@@ -142,7 +133,7 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     const auto context = open_context(job.backend, job.device);
-    const std::int64_t expected = expected_frames(source.info(), job.source);
+    const std::int64_t expected = source.expected_frames();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.

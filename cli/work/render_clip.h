@@ -17,8 +17,6 @@ namespace vvr {
 
 /// Everything that decides how a clip becomes a picture.
 struct RenderJob {
-    SourceOptions source;
-
     std::int64_t max_layers = 800;   ///< of the window; a longer clip is sampled in time
     std::int64_t step = 0;           ///< frames a layer takes; 0 = as many as max_layers asks for
     int bricks = 8;                  ///< K, where brick_seconds and brick_frames are 0
@@ -73,9 +71,6 @@ using FrameProgress = std::function<void(std::int64_t)>;
 
 /// The frames that each layer is to take, from what the container says of the clip's length.
 std::int64_t planned_step(const RenderJob& job, std::int64_t frames);
-
-/// The clip's frames between `start` and `end` as far as its header tells; 0 = unknown.
-std::int64_t expected_frames(const VideoInfo& info, const SourceOptions& options);
 
 /// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
 /// to be read in vain.

@@ -1,37 +1,64 @@
 #include "core/fields/clip_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vvr {
 
-ClipReader::ClipReader(FrameSource& source, const FieldOptions& options, int context, bool from_first)
+ClipReader::ClipReader(FrameSource& source, const FrameSpan& span, int context, bool from_first)
     : source_(source),
-      start_(options.start),
-      end_(options.end),
+      span_(span),
       context_(static_cast<std::size_t>(context)),
-      started_(from_first),
+      from_first_(from_first),
       scalers_([&source] { return Scaler(source); }) {}
 
-// Until the first frame that counts, only the last few are kept, and not yet scaled.
-std::shared_ptr<DecodedFrame> ClipReader::next() {
-    while (!started_) {
-        std::shared_ptr<DecodedFrame> decoded = source_.next();
-        if (!decoded) break;
-        started_ = decoded->pts >= start_;
-        waiting_.push_back(std::move(decoded));
-        if (!started_ && waiting_.size() > context_) waiting_.pop_front();
+std::shared_ptr<DecodedFrame> ClipReader::read() {
+    std::shared_ptr<DecodedFrame> frame = source_.next();
+    if (frame) {
+        last_index_ = frame->index;
+        last_pts_ = frame->pts;
     }
-    if (!started_) return nullptr;
-    if (waiting_.empty()) return source_.next();
-    std::shared_ptr<DecodedFrame> first = std::move(waiting_.front());
-    waiting_.pop_front();
-    return first;
+    return frame;
+}
+
+/// Until the first frame that counts, only the last few are kept, and not yet scaled.
+void ClipReader::collect_context() {
+    waiting_.clear();
+    while (auto frame = read()) {
+        const bool counts = !is_before(span_, frame->index, frame->pts);
+        waiting_.push_back(std::move(frame));
+        if (counts) return;
+        if (waiting_.size() > context_) waiting_.pop_front();
+    }
+    waiting_.clear();
+}
+
+void ClipReader::go_to_span() {
+    if (from_first_ || span_ == FrameSpan{}) return;
+    const double rate = source_.info().rate;
+    if (rate > 0) {
+        const double start = std::max(span_.start, static_cast<double>(span_.first) / rate);
+        source_.seek(start - (static_cast<double>(context_) + 2) / rate);
+    }
+    collect_context();
+    const bool whole = waiting_.size() > context_ || (!waiting_.empty() && waiting_.front()->index == 0);
+    if (rate <= 0 || whole) return;
+    // Where frames come at uneven times, the place that the rate gave can be too late.
+    source_.rewind();
+    collect_context();
 }
 
 FrameJob ClipReader::operator()() {
-    std::shared_ptr<DecodedFrame> decoded = next();
+    if (!std::exchange(begun_, true)) go_to_span();
+    std::shared_ptr<DecodedFrame> decoded;
+    if (waiting_.empty()) {
+        decoded = read();
+    } else {
+        decoded = std::move(waiting_.front());
+        waiting_.pop_front();
+    }
     if (!decoded) return {};
-    if (end_ && decoded->pts >= *end_ && past_end_++ == context_) return {};
+    if (is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
     return [this, decoded] { return scalers_.local()(*decoded); };
 }
 

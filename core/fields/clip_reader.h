@@ -6,31 +6,39 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 
-#include "core/fields/options.h"
 #include "core/fields/pipeline.h"
+#include "core/video/frame_span.h"
 #include "core/video/scaler.h"
 
 namespace vvr {
 
-/// Reads the frames of a clip between `options.start` and `options.end`, and `context` frames on each side. Must live
-/// as long as the jobs that it gives.
+/// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it gives.
 class ClipReader {
   public:
-    /// \param from_first whether all frames before `start` are wanted too
-    ClipReader(FrameSource& source, const FieldOptions& options, int context, bool from_first);
+    /// \param source at its first frame
+    /// \param from_first whether all frames before the span are wanted too
+    ClipReader(FrameSource& source, const FrameSpan& span, int context, bool from_first);
 
     /// The job of the next frame; an empty function at the end.
     FrameJob operator()();
 
+    /// Of the frames read so far, the last one's number and time; -1 = there was none.
+    std::int64_t last_index() const { return last_index_; }
+    double last_pts() const { return last_pts_; }
+
   private:
-    std::shared_ptr<DecodedFrame> next();
+    std::shared_ptr<DecodedFrame> read();
+    void go_to_span();
+    void collect_context();
 
     FrameSource& source_;
-    double start_;
-    std::optional<double> end_;
+    FrameSpan span_;
     std::size_t context_;
-    bool started_;
+    bool begun_ = false;
+    bool from_first_;
     std::size_t past_end_ = 0;
+    std::int64_t last_index_ = -1;
+    double last_pts_ = 0;
     std::deque<std::shared_ptr<DecodedFrame>> waiting_;
     oneapi::tbb::enumerable_thread_specific<Scaler> scalers_;
 };

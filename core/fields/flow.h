@@ -68,6 +68,17 @@ std::span<const DerivativeRow> derivative_kinds();
 /// Every flow method; "none", which makes nothing, among them.
 std::span<const FlowRow> flow_methods();
 
+/// Where in a frame flow is looked for.
+struct FlowArea {
+    const char* name;
+    const char* help;
+};
+std::span<const FlowArea> flow_areas();
+
+/// What "auto" is for a clip of so many frames, 0 = unknown: all of the frame in a short one, where it costs little and
+/// a sequence without an empty scene, a benchmark's say, comes out whole.
+std::string resolved_area(const std::string& area, std::int64_t frames);
+
 /// The method that the options ask for; null for "none".
 /// \throws Error usage when there is no such method, or a value is out of its range
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options);

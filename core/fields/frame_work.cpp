@@ -142,7 +142,7 @@ Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& m
     const Shot& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame.grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
-    const bool everywhere = options_.flow.everywhere || row_.traits.flow;
+    const bool everywhere = options_.flow.area == "all" || row_.traits.flow;
     const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();

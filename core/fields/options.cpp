@@ -27,6 +27,7 @@ void check_range(const char* option, T found, T least, T most) {
 
 void validate(const FlowOptions& flow) {
     choose("--flow", flow.method, flow_methods());
+    choose("--flow-area", flow.area, flow_areas());
     choose("--solver", flow.solver, flow_solvers());
     choose("--derivatives", flow.derivatives, derivative_kinds());
     // Less than this and float can't hold α² beside the squares of the derivatives.
@@ -45,8 +46,11 @@ void validate(const FieldOptions& options) {
     check_range("--smooth", options.smooth, 0.0, 20.0);
     check_range("--min-area", options.min_area, 0, 1000000);
     check_range("--threads", options.threads, 0, 4096);
-    check_range("--start", options.start, 0.0, std::numeric_limits<double>::max());
-    if (options.end) check_range("--end", *options.end, options.start, std::numeric_limits<double>::max());
+    check_range("--start", options.span.start, 0.0, std::numeric_limits<double>::max());
+    if (options.span.end) check_range("--end", *options.span.end, options.span.start, std::numeric_limits<double>::max());
+    constexpr std::int64_t last = std::numeric_limits<std::int64_t>::max();
+    check_range<std::int64_t>("--start", options.span.first, 0, last);
+    if (options.span.stop) check_range("--end", *options.span.stop, options.span.first, last);
     validate(options.flow);
     check_range("--grid", options.seeds.grid, 1, 10000);
     check_range("--min-magnitude", options.seeds.min_magnitude, 0.0, 10000.0);

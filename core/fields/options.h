@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/video/frame_span.h"
+
 namespace vvr {
 
 /// §4.1. Units: pixels of the field, grey levels 0..255.
@@ -15,7 +17,7 @@ struct FlowOptions {
     std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
     std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
     std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
-    bool everywhere = false;             ///< in the whole frame, not only about what the object covers
+    std::string area = "auto";           ///< a name in the table of flow areas
 };
 
 /// §4.2's three phases: points of a grid that move, put in an order, and some of them taken.
@@ -38,8 +40,7 @@ struct FieldOptions {
     std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};
     SeedOptions seeds{};
-    double start = 0;             ///< seconds; frames before it serve as neighbours, but give no field
-    std::optional<double> end{};  ///< seconds; the same for frames at it or after it
+    FrameSpan span{};             ///< frames beside it serve as neighbours, but give no field
     int threads = 0;              ///< 0 = one for each core
 };
 

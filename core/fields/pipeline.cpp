@@ -58,7 +58,7 @@ std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& o
     bool ended = false;
     std::int64_t frames = 0;
     const auto is_wanted = [&](const Frame& frame) {
-        return frame.pts >= options.start && (!options.end || frame.pts < *options.end);
+        return !is_before(options.span, frame.index, frame.pts) && !is_past(options.span, frame.index, frame.pts);
     };
 
     const auto source =
@@ -107,16 +107,20 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     if (needs_reference(options)) scene.reference = make_reference(source, options);
 
     const OneThreadInOpenCv one_thread;
-    FrameWork work(scene, options);
-    ClipReader read(source, options, work.reach(), work.remembers());
+    FieldOptions resolved = options;
+    resolved.flow.area = resolved_area(options.flow.area, source.info().frames);
+    FrameWork work(scene, resolved);
+    ClipReader read(source, options.span, work.reach(), work.remembers());
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);
     summary.damaged = source.damaged();
     summary.reference = std::move(scene.reference);
     if (summary.frames == 0) {
-        throw Error(ErrorKind::not_video,
-                    fmt::format("{}: no frame could be decoded between {} s and {}", source.info().name, options.start,
-                                options.end ? fmt::format("{} s", *options.end) : "its end"));
+        throw Error(ErrorKind::usage, fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change --start or "
+                                                  "--end",
+                                                  source.info().name, text_of(options.span),
+                                                  read.last_index() == 0 ? "1 frame" : fmt::format("{} frames", read.last_index() + 1),
+                                                  read.last_pts()));
     }
     return summary;
 }

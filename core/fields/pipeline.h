@@ -23,7 +23,7 @@ struct FieldSummary {
 /// Reads every frame of `source` once, in order, and gives its field to `sink`: decoding in order, fields in
 /// parallel, `sink` in order (§3's video processing sub-system). Memory doesn't depend on the clip's length, and the
 /// fields depend neither on the number of threads nor, but for what learns as it goes (`running`, `mog2`, `knn`), on
-/// where `options.start` and `options.end` cut.
+/// where `options.span` cuts.
 ///
 /// \throws Error usage for options that can't be, not_video when not one frame decodes; whatever `sink` throws.
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink);

@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
+#include "core/fields/cv_view.h"
+
 namespace vvr {
 namespace {
 
@@ -24,24 +28,17 @@ bool is_shadow(const Bgr& frame, const Bgr& empty) {
     return least > darkest && most < 1 && most - least < most_tint;
 }
 
-struct Point {
-    int x;
-    int y;
-};
-
 }  // namespace
 
 void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
     if (frame.colour.empty() || empty.colour.empty()) return;
     const Size size = object.size();
-    std::vector<Point> points;
+    std::vector<cv::Point> points;
+    cv::findNonZero(cv_view(object), points);
+    if (points.empty()) return;
     Plane<std::int8_t> votes(size);
-    for (int j = 0; j < size.height; ++j) {
-        for (int i = 0; i < size.width; ++i) {
-            if (object.at(i, j) == 0) continue;
-            points.push_back({i, j});
-            votes.at(i, j) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
-        }
+    for (const auto& [i, j] : points) {
+        votes.at(i, j) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
     }
     // One pixel proves nothing: most of those about it must look like a shadow too.
     for (const auto& [i, j] : points) {

@@ -58,8 +58,8 @@ void check_data_folder(const fs::path& folder) {
     check_file_path(folder / stored::manifest);
 }
 
-DataFolder::DataFolder(fs::path folder, std::int64_t flow_every)
-    : folder_(std::move(folder)), flow_every_(flow_every) {
+DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
+    : folder_(std::move(folder)), flow_every_(flow_every), colour_(colour) {
     check_data_folder(folder_);
     std::error_code error;
     made_ = fs::create_directory(folder_, error);
@@ -67,7 +67,8 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every)
     // From here on a run that is killed leaves a folder that the next one knows for its own.
     replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds}) {
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
+        if (name == stored::colour && !colour_) continue;
         fs::create_directory(folder_ / name, error);
         if (error) fail(folder_ / name, error.value());
     }
@@ -84,7 +85,7 @@ DataFolder::~DataFolder() {
 void DataFolder::remove_data() const {
     std::error_code none;
     for (const char* name :
-         {stored::scalar, stored::flow, stored::seeds, stored::reference, stored::first, stored::last}) {
+         {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference, stored::first, stored::last}) {
         fs::remove_all(folder_ / name, none);
     }
 }
@@ -101,6 +102,7 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
 void DataFolder::add(const Frame& frame, const Field& field) {
     StoredFrame stored{field.index, field.pts, {}};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
+    if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters make flow at every frame, wanted or not.
     if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
         write(stored::flow_file(field.index), bytes_of(encode_flo(field.flow)));
@@ -120,6 +122,7 @@ void DataFolder::close(Manifest manifest, const Reference& reference) {
               bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
     }
     manifest.flow_every = flow_every_;
+    manifest.colour = colour_;
     manifest.frames = frames_;
     replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
     closed_ = true;

@@ -18,9 +18,10 @@ void check_data_folder(const std::filesystem::path& folder);
 class DataFolder {
   public:
     /// Makes the folder, or empties it of an older extraction.
+    /// \param colour whether every frame's picture is kept
     /// \param flow_every flow and seeds are kept of frames whose index is a multiple of it; 0 = of none
     /// \throws Error io
-    DataFolder(std::filesystem::path folder, std::int64_t flow_every);
+    DataFolder(std::filesystem::path folder, std::int64_t flow_every, bool colour);
     ~DataFolder();
     DataFolder(const DataFolder&) = delete;
     DataFolder& operator=(const DataFolder&) = delete;
@@ -29,7 +30,7 @@ class DataFolder {
     void add(const Frame& frame, const Field& field);
 
     /// Writes the rest, and the manifest last. What only this class knows is filled in here:
-    /// its frames, their interval of flow, and whether there is a reference.
+    /// its frames, their interval of flow, whether their pictures are kept, and whether there is a reference.
     void close(Manifest manifest, const Reference& reference);
 
   private:
@@ -38,6 +39,7 @@ class DataFolder {
 
     std::filesystem::path folder_;
     std::int64_t flow_every_;
+    bool colour_;
     bool made_ = false;
     bool closed_ = false;
     std::vector<StoredFrame> frames_;

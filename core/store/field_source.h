@@ -12,7 +12,8 @@ namespace vvr {
 struct FieldNeeds {
     bool seeds = true;
     bool flow = true;
-    std::int64_t every = 1;  ///< both at frames whose index is a multiple of it
+    bool colour = false;     ///< every frame's own picture too; else that of the first and the last will do
+    std::int64_t every = 1;  ///< seeds and flow at frames whose index is a multiple of it
 };
 
 /// Where a clip's fields come from: computed out of its frames, or read back from data files (Fig. 3's yellow boxes).
@@ -25,6 +26,9 @@ class FieldSource {
 
     virtual const VideoInfo& info() const = 0;
     virtual Size field_size() const = 0;
+
+    /// How many fields there are as far as the clip's header tells; 0 = unknown.
+    virtual std::int64_t expected_frames() const = 0;
 
     /// The nearest interval to `asked`, not below it, at which there can be seeds and flow.
     virtual std::int64_t interval(std::int64_t asked) const { return asked; }
@@ -41,6 +45,7 @@ class ClipFields final : public FieldSource {
 
     const VideoInfo& info() const override { return clip_->info(); }
     Size field_size() const override { return clip_->field_size(); }
+    std::int64_t expected_frames() const override { return vvr::expected_frames(clip_->info(), options_.span); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
   private:

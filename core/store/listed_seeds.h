@@ -20,6 +20,7 @@ class ListedSeeds final : public FieldSource {
 
     const VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
+    std::int64_t expected_frames() const override { return fields_->expected_frames(); }
 
     /// A few lists have been chosen by someone, so all of them count; of many only those at the interval asked for.
     std::int64_t interval(std::int64_t asked) const override;

@@ -62,6 +62,8 @@ class Reader {
         return value.get<std::string>();
     }
 
+    bool has(const char* key) const { return json_.contains(key); }
+
     bool flag(const char* key) const {
         const Json& value = at(key);
         if (!value.is_boolean()) fail(fmt::format("'{}{}' is {}, not true or false", where_, key, value.dump()));
@@ -88,6 +90,22 @@ VideoInfo read_clip(const Reader& reader) {
     info.duration = reader.seconds("seconds");
     info.frames = reader.integer("frames", 0, largest_count);
     return info;
+}
+
+Json json_of(const FrameSpan& span) {
+    Json json{{"start", span.start}, {"first", span.first}};
+    if (span.end) json["end"] = *span.end;
+    if (span.stop) json["stop"] = *span.stop;
+    return json;
+}
+
+FrameSpan read_span(const Reader& reader) {
+    FrameSpan span;
+    span.start = reader.seconds("start");
+    span.first = reader.integer("first", 0, largest_count);
+    if (reader.has("end")) span.end = reader.seconds("end");
+    if (reader.has("stop")) span.stop = reader.integer("stop", 0, largest_count);
+    return span;
 }
 
 StoredFrame read_frame(const Json& json, std::size_t number, const std::string& name) {
@@ -129,6 +147,9 @@ std::filesystem::path scalar_file(std::int64_t index) {
 std::filesystem::path flow_file(std::int64_t index) {
     return std::filesystem::path(flow) / fmt::format("{:06}.flo", index);
 }
+std::filesystem::path colour_file(std::int64_t index) {
+    return std::filesystem::path(colour) / fmt::format("{:06}.png", index);
+}
 std::filesystem::path seed_file(std::int64_t index) {
     return std::filesystem::path(seeds) / fmt::format("{:06}.txt", index);
 }
@@ -151,10 +172,12 @@ std::string format_manifest(const Manifest& manifest) {
                       {"rate", clip.rate},
                       {"seconds", clip.duration},
                       {"frames", clip.frames}}},
+                    {"span", json_of(manifest.span)},
                     {"field_width", manifest.field_size.width},
                     {"field_height", manifest.field_size.height},
                     {"flow_every", manifest.flow_every},
                     {"damaged", manifest.damaged},
+                    {"colour", manifest.colour},
                     {"reference", manifest.reference},
                     {"settings", settings}};
     std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -188,9 +211,11 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
 
     Manifest manifest;
     manifest.clip = read_clip(reader.object("clip"));
+    manifest.span = read_span(reader.object("span"));
     manifest.field_size = read_size(reader, "field_width", "field_height");
     manifest.flow_every = reader.integer("flow_every", 0, largest_count);
     manifest.damaged = reader.integer("damaged", 0, largest_count);
+    manifest.colour = reader.flag("colour");
     manifest.reference = reader.flag("reference");
     const Reader settings = reader.object("settings");
     for (const auto& [option, value] : reader.at("settings").items()) {

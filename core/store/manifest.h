@@ -10,6 +10,7 @@
 
 #include "core/plane.h"
 #include "core/video/frame_source.h"
+#include "core/video/frame_span.h"
 
 namespace vvr {
 
@@ -25,9 +26,11 @@ struct StoredFrame {
 /// What a directory of data files says of itself (`manifest.json`, in docs/formats.md).
 struct Manifest {
     VideoInfo clip;  ///< of the whole clip, however little of it is here; its name is not stored
+    FrameSpan span;  ///< that was asked for
     Size field_size;
     std::int64_t flow_every = 1;
-    std::int64_t damaged = 0;  ///< packets from the clip's start to the last frame here that did not decode
+    std::int64_t damaged = 0;  ///< packets that did not decode, of these frames and their neighbours
+    bool colour = false;       ///< whether every frame's picture is here
     bool reference = false;    ///< whether there was an empty scene to compare with
     std::vector<std::pair<std::string, std::string>> settings;  ///< long names of options, and their texts
     std::vector<StoredFrame> frames;                            ///< one after the other, no gap
@@ -39,12 +42,14 @@ inline constexpr const char* manifest = "manifest.json";
 inline constexpr const char* scalar = "scalar";
 inline constexpr const char* flow = "flow";
 inline constexpr const char* seeds = "seeds";
+inline constexpr const char* colour = "colour";
 inline constexpr const char* reference = "reference.png";
 inline constexpr const char* first = "first.png";
 inline constexpr const char* last = "last.png";
 
 std::filesystem::path scalar_file(std::int64_t index);
 std::filesystem::path flow_file(std::int64_t index);
+std::filesystem::path colour_file(std::int64_t index);
 std::filesystem::path seed_file(std::int64_t index);
 }  // namespace stored
 

@@ -37,6 +37,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
         return fmt::format("fields of {}x{} and of {}x{}", a.field_size.width, a.field_size.height, b.field_size.width,
                            b.field_size.height);
     }
+    if (a.colour != b.colour) return "one holds the frames' pictures, the other doesn't";
     if (!same_clip(a.clip, b.clip)) return "they are of different clips";
     if (a.flow_every != b.flow_every) return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
     for (const Settings* settings : {&a.settings, &b.settings}) {
@@ -90,6 +91,14 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
     }
 }
 
+std::int64_t StoredFields::expected_frames() const {
+    const Manifest& last = parts_.back().manifest;
+    FrameSpan span = parts_.front().manifest.span;
+    span.end = last.span.end;
+    span.stop = last.span.stop;
+    return vvr::expected_frames(last.clip, span);
+}
+
 std::int64_t StoredFields::interval(std::int64_t asked) const {
     const std::int64_t every = std::max<std::int64_t>(1, parts_.front().manifest.flow_every);
     return (asked + every - 1) / every * every;
@@ -137,14 +146,23 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
                                                   "tracelines: extract it again, or leave them out of --show",
                                                   info_.name));
     }
+    if (needs.colour && !parts_.front().manifest.colour) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted without the frames' colours: extract it again "
+                                                  "with --with-color, or render the clip itself",
+                                                  info_.name));
+    }
     FieldSummary summary;
-    summary.damaged = parts_.back().manifest.damaged;
+    for (const Part& part : parts_) summary.damaged += part.manifest.damaged;
     for (const Part& part : parts_) {
         for (const StoredFrame& stored : part.manifest.frames) {
             Frame frame{.index = stored.index, .pts = stored.pts, .grey = {}, .colour = {}};
             const bool first = &stored == &parts_.front().manifest.frames.front();
             const bool last = &stored == &parts_.back().manifest.frames.back();
-            if (first || last) frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
+            if (needs.colour) {
+                frame.colour = read_colour(part.folder / stored::colour_file(stored.index), field_size());
+            } else if (first || last) {
+                frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
+            }
             ++summary.frames;
             sink(std::move(frame), read_field(part, stored, needs));
         }

@@ -20,6 +20,9 @@ class StoredFields final : public FieldSource {
     /// Of the whole clip, as its container told, where the parts begin and end where it does; else of what is here.
     const VideoInfo& info() const override { return info_; }
     Size field_size() const override { return parts_.front().manifest.field_size; }
+
+    /// What the clip itself would have given, so that both make the same picture.
+    std::int64_t expected_frames() const override;
     std::int64_t interval(std::int64_t asked) const override;
 
     /// \throws Error io for a file that is missing or isn't what the manifest says, usage when flow or seeds are

@@ -59,28 +59,13 @@ FileSource::FileSource(Input input, const SourceOptions& options)
                 name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
                 reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
     describe(*first.image);
-    if (options_.start <= 0) {
-        ahead_ =
-            std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
-        return;
-    }
-    start_ = reader_.find(options_.start);
-    rewind();
-    ahead_ = next();
-    if (!ahead_)
-        throw Error(
-            ErrorKind::usage,
-            fmt::format(
-                "'{}' has no frame from {} s to {}: its frames run from 0 s to about {:.3f} s; change --start or --end",
-                name, options_.start, options_.end ? fmt::format("{} s", *options_.end) : "its end", info_.duration));
+    ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }
 
 void FileSource::describe(const AVFrame& first) {
     auto& format = reader_.demuxer().format();
     auto& stream = reader_.demuxer().stream();
     orientation_ = orientation_of(stream);
-    // A time typed in decimals means the frame that it names.
-    tick_ = av_q2d(stream.time_base) / 2;
     const std::string formats = format.iformat->name;
     info_.name = reader_.input().name;
     info_.container = formats.substr(0, formats.find(','));
@@ -93,7 +78,15 @@ void FileSource::describe(const AVFrame& first) {
 }
 
 void FileSource::rewind() {
+    seek(0);
+}
+
+void FileSource::seek(double seconds) {
     ahead_.reset();
+    // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
+    const double tick = av_q2d(reader_.demuxer().stream().time_base);
+    from_ = (std::floor(seconds / tick) - 0.5) * tick;
+    start_ = from_ > 0 ? reader_.find(from_) : Start{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
 }
@@ -102,10 +95,9 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return std::move(ahead_);
     for (;;) {
         auto [image, time] = reader_.next();
-        if (!image || (options_.end && time >= *options_.end - tick_)) return nullptr;
-        if (time >= options_.start - tick_)
+        if (!image) return nullptr;
+        if (start_.packets == 0 || time >= from_)
             return std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)});
-        if (start_.packets == 0) ++index_;
         reader_.forget_damage();
     }
 }
@@ -121,8 +113,7 @@ std::vector<Frame> FileSource::sample(int count) {
 std::vector<Frame> FileSource::sample_key_frames(int count) const {
     const double origin = reader_.origin();
     Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
-    const auto end = options_.end ? std::optional(origin + *options_.end) : std::nullopt;
-    const auto keys = find_key_packets(scan, origin + options_.start, end, count);
+    const auto keys = find_key_packets(scan, count);
     if (keys.seen < count) return {};
 
     Decoder decoder(scan, reader_.input().name, 1);

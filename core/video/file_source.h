@@ -22,6 +22,7 @@ class FileSource final : public FrameSource {
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override { return reader_.damaged(); }
     void rewind() override;
+    void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;
 
   private:
@@ -33,7 +34,7 @@ class FileSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double tick_ = 0;  ///< half a tick of the container's clock, seconds
+    double from_ = 0;  ///< seconds; frames before it are passed over
     Start start_;
 
     std::int64_t index_ = 0;               ///< of the next frame

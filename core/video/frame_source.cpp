@@ -51,13 +51,14 @@ Size field_size_for(Size shown, Size asked) {
     return size;
 }
 
+void FrameSource::seek(double) {
+    rewind();
+}
+
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
     if (!(options.rate > 0) || !(options.rate <= 100'000))
         throw Error(ErrorKind::usage,
                     fmt::format("a rate of {} frames a second: it has to be above 0 and at most 100000", options.rate));
-    if (!std::isfinite(options.start) || (options.end && !(*options.end > options.start)))
-        throw Error(ErrorKind::usage, fmt::format("the end ({} s) has to come after the start ({} s)",
-                                                  options.end.value_or(0), options.start));
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
     return std::make_unique<FileSource>(open_input(name), options);
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +22,10 @@ struct VideoInfo {
 };
 
 struct SourceOptions {
-    Size field_size{0, 0};      ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
-    bool colour = false;        ///< fill Frame::colour as well
-    int threads = 0;            ///< decoder threads; 0 = one for each core
-    double start = 0;           ///< seconds; frames before it are passed over
-    std::optional<double> end;  ///< seconds; no frame at or after it
-    double rate = 25;           ///< frames a second of what carries no times: image sequences, raw streams
+    Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
+    bool colour = false;    ///< fill Frame::colour as well
+    int threads = 0;        ///< decoder threads; 0 = one for each core
+    double rate = 25;       ///< frames a second of what carries no times: image sequences, raw streams
 };
 
 /// Frames of a video file, an image sequence or a piped stream, each once and in order.
@@ -56,7 +53,11 @@ class FrameSource {
     /// Starts again at the first frame.
     virtual void rewind() = 0;
 
-    /// At most `count` frames spread in time over the whole of what is really there, between `start` and `end`;
+    /// Goes on with the first frame at or after `seconds`, where the way there is shorter than from the first frame
+    /// and the frame's number can be told; else starts again at the first frame.
+    virtual void seek(double seconds);
+
+    /// At most `count` frames spread in time over the whole of what is really there;
     /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
     /// first frame. Holds no more than `count` frames at a time. The frames' `index` is not filled in.
     virtual std::vector<Frame> sample(int count);

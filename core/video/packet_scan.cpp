@@ -40,14 +40,14 @@ Start find_start(Demuxer& demuxer, double time) {
     return {key_before, frames};
 }
 
-KeyPackets find_key_packets(Demuxer& demuxer, double start, std::optional<double> end, int count) {
+KeyPackets find_key_packets(Demuxer& demuxer, int count) {
     TimeSampler<av::Ptr<AVPacket>> sampler(count);
     const auto packet = av::make_packet();
     KeyPackets found;
-    double last = start;
+    double last = -std::numeric_limits<double>::infinity();
     while (demuxer.read(*packet)) {
         const auto pts = presentation(demuxer, *packet);
-        if (!(packet->flags & AV_PKT_FLAG_KEY) || !pts || *pts < last || (end && *pts >= *end)) continue;
+        if (!(packet->flags & AV_PKT_FLAG_KEY) || !pts || *pts < last) continue;
         ++found.seen;
         last = *pts;
         if (!sampler.wants(*pts)) continue;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "core/video/demuxer.h"
@@ -20,15 +19,15 @@ struct Start {
 /// \param time on the container's clock, seconds
 Start find_start(Demuxer& demuxer, double time);
 
-/// Key packets spread over a stretch of a clip.
+/// Key packets spread over a clip.
 struct KeyPackets {
     std::vector<av::Ptr<AVPacket>> kept;
     std::int64_t seen = 0;
 };
 
-/// At most `count` of the key packets from `start` to before `end` on the container's clock, seconds.
+/// At most `count` of the key packets.
 ///
 /// \param demuxer at its first packet
-KeyPackets find_key_packets(Demuxer& demuxer, double start, std::optional<double> end, int count);
+KeyPackets find_key_packets(Demuxer& demuxer, int count);
 
 }  // namespace vvr

@@ -53,18 +53,10 @@ std::size_t file_at(double time, double rate, std::size_t files) {
 PictureSource::PictureSource(const std::string& name, std::vector<std::string> files, const SourceOptions& options)
     : files_(std::move(files)), options_(options) {
     const double duration = static_cast<double>(files_.size()) / options.rate;
-    begin_ = file_at(options.start, options.rate, files_.size());
-    end_ = options.end ? file_at(*options.end, options.rate, files_.size()) : files_.size();
-    if (begin_ >= end_)
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}' has no frame from {} s to {}: its {} pictures at {} a second run to {:.3f} s; "
-                                "change --start or --end",
-                                name, options.start, options.end ? fmt::format("{} s", *options.end) : "its end",
-                                files_.size(), options.rate, duration));
     std::string why;
-    for (std::size_t i = begin_; i < end_; ++i) {
+    for (const std::string& file : files_) {
         try {
-            const auto first = decode_picture(files_[i]);
+            const auto first = decode_picture(file);
             info_ = {name,
                      "pictures",
                      first.codec,
@@ -74,14 +66,13 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
                      static_cast<std::int64_t>(files_.size())};
             break;
         } catch (const Error& error) {
-            if (why.empty()) why = fmt::format("{}: {}", files_[i], error.what());
+            if (why.empty()) why = fmt::format("{}: {}", file, error.what());
         }
     }
     if (info_.frames == 0)
         throw Error(ErrorKind::not_video,
-                    fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, end_ - begin_, why));
+                    fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, files_.size(), why));
     field_size_ = field_size_for(info_.size, options.field_size);
-    next_ = begin_;
 }
 
 std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame image) const {
@@ -92,8 +83,8 @@ std::unique_ptr<DecodedFrame> PictureSource::frame(std::size_t file, AvFrame ima
 std::unique_ptr<DecodedFrame> PictureSource::next() {
     const auto cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t threads = options_.threads > 0 ? static_cast<std::size_t>(std::min(options_.threads, 64)) : cores;
-    while (next_ < end_) {
-        while (ahead_.size() < threads && next_ + ahead_.size() < end_)
+    while (next_ < files_.size()) {
+        while (ahead_.size() < threads && next_ + ahead_.size() < files_.size())
             ahead_.push_back(
                 std::async(std::launch::async, try_decode_picture, std::cref(files_[next_ + ahead_.size()])));
         auto image = ahead_.front().get();
@@ -106,18 +97,22 @@ std::unique_ptr<DecodedFrame> PictureSource::next() {
 }
 
 void PictureSource::rewind() {
+    seek(0);
+}
+
+void PictureSource::seek(double seconds) {
     ahead_.clear();
-    next_ = begin_;
+    next_ = file_at(seconds, options_.rate, files_.size());
     damaged_ = 0;
 }
 
 std::vector<Frame> PictureSource::sample(int count) {
-    const std::size_t files = end_ - begin_;
+    const std::size_t files = files_.size();
     const std::size_t wanted = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, count)), 1, files);
     Scaler scale(*this);
     std::vector<Frame> frames;
     for (std::size_t i = 0; i < wanted; ++i) {
-        const std::size_t file = begin_ + (2 * i + 1) * files / (2 * wanted);
+        const std::size_t file = (2 * i + 1) * files / (2 * wanted);
         if (auto image = try_decode_picture(files_[file])) frames.push_back(scale(*frame(file, std::move(image))));
     }
     if (2 * frames.size() > wanted) {

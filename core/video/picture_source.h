@@ -22,6 +22,7 @@ class PictureSource final : public FrameSource {
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override { return damaged_; }
     void rewind() override;
+    void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;
 
   private:
@@ -31,9 +32,6 @@ class PictureSource final : public FrameSource {
     SourceOptions options_;
     VideoInfo info_;
     Size field_size_;
-    std::size_t begin_ = 0;  ///< of `files_`, by start and end
-    std::size_t end_ = 0;
-
     std::size_t next_ = 0;  ///< the file that the front of `ahead_` decodes
     std::deque<std::future<AvFrame>> ahead_;
     std::int64_t damaged_ = 0;

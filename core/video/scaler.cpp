@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -14,6 +13,7 @@ extern "C" {
 }
 
 #include "core/video/area_scaler.h"
+#include "core/video/colour_rows.h"
 #include "core/video/frame_source.h"
 #include "core/video/pixel_format.h"
 
@@ -46,40 +46,6 @@ constexpr std::array<std::uint8_t, 256> full_range_table() {
     for (int i = 0; i < 256; ++i) table[static_cast<std::size_t>(i)] = to_byte((2 * (i - 16) * 255 + 219) / (2 * 219));
     return table;
 }
-
-/// Full-range luma and chroma to BGR, in 16-bit fixed point: the same on every machine.
-class ColourMatrix {
-  public:
-    ColourMatrix(AVColorSpace space, bool full_range) {
-        double red = 0.299;
-        double blue = 0.114;
-        if (space == AVCOL_SPC_BT709) std::tie(red, blue) = std::pair(0.2126, 0.0722);
-        if (space == AVCOL_SPC_BT2020_NCL || space == AVCOL_SPC_BT2020_CL)
-            std::tie(red, blue) = std::pair(0.2627, 0.0593);
-        const double green = 1 - red - blue;
-        const double stretch = full_range ? 1 : 255.0 / 224;
-        red_of_cr_ = fixed(2 * (1 - red) * stretch);
-        blue_of_cb_ = fixed(2 * (1 - blue) * stretch);
-        green_of_cb_ = fixed(-2 * (1 - blue) * blue / green * stretch);
-        green_of_cr_ = fixed(-2 * (1 - red) * red / green * stretch);
-    }
-
-    Bgr operator()(int luma, int cb, int cr) const {
-        const int base = (luma << 16) + (1 << 15);
-        cb -= 128;
-        cr -= 128;
-        return {to_byte((base + blue_of_cb_ * cb) >> 16), to_byte((base + green_of_cb_ * cb + green_of_cr_ * cr) >> 16),
-                to_byte((base + red_of_cr_ * cr) >> 16)};
-    }
-
-  private:
-    static int fixed(double value) { return static_cast<int>(std::lround(value * 65536)); }
-
-    int red_of_cr_ = 0;
-    int blue_of_cb_ = 0;
-    int green_of_cb_ = 0;
-    int green_of_cr_ = 0;
-};
 
 }  // namespace
 
@@ -134,13 +100,11 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
         cv::split(fit(1, chroma, CV_8UC2), cbcr.data());
         if (layout.comp[1].offset > layout.comp[2].offset) std::swap(cbcr[0], cbcr[1]);
     }
-    const ColourMatrix to_bgr(colour_space(image), full_range);
+    const ColourMatrix matrix(colour_space(image), full_range);
+    const auto width = static_cast<std::size_t>(size_.width);
     for (int j = 0; j < size_.height; ++j) {
-        const auto* cb = cbcr[0].ptr<std::uint8_t>(j);
-        const auto* cr = cbcr[1].ptr<std::uint8_t>(j);
-        const auto y = frame.grey.row(j);
-        const auto out = frame.colour.row(j);
-        for (std::size_t i = 0; i < y.size(); ++i) out[i] = to_bgr(y[i], cb[i], cr[i]);
+        to_bgr(matrix, frame.grey.row(j), {cbcr[0].ptr<std::uint8_t>(j), width}, {cbcr[1].ptr<std::uint8_t>(j), width},
+               frame.colour.row(j));
     }
     return frame;
 }

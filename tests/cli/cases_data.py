@@ -48,6 +48,21 @@ def extract_writes_the_data_files(t):
 
 
 @case
+def colour_of_the_video_needs_extracted_frames(t):
+    clip = moving_clip(t)
+    look = ("--backend", "software", "--color", "video")
+    t.vvr("extract", clip, "-o", "data").expect(0)
+    t.render("data", *look, output="no.png").expect(
+        1, "'data' was extracted without the frames' colours: extract it again with --with-color, or render the clip itself")
+    check(not t.path("no.png").exists(), "a picture was written")
+    t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
+    check(len(list(t.path("data/colour").iterdir())) == 40, "not a picture a frame")
+    t.render(clip, *look, output="clip.png").expect(0)
+    t.render("data", *look, output="data.png").expect(0)
+    same(t, "clip.png", "data.png")
+
+
+@case
 def extracted_data_give_the_same_picture(t):
     options = ("--threshold", "30", "--grid", "8")
     t.vvr("extract", moving_clip(t), "-o", "data", *options).expect(0)
@@ -87,6 +102,17 @@ def four_parts_are_one_whole(t):
 
 
 @case
+def part_gives_the_picture_that_the_clip_gives(t):
+    moving_clip(t, frames=60)
+    for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17"), ("--end", "2.05s")):
+        t.vvr("extract", "clip.mkv", "-o", "data", *span).expect(0)
+        for options in ((), span):
+            t.render("data", "--backend", "software", *options, output="data.png").expect(0)
+            t.render("clip.mkv", "--backend", "software", *span, output="clip.png").expect(0)
+            same(t, "clip.png", "data.png")
+
+
+@case
 def extract_takes_pictures_at_full_size(t):
     t.path("frames").mkdir()
     t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())
@@ -104,7 +130,7 @@ def extract_replaces_only_its_own(t):
     t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "there is no folder 'none'")
     t.vvr("extract", "clip.mkv").expect(1, "no output", "-o DIR")
     t.vvr("extract", "-o", "data").expect(1, "no INPUT")
-    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40").expect(1, "--start: 'clip.mkv' has 40 frames, the last at 3.900 s")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
     t.expect_files("clip.mkv", "mine", "mine/notes.txt")
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5", "--flow", "none").expect(0, "5 frames")

@@ -97,7 +97,7 @@ def frames_and_seconds_mean_the_same(t):
 @case
 def start_beyond_the_end(t):
     t.clip()
-    t.render("clip.avi", "--start", "20").expect(1, "has no frame from 20 to its end: it has 20", "--start")
+    t.render("clip.avi", "--start", "20").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
     t.render("clip.avi", "--start", "5s").expect(1, "has no frame from 5 s")
     t.render("clip.avi", "--start", "9", "--end", "3").expect(1, "--end has to come after --start")
     t.expect_files("clip.avi")

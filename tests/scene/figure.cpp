@@ -1,6 +1,8 @@
 #include "tests/scene/figure.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tests/scene/texture.h"
 
@@ -48,13 +50,22 @@ Joints joints_of(const Figure& figure) {
         joints.elbow[side] = away(joints.shoulder, reach - 0.1 + 0.2 * figure.bow, arm * h, figure.facing);
         joints.hand[side] = away(joints.elbow[side], reach + 0.2 + 0.1 * figure.bow, arm * h, figure.facing);
     }
+    const auto tip = [&](Point& p) {
+        const Point d{p.x - figure.feet.x, p.y - figure.feet.y};
+        const double angle = figure.facing * figure.fall;
+        p = {figure.feet.x + std::cos(angle) * d.x - std::sin(angle) * d.y,
+             figure.feet.y + std::sin(angle) * d.x + std::cos(angle) * d.y};
+    };
+    for (Point* const p : {&joints.hip, &joints.shoulder, &joints.head}) tip(*p);
+    for (auto* const pair : {&joints.knee, &joints.foot, &joints.elbow, &joints.hand})
+        std::ranges::for_each(*pair, tip);
     return joints;
 }
 
 }  // namespace
 
 Point middle_of(const Figure& figure) {
-    return {figure.feet.x, figure.feet.y - figure.height / 2};
+    return away(figure.feet, 3.14159265 - figure.fall, figure.height / 2, figure.facing);
 }
 
 Point hand_of(const Figure& figure) {

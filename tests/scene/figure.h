@@ -14,6 +14,7 @@ struct Figure {
     double facing = 1;   ///< 1 = to the right, -1 = to the left
     double gait = 1;     ///< how far the limbs swing: 1 walking, 0 standing
     double bow = 0;      ///< 0 upright, 1 bent down to the floor
+    double fall = 0;     ///< radians that the whole body is tipped forwards about the feet
     std::uint64_t seed = 1;
 };
 

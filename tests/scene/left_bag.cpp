@@ -113,11 +113,11 @@ class LeftBagStory final : public Story {
     Figure walking(double x, double facing) const {
         // A step is as long as two fifths of the body.
         const double stride = std::abs(x - place) * scale_ / (0.8 * height()) * 2 * std::numbers::pi;
-        return {{x * scale_, floor()}, height(), stride, facing, 1, 0, seed_ + 3};
+        return {{x * scale_, floor()}, height(), stride, facing, 1, 0, 0, seed_ + 3};
     }
 
     Figure standing(double facing, double part) const {
-        return {{place * scale_, floor()}, height(), 0, facing, 0, std::sin(part * std::numbers::pi), seed_ + 3};
+        return {{place * scale_, floor()}, height(), 0, facing, 0, std::sin(part * std::numbers::pi), 0, seed_ + 3};
     }
 
     /// The bag stands just where the hand is when it is lowest.

@@ -20,7 +20,8 @@ using namespace vvr;
 constexpr const char* usage =
     "usage: vvr-scene NAME OUT.y4m|-|OUT_%05d.png [--size WxH] [--frames N] [--rate R] [--seed N] [--noise SIGMA]\n"
     "                 [--drift LEVELS] [--jump LEVELS --jump-at FRAME] [--velocity U,V] [--omega RADIANS]\n"
-    "NAME: left_bag, walkers, spinning_sphere, shifted_texture, still, one_object_a_second\n";
+    "NAME: left_bag, fall_on_floor, walkers, two_walkers_cross, spinning_sphere, shifted_texture, still,\n"
+    "      one_object_a_second\n";
 
 void write_picture(const std::string& name, const Plane<Bgr>& picture) {
     std::vector<std::uint8_t> rgb;

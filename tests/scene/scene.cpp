@@ -15,7 +15,9 @@ struct Entry {
     Scene (*make)(const Options&);
 };
 constexpr std::array table{Entry{"left_bag", make_left_bag},
+                           Entry{"fall_on_floor", make_fall_on_floor},
                            Entry{"walkers", make_walkers},
+                           Entry{"two_walkers_cross", make_two_walkers_cross},
                            Entry{"spinning_sphere", make_spinning_sphere},
                            Entry{"shifted_texture", make_shifted_texture},
                            Entry{"still", make_still},

@@ -87,6 +87,23 @@ LeftBag left_bag_facts(const Options& options = {});
 /// Six people of different sizes and speeds, some crossing. 600 frames.
 Scene make_walkers(const Options& options = {});
 
+/// Two people who walk towards each other and pass, the one in front hiding the other for a while. 600 frames.
+Scene make_two_walkers_cross(const Options& options = {});
+
+/// As in the paper's FallOnFloor: a person walks in, falls, lies still, gets up and leaves. Object "person". 600
+/// frames.
+Scene make_fall_on_floor(const Options& options = {});
+
+/// When and where the person of `make_fall_on_floor` lies.
+struct FallOnFloor {
+    int falls = 0;    ///< the first frame on which the person is not upright
+    int lies = 0;     ///< the first frame on the floor, without motion from here on
+    int gets_up = 0;  ///< the first frame that moves again
+    double x = 0;     ///< the middle of the body on the floor, pixels
+    double y = 0;
+};
+FallOnFloor fall_on_floor_facts(const Options& options = {});
+
 /// A textured disc that turns about the view axis (the paper's Fig. 7). Exact flow. 100 frames.
 Scene make_spinning_sphere(const Options& options = {});
 

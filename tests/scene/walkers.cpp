@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "tests/scene/figure.h"
@@ -21,13 +22,15 @@ struct Walker {
 };
 
 // By distance, the farthest first, as they are painted.
-constexpr std::array walkers{Walker{20, 0.8, 170, 62},  Walker{240, -0.9, 178, 64}, Walker{60, -1.2, 205, 78},
-                             Walker{180, 1.5, 222, 88}, Walker{330, 1.1, 246, 98},  Walker{120, -2.0, 266, 106}};
+constexpr std::array many{Walker{20, 0.8, 170, 62},  Walker{240, -0.9, 178, 64}, Walker{60, -1.2, 205, 78},
+                          Walker{180, 1.5, 222, 88}, Walker{330, 1.1, 246, 98},  Walker{120, -2.0, 266, 106}};
+constexpr std::array two{Walker{80, 1.2, 205, 78}, Walker{60, -1.1, 246, 98}};
 
 class WalkersStory final : public Story {
   public:
-    explicit WalkersStory(const Options& options)
-        : time_scale_(story_frames / options.frames),
+    WalkersStory(const Options& options, std::span<const Walker> walkers)
+        : walkers_(walkers),
+          time_scale_(story_frames / options.frames),
           scale_(options.size.height / story_height),
           width_(options.size.width / scale_),
           hall_(paint_hall(options.size, options.seed)),
@@ -36,7 +39,7 @@ class WalkersStory final : public Story {
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
         Canvas canvas(&picture);
-        for (std::size_t i = 0; i < walkers.size(); ++i) {
+        for (std::size_t i = 0; i < walkers_.size(); ++i) {
             const auto figure = figure_of(i, frame);
             paint_shadow(canvas, figure.feet, 0.26 * figure.height);
             paint_figure(canvas, figure);
@@ -46,7 +49,7 @@ class WalkersStory final : public Story {
 
     Truth truth(int frame) const override {
         Truth truth;
-        for (std::size_t i = 0; i < walkers.size(); ++i) {
+        for (std::size_t i = 0; i < walkers_.size(); ++i) {
             const auto figure = figure_of(i, frame);
             Plane<std::uint8_t> mask(hall_.size());
             Canvas canvas(nullptr, &mask);
@@ -57,14 +60,14 @@ class WalkersStory final : public Story {
             if (std::find(mask.pixels().begin(), mask.pixels().end(), 255) == mask.pixels().end()) continue;
             const Point middle = middle_of(figure);
             truth.objects.push_back({"walker " + std::to_string(i), middle.x, middle.y,
-                                     walkers[i].speed * scale_ * time_scale_, 0, std::move(mask)});
+                                     walkers_[i].speed * scale_ * time_scale_, 0, std::move(mask)});
         }
         return truth;
     }
 
   private:
     Figure figure_of(std::size_t i, int frame) const {
-        const Walker& walker = walkers[i];
+        const Walker& walker = walkers_[i];
         const double walked = (frame * time_scale_ - walker.enters) * walker.speed;
         const double x = walker.speed > 0 ? walked - walker.height / 2 : width_ + walker.height / 2 + walked;
         const double stride = std::abs(walked) / (0.8 * walker.height) * 2 * std::numbers::pi;
@@ -74,9 +77,11 @@ class WalkersStory final : public Story {
                 walker.speed > 0 ? 1.0 : -1.0,
                 1,
                 0,
+                0,
                 seed_ + 10 + i};
     }
 
+    std::span<const Walker> walkers_;
     double time_scale_;
     double scale_;
     double width_;
@@ -84,12 +89,19 @@ class WalkersStory final : public Story {
     std::uint64_t seed_;
 };
 
+Scene make(Options options, std::span<const Walker> walkers) {
+    if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
+    return {options, std::make_shared<WalkersStory>(options, walkers)};
+}
+
 }  // namespace
 
 Scene make_walkers(const Options& options) {
-    Options all = options;
-    if (all.frames <= 0) all.frames = static_cast<int>(story_frames);
-    return {all, std::make_shared<WalkersStory>(all)};
+    return make(options, many);
+}
+
+Scene make_two_walkers_cross(const Options& options) {
+    return make(options, two);
 }
 
 }  // namespace vvr::scene

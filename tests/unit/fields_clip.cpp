@@ -85,8 +85,8 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
             run(options, [&](Frame&&, Field&& field) { whole.push_back(std::move(field)); });
             const double seconds = count / 25.0;
             for (int k = 0; k < 4; ++k) {
-                options.start = k * seconds / 4;
-                options.end = (k + 1) * seconds / 4;
+                options.span.start = k * seconds / 4;
+                options.span.end = (k + 1) * seconds / 4;
                 const FieldSummary summary =
                     run(options, [&](Frame&&, Field&& field) { parts.push_back(std::move(field)); });
                 EXPECT_EQ(summary.frames, count / 4);
@@ -103,15 +103,27 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
     }
 }
 
+TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
+    const auto still = [&](const char* area) {
+        FieldOptions options{.threads = 2};
+        options.flow.area = area;
+        std::int64_t zeros = 0;
+        run(options, [&](Frame&&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
+        return zeros;
+    };
+    EXPECT_EQ(still("auto"), still("all"));
+    EXPECT_GT(still("moving"), 2 * still("all"));
+}
+
 TEST_F(Clip, APartWithoutFramesIsAnError) {
     FieldOptions options;
-    options.start = 100;
+    options.span.start = 100;
     try {
         run(options, [](Frame&&, Field&&) {});
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::not_video);
-        EXPECT_NE(std::string(error.what()).find("between 100 s and its end"), std::string::npos) << error.what();
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(error.what()).find("has no frame from 100 s to its end: it has"), std::string::npos) << error.what();
     }
 }
 

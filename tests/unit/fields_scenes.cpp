@@ -150,7 +150,7 @@ TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
     const scene::Scene scene = scene::make_shifted_texture(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     const std::vector<Field> result = fields_of(scene, fields);
     EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
     EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
@@ -166,7 +166,7 @@ TEST(ShiftedTexture, ConvergenceHalvesTheErrorOfSixtySteps) {
     const scene::Scene scene = scene::make_shifted_texture(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     fields.flow.every = 7;
     const auto angle = [&](const char* solver) {
         fields.flow.solver = solver;
@@ -183,7 +183,7 @@ TEST(SpinningSphere, FlowTurns) {
     const scene::Scene scene = scene::make_spinning_sphere(options);
     FieldOptions fields;
     fields.filter = "luminance";
-    fields.flow.everywhere = true;
+    fields.flow.area = "all";
     const Field field = fields_of(scene, fields)[2];
     const scene::Truth truth = scene.truth(2);
     double sum = 0;
@@ -207,10 +207,10 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
         fields.reference = "first";
         fields.flow.solver = solver;
         fields.flow.every = 20;
-        fields.start = 10;
-        fields.end = 12;
+        fields.span.start = 10;
+        fields.span.end = 12;
         const std::vector<Field> parts = fields_of(scene, fields);
-        fields.flow.everywhere = true;
+        fields.flow.area = "all";
         const std::vector<Field> whole = fields_of(scene, fields);
         ASSERT_EQ(parts.size(), 50U);
         double sum = 0, most = 0;
@@ -239,8 +239,8 @@ TEST(Walkers, TheDefaultFlowFollowsEachOfThem) {
     FieldOptions fields;
     fields.reference = "first";
     fields.flow.every = 25;
-    fields.start = 5;
-    fields.end = 20;
+    fields.span.start = 5;
+    fields.span.end = 20;
     int seen = 0, followed = 0;
     for (const Field& field : fields_of(scene, fields)) {
         if (field.flow.u.empty()) continue;

@@ -1,5 +1,3 @@
-#include "tests/scene/scene.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/video/scaler.h"
+#include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
 #include "tests/scene/y4m.h"
 
@@ -160,6 +159,45 @@ TEST(Walkers, AreSeveralAtOnceAndHideEachOther) {
             if (!object.mask.pixels()[i]) continue;
             EXPECT_EQ(seen.pixels()[i]++, 0);
         }
+}
+
+TEST(TwoWalkersCross, PassEachOther) {
+    const auto scene = make_two_walkers_cross();
+    EXPECT_EQ(scene.truth(0).objects.size(), 0u);
+    const auto before = scene.truth(150).objects;
+    const auto after = scene.truth(350).objects;
+    ASSERT_EQ(before.size(), 2u);
+    ASSERT_EQ(after.size(), 2u);
+    EXPECT_LT(before[0].x, before[1].x);
+    EXPECT_GT(after[0].x, after[1].x);
+    EXPECT_EQ(scene.truth(599).objects.size(), 0u);
+}
+
+TEST(FallOnFloor, LiesStillOnTheFloor) {
+    const auto scene = make_fall_on_floor();
+    const auto facts = fall_on_floor_facts();
+    ASSERT_LT(facts.falls, facts.lies);
+    ASSERT_LT(facts.lies + 100, facts.gets_up);
+    const auto box = [&](int frame) {
+        const auto mask = scene.truth(frame).objects.at(0).mask;
+        int left = mask.width(), right = 0, top = mask.height(), bottom = 0;
+        for (int j = 0; j < mask.height(); ++j)
+            for (int i = 0; i < mask.width(); ++i)
+                if (mask.at(i, j))
+                    left = std::min(left, i), right = std::max(right, i), top = std::min(top, j),
+                    bottom = std::max(bottom, j);
+        return std::array{left, right, top, bottom};
+    };
+    const auto up = box(facts.falls - 1);
+    EXPECT_GT(up[3] - up[2], 2 * (up[1] - up[0]));
+    const auto down = box(facts.lies);
+    EXPECT_GT(down[1] - down[0], 2 * (down[3] - down[2]));
+    EXPECT_NEAR((down[0] + down[1]) / 2.0, facts.x, 6);
+    EXPECT_NEAR((down[2] + down[3]) / 2.0, facts.y, 8);
+    EXPECT_TRUE(std::ranges::equal(scene.frame(facts.lies).pixels(), scene.frame(facts.gets_up - 1).pixels()));
+    EXPECT_FALSE(std::ranges::equal(scene.frame(facts.lies).pixels(), scene.frame(facts.gets_up + 3).pixels()));
+    EXPECT_TRUE(scene.truth(0).objects.empty());
+    EXPECT_TRUE(scene.truth(599).objects.empty());
 }
 
 TEST(SceneSource, GivesTheScenesPixels) {

@@ -52,7 +52,7 @@ class Store : public testing::Test {
     Store& operator=(const Store&) = delete;
 
     std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
-        DataFolder data(folder_ / name, 2);
+        DataFolder data(folder_ / name, 2, false);
         for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
         data.close(manifest_of(), {});
         return (folder_ / name).string();
@@ -84,7 +84,7 @@ TEST_F(Store, GivesBackWhatItTook) {
 
 TEST_F(Store, WithoutCloseNothingStays) {
     {
-        DataFolder data(folder_ / "a", 1);
+        DataFolder data(folder_ / "a", 1, false);
         data.add(frame_of(0), field_of(0));
         EXPECT_TRUE(is_data_folder(folder_ / "a"));
         const std::vector<std::string> names{(folder_ / "a").string()};

@@ -111,14 +111,9 @@ TEST_F(VideoErrors, Address) {
     expect_error("nothing://clip", ErrorKind::io, {"nothing://clip", "Protocol not found"});
 }
 
-TEST_F(VideoErrors, StretchOutsideTheClip) {
+TEST_F(VideoErrors, RateThatCannotBe) {
     const auto clip = counting_clip(folder, "clip.mkv", "-c:v ffv1");
     SourceOptions options;
-    options.start = 60;
-    expect_error(clip, ErrorKind::usage, {"no frame from 60 s", "4.000 s"}, options);
-    options.end = 50;
-    expect_error(clip, ErrorKind::usage, {"has to come after"}, options);
-    options = {};
     options.rate = 0;
     expect_error(clip, ErrorKind::usage, {"rate of 0"}, options);
 }

@@ -13,7 +13,23 @@ constexpr std::array rows{
     FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }},
 };
 
+constexpr std::array areas{
+    FlowArea{"auto", "all of a clip of up to 64 frames, what moves in a longer one"},
+    FlowArea{"moving", "only about what is shown and changes"},
+    FlowArea{"all", "the whole frame"},
+};
+
 }  // namespace
+
+std::span<const FlowArea> flow_areas() {
+    return areas;
+}
+
+std::string resolved_area(const std::string& area, std::int64_t frames) {
+    constexpr std::int64_t few = 64;
+    if (area != "auto") return area;
+    return frames > 0 && frames <= few ? "all" : "moving";
+}
 
 std::span<const FlowRow> flow_methods() {
     return rows;

@@ -1,0 +1,91 @@
+#include "core/video/colour_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/video/colour_rows.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vvr::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// \param pixels a multiple of 8
+void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::uint8_t* cb, const std::uint8_t* cr,
+             std::uint8_t* out, std::size_t pixels) {
+    const hn::CappedTag<std::int32_t, 8> wide;
+    const hn::Rebind<std::uint8_t, decltype(wide)> narrow;
+    const std::size_t lanes = hn::Lanes(wide);
+    const auto half = hn::Set(wide, 1 << 15);
+    const auto middle = hn::Set(wide, 128);
+    const auto load = [&](const std::uint8_t* from) { return hn::PromoteTo(wide, hn::LoadU(narrow, from)); };
+    const auto blue_of_cb = hn::Set(wide, matrix.blue_of_cb);
+    const auto green_of_cb = hn::Set(wide, matrix.green_of_cb);
+    const auto green_of_cr = hn::Set(wide, matrix.green_of_cr);
+    const auto red_of_cr = hn::Set(wide, matrix.red_of_cr);
+    for (std::size_t i = 0; i < pixels; i += lanes) {
+        const auto base = hn::Add(hn::ShiftLeft<16>(load(luma + i)), half);
+        const auto b = hn::Sub(load(cb + i), middle);
+        const auto r = hn::Sub(load(cr + i), middle);
+        const auto byte = [&](auto value) { return hn::DemoteTo(narrow, hn::ShiftRight<16>(value)); };
+        const auto blue = byte(hn::Add(base, hn::Mul(b, blue_of_cb)));
+        const auto green = byte(hn::Add(base, hn::Add(hn::Mul(b, green_of_cb), hn::Mul(r, green_of_cr))));
+        const auto red = byte(hn::Add(base, hn::Mul(r, red_of_cr)));
+        hn::StoreInterleaved3(blue, green, red, narrow, out + 3 * i);
+    }
+}
+
+}  // namespace vvr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vvr {
+
+HWY_EXPORT(bgr_row);
+
+namespace {
+
+std::int32_t fixed(double value) {
+    return static_cast<std::int32_t>(std::lround(value * 65536));
+}
+
+}  // namespace
+
+ColourMatrix::ColourMatrix(AVColorSpace space, bool full_range) {
+    double red = 0.299;
+    double blue = 0.114;
+    if (space == AVCOL_SPC_BT709) std::tie(red, blue) = std::pair(0.2126, 0.0722);
+    if (space == AVCOL_SPC_BT2020_NCL || space == AVCOL_SPC_BT2020_CL) std::tie(red, blue) = std::pair(0.2627, 0.0593);
+    const double green = 1 - red - blue;
+    const double stretch = full_range ? 1 : 255.0 / 224;
+    red_of_cr = fixed(2 * (1 - red) * stretch);
+    blue_of_cb = fixed(2 * (1 - blue) * stretch);
+    green_of_cb = fixed(-2 * (1 - blue) * blue / green * stretch);
+    green_of_cr = fixed(-2 * (1 - red) * red / green * stretch);
+}
+
+void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
+            std::span<const std::uint8_t> cr, std::span<Bgr> out) {
+    constexpr std::size_t lanes = 8;  // of the longest vector that is used
+    const std::size_t whole = out.size() / lanes * lanes;
+    const auto bgr = HWY_DYNAMIC_DISPATCH(bgr_row);
+    if (whole > 0) bgr(matrix, luma.data(), cb.data(), cr.data(), out.front().data(), whole);
+    const std::size_t rest = out.size() - whole;
+    if (rest == 0) return;
+    std::array<std::uint8_t, lanes> y{}, u{}, v{};
+    std::array<std::uint8_t, 3 * lanes> pixels{};
+    std::ranges::copy(luma.subspan(whole), y.begin());
+    std::ranges::copy(cb.subspan(whole), u.begin());
+    std::ranges::copy(cr.subspan(whole), v.begin());
+    bgr(matrix, y.data(), u.data(), v.data(), pixels.data(), lanes);
+    for (std::size_t i = 0; i < rest; ++i) out[whole + i] = {pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]};
+}
+
+}  // namespace vvr
+#endif

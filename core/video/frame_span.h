@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/video/frame_source.h"
+
+namespace vvr {
+
+/// A stretch of a clip: the frames within all four limits.
+struct FrameSpan {
+    double start = 0;                  ///< seconds
+    std::optional<double> end{};       ///< seconds; itself left out
+    std::int64_t first = 0;            ///< a frame's number
+    std::optional<std::int64_t> stop{};  ///< a frame's number; itself left out
+
+    friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
+};
+
+/// Whether a frame comes before all of the span.
+bool is_before(const FrameSpan& span, std::int64_t index, double pts);
+
+/// Whether a frame, and so all that follow it, come after the span.
+bool is_past(const FrameSpan& span, std::int64_t index, double pts);
+
+/// "from 2 s to frame 80"
+std::string text_of(const FrameSpan& span);
+
+/// How many frames a span has as far as the clip's header tells; 0 = unknown.
+std::int64_t expected_frames(const VideoInfo& info, const FrameSpan& span);
+
+}  // namespace vvr

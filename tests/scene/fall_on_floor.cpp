@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "tests/scene/figure.h"
+#include "tests/scene/scene.h"
+
+namespace vvr::scene {
+namespace {
+
+// The story's own frames and pixels: 600 frames of 384x288. Other options scale both.
+constexpr double story_frames = 600;
+constexpr double story_height = 288;
+constexpr double speed = 1.6;  // pixels a frame
+constexpr double place = 150;  // where the person falls
+constexpr double outside = 50;
+constexpr double enters = 30;
+constexpr double falls = enters + (place + outside) / speed;
+constexpr double lies = falls + 14;
+constexpr double gets_up = 360;
+constexpr double goes = gets_up + 40;
+constexpr double flat = std::numbers::pi / 2;
+
+class FallStory final : public Story {
+  public:
+    explicit FallStory(const Options& options)
+        : time_scale_(story_frames / options.frames),
+          scale_(options.size.height / story_height),
+          width_(options.size.width / scale_),
+          hall_(paint_hall(options.size, options.seed)),
+          seed_(options.seed) {}
+
+    Plane<Bgr> paint(int frame) const override {
+        auto picture = hall_;
+        if (const auto figure = figure_at(frame * time_scale_)) {
+            Canvas canvas(&picture);
+            const Point middle = middle_of(*figure);
+            const double lying = figure->fall / flat;
+            paint_shadow(canvas, {figure->feet.x + (middle.x - figure->feet.x) * lying, figure->feet.y},
+                         (0.26 + 0.3 * lying) * figure->height);
+            paint_figure(canvas, *figure);
+        }
+        return picture;
+    }
+
+    Truth truth(int frame) const override {
+        Truth truth;
+        const auto figure = figure_at(frame * time_scale_);
+        if (!figure) return truth;
+        const Point middle = middle_of(*figure);
+        const auto after = figure_at((frame + 1) * time_scale_);
+        const Point next = after ? middle_of(*after) : middle;
+        Object person{"person",          middle.x,          middle.y,
+                      next.x - middle.x, next.y - middle.y, Plane<std::uint8_t>(hall_.size())};
+        Canvas canvas(nullptr, &person.mask);
+        paint_figure(canvas, *figure);
+        truth.objects.push_back(std::move(person));
+        return truth;
+    }
+
+    FallOnFloor facts() const {
+        const auto first = [&](double time) { return static_cast<int>(std::ceil(time / time_scale_)); };
+        const Point middle = middle_of(*figure_at(lies));
+        return {first(falls), first(lies), first(gets_up), middle.x, middle.y};
+    }
+
+  private:
+    double height() const { return 92 * scale_; }
+    double floor() const { return 236 * scale_; }
+
+    /// Nothing while nobody is to be seen.
+    std::optional<Figure> figure_at(double now) const {
+        if (now < enters) return std::nullopt;
+        if (now < falls) return walking(-outside + (now - enters) * speed);
+        if (now < gets_up) {
+            // Faster and faster, as things fall.
+            const double part = std::min((now - falls) / (lies - falls), 1.0);
+            return tipped(part * part);
+        }
+        if (now < goes) return tipped(1 - (now - gets_up) / (goes - gets_up));
+        const double x = place + (now - goes) * speed;
+        return x < width_ + outside ? std::optional(walking(x)) : std::nullopt;
+    }
+
+    Figure walking(double x) const {
+        const double stride = std::abs(x - place) * scale_ / (0.8 * height()) * 2 * std::numbers::pi;
+        return {{x * scale_, floor()}, height(), stride, 1, 1, 0, 0, seed_ + 5};
+    }
+
+    Figure tipped(double part) const {
+        return {{place * scale_, floor()}, height(), 0, 1, 1 - part, 0, part * flat, seed_ + 5};
+    }
+
+    double time_scale_;
+    double scale_;
+    double width_;
+    Plane<Bgr> hall_;
+    std::uint64_t seed_;
+};
+
+Options with_frames(Options options) {
+    if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
+    return options;
+}
+
+}  // namespace
+
+Scene make_fall_on_floor(const Options& options) {
+    const auto all = with_frames(options);
+    return {all, std::make_shared<FallStory>(all)};
+}
+
+FallOnFloor fall_on_floor_facts(const Options& options) {
+    return FallStory(with_frames(options)).facts();
+}
+
+}  // namespace vvr::scene
