@@ -111,28 +111,33 @@ void EventFinder::look_after_hidden(const Plane<std::uint8_t>& field, const Blob
     for (std::size_t k = 0; k < followed_.size(); ++k) {
         Followed& followed = followed_[k];
         Track& track = followed.track;
-        if (!track.stands() || track.seen().frame == now.frame) continue;
+        if (followed.over || !track.stands() || track.seen().frame == now.frame) continue;
+        if (!followed.near) followed.near = about(track);
+        if (!followed.near && rises(k, blobs, choices)) continue;
         int covered = 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t) { covered += field.at(i, j) != 0 ? 1 : 0; });
-        const auto most = blobs.patches.empty() ? overlap_[k].end() : std::ranges::max_element(overlap_[k]);
-        if (2 * covered < track.patch().area || most == overlap_[k].end() || *most == 0) {
-            if (!followed.near) followed.near = about(track);
-            end(followed, true);
-            continue;
-        }
-        auto& chosen = choices[static_cast<std::size_t>(most - overlap_[k].begin())];
-        const bool own = std::ranges::all_of(chosen, [&](std::size_t other) {
-            return followed_[other].from == track.number() && !followed_[other].track.is_certain();
-        });
-        if (own && !followed.near) {
-            for (const std::size_t piece : chosen) followed_[piece].over = true;
-            track.rise();
-            chosen = {k};
-        } else if (!chosen.empty()) {
-            followed.near = followed_[chosen.front()].track.number();
-        }
-        if (now.seconds - track.seen().seconds > covered_after) end(followed, true);
+        const bool uncovered = 2 * covered < track.patch().area;
+        if (uncovered || now.seconds - track.seen().seconds > covered_after) end(followed, true);
     }
+}
+
+/// Where nobody else is near, it goes on in the piece of it that moved off, or in the object that is in its place.
+bool EventFinder::rises(std::size_t k, const Blobs& blobs, Choices& choices) {
+    const auto is_own = [&](std::size_t other) { return followed_[other].from == followed_[k].track.number(); };
+    std::size_t place = choices.size();
+    int most = 0;
+    for (std::size_t b = 0; b < choices.size(); ++b) {
+        const bool own = std::ranges::all_of(choices[b], is_own);
+        const int size = choices[b].empty() ? overlap_[k][b] : blobs.patches[b].area;
+        if (!own || size <= most) continue;
+        most = size;
+        place = b;
+    }
+    if (place == choices.size()) return false;
+    for (const std::size_t piece : choices[place]) followed_[piece].over = true;
+    followed_[k].track.rise();
+    choices[place] = {k};
+    return true;
 }
 
 /// Who moves beside something that stands.
@@ -144,7 +149,8 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
         const PixelBox& other = followed.track.patch().box;
         const bool meets = other.left < wide.right && wide.left < other.right && other.top < wide.bottom &&
                            wide.top < other.bottom;
-        if (meets && !followed.over && !followed.track.stands() && followed.track.is_certain()) {
+        const bool own = followed.from == standing.number();
+        if (meets && !own && !followed.over && !followed.track.stands() && followed.track.is_certain()) {
             return followed.track.number();
         }
     }

@@ -45,6 +45,7 @@ class EventFinder {
     Choices choose(const Blobs& blobs);
     void share_out(const Blobs& blobs, Choices& choices) const;
     void look_after_hidden(const Plane<std::uint8_t>& field, const Blobs& blobs, Choices& choices, const Moment& now);
+    bool rises(std::size_t k, const Blobs& blobs, Choices& choices);
     std::optional<std::size_t> about(const Track& standing) const;
     void join_pieces(std::vector<std::size_t>& chosen);
     void go_on(const Plane<std::uint8_t>& field, const Blobs& blobs, const Choices& choices, const Moment& now);

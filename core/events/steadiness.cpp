@@ -1,5 +1,6 @@
 #include "core/events/steadiness.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace vvr {
@@ -7,7 +8,6 @@ namespace vvr {
 namespace {
 
 constexpr int tolerance = 40;  // levels of a difference that is doubled: 20 grey levels
-constexpr int most_misses = 3;
 
 }  // namespace
 
@@ -17,6 +17,8 @@ bool Steadiness::alike(std::uint8_t value, std::uint8_t level) {
 
 void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
     if (pixels_.empty()) pixels_ = Plane<Pixel>(field.size());
+    std::ranges::rotate(last_, last_.end() - 1);
+    last_.front() = now;
     const auto values = field.pixels();
     const auto pixels = pixels_.pixels();
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -29,9 +31,11 @@ void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
             pixel.misses = 0;
             continue;
         }
-        if (pixel.misses == 0) pixel.missed = now;
-        if (pixel.level != 0 && ++pixel.misses < most_misses) continue;
-        pixel = {.since = pixel.missed, .level = value, .misses = 0, .missed = {}};
+        if (pixel.level == 0) {
+            pixel = {.since = now, .level = value, .misses = 0};
+        } else if (++pixel.misses == most_misses) {
+            pixel = {.since = last_.back(), .level = value, .misses = 0};
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/events/event.h"
@@ -14,8 +15,7 @@ class Steadiness {
     struct Pixel {
         Moment since;             ///< of use where `level` is not 0
         std::uint8_t level = 0;   ///< the value that it has had; 0 = no object
-        std::uint8_t misses = 0;  ///< frames in a row that were otherwise
-        Moment missed;            ///< the first of them
+        std::uint8_t misses = 0;  ///< fields in a row that were otherwise
     };
 
     void add(const Plane<std::uint8_t>& field, const Moment& now);
@@ -26,6 +26,9 @@ class Steadiness {
     static bool alike(std::uint8_t value, std::uint8_t level);
 
   private:
+    static constexpr std::size_t most_misses = 3;
+
+    std::array<Moment, most_misses> last_{};  ///< times of the last fields, the latest first
     Plane<Pixel> pixels_;
 };
 
