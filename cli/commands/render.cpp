@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -14,25 +16,40 @@
 #include "cli/work/picture_output.h"
 #include "cli/work/plan.h"
 #include "cli/work/render_clip.h"
+#include "cli/work/report.h"
+#include "core/fields/filter.h"
+#include "core/image/atomic_file.h"
 
 namespace vvr {
 
 namespace {
 
-/// The settings that made the picture, and what they made of this clip.
-Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
+/// The settings that make the picture what it is.
+Metadata settings_of(const CommandLine& line, const Metadata& extracted) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (const auto& [option, value] : line.settings(name, extracted)) {
             metadata.emplace_back(option, without_folder(option, value));
         }
     }
+    return metadata;
+}
+
+/// The same, and what they made of this clip.
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
+    Metadata metadata = settings_of(line, extracted);
     metadata.emplace_back("frames", fmt::to_string(report.frames));
     metadata.emplace_back("damaged", fmt::to_string(report.damaged));
     metadata.emplace_back("frames-a-layer", fmt::to_string(report.step));
     metadata.emplace_back("layers", fmt::to_string(report.layers));
     metadata.emplace_back("renderer", report.renderer);
     return metadata;
+}
+
+/// Whether the fields' filter marks objects, among which there are events to be found.
+bool marks_objects(const RenderSettings& settings, const Metadata& extracted) {
+    const auto found = std::ranges::find(extracted, "filter", &Metadata::value_type::first);
+    return find_filter(found == extracted.end() ? settings.fields.filter : found->second).traits.shows_object;
 }
 
 void log_report(const RenderReport& report, spdlog::logger& log) {
@@ -48,10 +65,8 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderReport render(const RenderSettings& settings, FieldSource& source, int pictures, const PictureSink& sink,
+RenderReport render(const RenderSettings& settings, FieldSource& source, const RenderJob& job, const PictureSink& sink,
                     spdlog::logger& log) {
-    RenderJob job = job_for(settings);
-    job.pictures = pictures;
     const Plan plan = make_plan(job, source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
@@ -90,13 +105,22 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
         pictures.add(number, picture, describe(line, fields.extracted, report));
         drawn = std::move(picture);
     };
-    const RenderReport report = render(settings, *fields.source, pictures_of(output), write, environment.log);
+    RenderJob job = job_for(settings);
+    job.pictures = pictures_of(output);
+    job.find_events = (!settings.run.quiet || !output.report.empty()) && marks_objects(settings, fields.extracted);
+    const RenderReport report = render(settings, *fields.source, job, write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     const std::string target = output.path.empty() ? report.info.name : output.path.string();
     environment.log.info("'{}': {} in {} and {}, {:.1f} s", target, counted(report.frames, "frame"),
                          counted(report.layers, "layer"),
                          counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    if (report.events) environment.log.info("{}", summary_of(*report.events));
+    if (!output.report.empty()) {
+        const std::string text = format_report(report, settings_of(line, fields.extracted), took.count());
+        const auto held = environment.signals.hold();
+        replace_file(output.report, std::as_bytes(std::span(text)));
+    }
     if (!output.golden.path.empty()) {
         meet_golden(output.golden, drawn, describe(line, fields.extracted, report), environment);
     }

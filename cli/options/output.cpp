@@ -4,6 +4,7 @@
 
 #include "cli/options/option.h"
 #include "core/image/animation_file.h"
+#include "core/image/atomic_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 
@@ -28,13 +29,20 @@ void add_options(CLI::App& app, OutputOptions& options) {
                      "if not given) or has a field: {{frame:4}}, #### or %04d",
                      standard_animation)},
         [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+    add_option(app, group::output, options.report,
+               {"--report", "FILE", "", "a JSON file of the input, the settings, the events and the run; needs no -o"},
+               [](const std::string& given) { return std::filesystem::path(given); });
     add_options(app, options.golden);
 }
 
 void check(const OutputOptions& options) {
     check(options.golden);
-    if (options.path.empty() && options.golden.path.empty()) {
+    if (!options.report.empty()) check_file_path(options.report);
+    if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
         throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    }
+    if (options.path.empty() && options.animate) {
+        throw Error(ErrorKind::usage, "--animate: say where the pictures go with -o FILE");
     }
     if (!options.golden.path.empty() && pictures_of(options) > 1) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
@@ -65,6 +73,7 @@ void check(const OutputOptions& options) {
 }
 
 int pictures_of(const OutputOptions& options) {
+    if (options.path.empty() && options.golden.path.empty()) return 0;
     return options.animate.value_or(is_animation(options.path) ? standard_animation : 1);
 }
 

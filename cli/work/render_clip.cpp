@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/events/event_finder.h"
 #include "core/scene/overlay.h"
 #include "gl/context.h"
 
@@ -20,6 +21,7 @@ struct Fields {
     Frame first;
     Frame last;
     FieldSummary summary;
+    std::optional<std::vector<Event>> events;
 };
 
 Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step, const FrameProgress& progress) {
@@ -31,14 +33,18 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
     needs.colour = job.picture.colour == VolumeColour::video;
     needs.every = source.interval(std::max<std::int64_t>(1, every));
 
-    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}};
+    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}, {}};
+    std::optional<EventFinder> events;
+    if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
         result.volume.add(field, needs.colour ? frame.colour : Plane<Bgr>());
+        if (events) events->add(field.scalar, {field.index, field.pts});
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
     });
+    if (events) result.events = events->finish();
     return result;
 }
 
@@ -132,7 +138,9 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
+    RenderReport report;
     const auto context = open_context(job.backend, job.device);
+    report.stages.end("context");
     const std::int64_t expected = source.expected_frames();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -142,8 +150,10 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
         fields = read_fields(job, source, step, progress);
     }
 
+    report.stages.end("fields");
+
     Volume& volume = fields.volume;
-    RenderReport report;
+    report.events = std::move(fields.events);
     report.info = source.info();
     report.field_size = source.field_size();
     report.frames = fields.summary.frames;
@@ -160,9 +170,12 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     Scene scene = build_scene(job, fields, *layout);
     report.arrows = scene.arrows.size();
 
+    report.stages.end("scene");
+
     report.still = nothing_visible(volume, job.transfer);
 
     report.renderer = context->renderer();
+    report.gl_version = context->version();
     report.backend = context->backend();
     RenderOptions options = job.picture;
     options.ring = static_cast<int>(report.bricks.size());
@@ -180,8 +193,12 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     }
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
-    for (int i = 0; i < job.pictures; ++i)
-        sink(report, i, to_picture(renderer.draw(static_cast<double>(i) / job.pictures)));
+    for (int i = 0; i < job.pictures; ++i) {
+        Picture picture = to_picture(renderer.draw(static_cast<double>(i) / job.pictures));
+        report.stages.end("draw");
+        sink(report, i, std::move(picture));
+        report.stages.end("write");
+    }
     return report;
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/work/stages.h"
+#include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/scene/glyph.h"
 #include "core/scene/traceline.h"
@@ -17,9 +19,9 @@ namespace vvr {
 
 /// Everything that decides how a clip becomes a picture.
 struct RenderJob {
-    std::int64_t max_layers = 800;   ///< of the window; a longer clip is sampled in time
-    std::int64_t step = 0;           ///< frames a layer takes; 0 = as many as max_layers asks for
-    int bricks = 8;                  ///< K, where brick_seconds and brick_frames are 0
+    std::int64_t max_layers = 800;  ///< of the window; a longer clip is sampled in time
+    std::int64_t step = 0;          ///< frames a layer takes; 0 = as many as max_layers asks for
+    int bricks = 8;                 ///< K, where brick_seconds and brick_frames are 0
     double brick_seconds = 0;
     std::int64_t brick_frames = 0;
 
@@ -28,10 +30,11 @@ struct RenderJob {
     double r_max = 1;
     double height = 0;  ///< y_s; 0 = square pixels
 
-    int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
-    RenderOptions picture;  ///< ring and window_layers are found out
+    bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
+    int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
+    RenderOptions picture;     ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();
-    double opacity = 1;     ///< factor on its extinctions
+    double opacity = 1;  ///< factor on its extinctions
     GlyphOptions glyphs;
     TraceOptions traces;
     std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
@@ -48,17 +51,20 @@ const std::vector<std::string>& show_words();
 struct RenderReport {
     VideoInfo info;
     Size field_size;
-    std::int64_t frames = 0;    ///< that reached the volume
+    std::int64_t frames = 0;  ///< that reached the volume
     std::int64_t damaged = 0;
-    double first_pts = 0;       ///< seconds
+    double first_pts = 0;  ///< seconds
     double last_pts = 0;
     std::int64_t layers = 0;
     std::int64_t step = 1;      ///< frames a layer
     std::vector<Brick> bricks;  ///< in layers
     std::size_t arrows = 0;
-    bool still = false;         ///< nothing in the volume is visible
-    std::string renderer;       ///< GL_RENDERER
+    bool still = false;      ///< nothing in the volume is visible
+    std::string renderer;    ///< GL_RENDERER
+    std::string gl_version;  ///< GL_VERSION
     std::string backend;
+    std::optional<std::vector<Event>> events;  ///< where they were looked for
+    Stages stages;
 };
 
 struct RenderedClip {

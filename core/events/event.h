@@ -48,7 +48,7 @@ struct PathPoint {
 struct Event {
     Moment first;
     Moment last;
-    PixelBox box;  ///< of all places where it was
+    PixelBox box;                 ///< of all places where it was
     std::vector<PathPoint> path;  ///< coarse; its ends are those of the event
     double path_length = 0;       ///< field pixels, along the path
     std::vector<Stay> stays;

@@ -8,8 +8,8 @@ namespace vvr {
 
 namespace {
 
-constexpr double lost_after = 1;    // seconds for which something may not be seen
-constexpr double hidden_after = 2;  // the same within a larger object
+constexpr double lost_after = 1;      // seconds for which something may not be seen
+constexpr double hidden_after = 2;    // the same within a larger object
 constexpr double covered_after = 60;  // the same of something that stands, and has somebody in front of it
 constexpr double visible = 0.3;       // part of something that stands
 constexpr double undisturbed = 0.8;
@@ -18,7 +18,9 @@ constexpr double own_share = 0.2;
 }  // namespace
 
 EventFinder::EventFinder(Size field, const EventOptions& options)
-    : options_(options), field_(field), reach_(std::max(1, std::max(field.width, field.height) / 192)),
+    : options_(options),
+      field_(field),
+      reach_(std::max(1, std::max(field.width, field.height) / 192)),
       min_area_(std::max(4, field.width * field.height / 5000)) {}
 
 void EventFinder::add(const Plane<std::uint8_t>& field, const Moment& now) {
@@ -147,8 +149,8 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
                         box.bottom + box.height()};
     for (const Followed& followed : followed_) {
         const PixelBox& other = followed.track.patch().box;
-        const bool meets = other.left < wide.right && wide.left < other.right && other.top < wide.bottom &&
-                           wide.top < other.bottom;
+        const bool meets =
+            other.left < wide.right && wide.left < other.right && other.top < wide.bottom && wide.top < other.bottom;
         const bool own = followed.from == standing.number();
         if (meets && !own && !followed.over && !followed.track.stands() && followed.track.is_certain()) {
             return followed.track.number();
@@ -236,9 +238,8 @@ void EventFinder::end(Followed& followed, bool taken) {
 std::vector<Event> EventFinder::finish() {
     for (Followed& followed : followed_) end(followed, false);
     followed_.clear();
-    std::ranges::stable_sort(ended_, {}, [](const Ended& ended) {
-        return std::pair(ended.event.first.frame, ended.number);
-    });
+    std::ranges::stable_sort(ended_, {},
+                             [](const Ended& ended) { return std::pair(ended.event.first.frame, ended.number); });
     std::map<std::size_t, std::size_t> places;
     for (std::size_t k = 0; k < ended_.size(); ++k) places[ended_[k].number] = k;
     const auto place_of = [&](const std::optional<std::size_t>& number) {

@@ -47,7 +47,7 @@ Patch part_of(const Patch& patch, Wanted wanted) {
 
 /// The objects of one field, and where they are.
 struct Blobs {
-    Plane<int> labels;           ///< 1 + place in `patches`, and that of the nearest within `reach`; 0 = none
+    Plane<int> labels;  ///< 1 + place in `patches`, and that of the nearest within `reach`; 0 = none
     std::vector<Patch> patches;
 };
 

@@ -10,6 +10,8 @@ constexpr std::size_t most_points = 128;
 
 void Path::add(const Moment& now, const glm::dvec2& place) {
     last_ = {now, place};
+    const std::size_t count = points_.size();
+    if (count > 1 && points_[count - 1].place == place && points_[count - 2].place == place) points_.pop_back();
     if (!points_.empty() && now.seconds - points_.back().at.seconds < interval_) return;
     points_.push_back(last_);
     if (points_.size() < most_points) return;

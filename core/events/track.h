@@ -80,7 +80,7 @@ class Track {
     glm::dvec2 high_{};
     double sides_ = 0;  ///< of its boxes, the longer one, added up
     int sightings_ = 0;
-    bool settled_ = false;  ///< whether it ever stood
+    bool settled_ = false;   ///< whether it ever stood
     glm::dvec2 velocity_{};  ///< field pixels a frame
     glm::dvec2 shift_{};     ///< by which a patch within a larger object is off whole pixels
     std::deque<glm::dvec2> recent_;

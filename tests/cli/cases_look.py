@@ -29,7 +29,7 @@ def animated_files(t):
     t.clip()
     for ending in ("gif", "mp4", "webm"):
         result = t.render("clip.avi", "--animate", "5", *LINES, output=f"out.{ending}").expect(0, out="")
-        check(result.err.count("\n") == 1, f"an encoder talks: {result}")
+        check(result.err.count("\n") == 2, f"an encoder talks: {result}")
         t.expect_picture(f"out.{ending}")
         check(frames_of(t, f"out.{ending}") == "5", f"out.{ending} has {frames_of(t, f'out.{ending}')} pictures")
     t.render("clip.avi", *LINES, output="standard.gif").expect(0)
