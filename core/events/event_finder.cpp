@@ -221,7 +221,19 @@ void EventFinder::settle(const Moment& now) {
         const bool alone = !followed.over && !track.stands() && !track.was_merged() && track.seen().frame == now.frame;
         if (alone && track.has_settled(steadiness_, now)) {
             track.settle(steadiness_, now, followed.from && now.seconds - track.first().seconds < 2 * options_.stay);
+            join_standing(followed);
         }
+    }
+}
+
+/// What came to rest in parts, for some of it was hidden for a while, is one thing.
+void EventFinder::join_standing(Followed& part) {
+    for (Followed& other : followed_) {
+        if (&other == &part || other.over || !other.track.stands()) continue;
+        if (!part.track.belongs_to(other.track, 2 * reach_ + 1)) continue;
+        other.track.add_part(part.track);
+        part.over = true;
+        return;
     }
 }
 

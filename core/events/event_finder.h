@@ -51,6 +51,7 @@ class EventFinder {
     void go_on(const Plane<std::uint8_t>& field, const Blobs& blobs, const Choices& choices, const Moment& now);
     void begin(const Patch& patch, std::optional<std::size_t> from, const Moment& now);
     void settle(const Moment& now);
+    void join_standing(Followed& part);
     void end(Followed& followed, bool taken);
     std::vector<int> overlaps(const Track& track, const Blobs& blobs, const glm::ivec2& by) const;
 

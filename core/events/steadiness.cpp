@@ -8,6 +8,8 @@ namespace vvr {
 namespace {
 
 constexpr int tolerance = 40;  // levels of a difference that is doubled: 20 grey levels
+// A field as it was takes back half of one that was otherwise: what is otherwise every second time is not steady.
+constexpr std::size_t miss = 2;
 
 }  // namespace
 
@@ -28,13 +30,15 @@ void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {
         if (pixel.level != 0 && alike(value, pixel.level)) {
             // Follows light that changes slowly.
             pixel.level = static_cast<std::uint8_t>((7 * pixel.level + value + 4) / 8);
-            pixel.misses = 0;
+            if (pixel.misses > 0) --pixel.misses;
             continue;
         }
         if (pixel.level == 0) {
             pixel = {.since = now, .level = value, .misses = 0};
-        } else if (++pixel.misses == most_misses) {
+        } else if (pixel.misses + miss >= miss * most_misses) {
             pixel = {.since = last_.back(), .level = value, .misses = 0};
+        } else {
+            pixel.misses = static_cast<std::uint8_t>(pixel.misses + miss);
         }
     }
 }

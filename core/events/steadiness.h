@@ -15,7 +15,7 @@ class Steadiness {
     struct Pixel {
         Moment since;             ///< of use where `level` is not 0
         std::uint8_t level = 0;   ///< the value that it has had; 0 = no object
-        std::uint8_t misses = 0;  ///< fields in a row that were otherwise
+        std::uint8_t misses = 0;  ///< of late, how often it was otherwise
     };
 
     void add(const Plane<std::uint8_t>& field, const Moment& now);

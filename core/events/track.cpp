@@ -140,7 +140,8 @@ void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
         patch_.values.at(i - patch_.box.left, j - patch_.box.top) = steadiness.at(i, j).level;
     });
-    Moment still = nearly_last_of(std::move(since));
+    still_since_ = nearly_last_of(std::move(since));
+    Moment still = still_since_;
     if (out_of_another) {
         // What was seen of it before was its bearer.
         first_ = still;
@@ -158,6 +159,33 @@ void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_
     recent_.clear();
     stay_ = {still, now, patch_.centre, patch_.box};
     see_standing(now);
+}
+
+bool Track::belongs_to(const Track& other, int reach) const {
+    const PixelBox& a = patch_.box;
+    const PixelBox& b = other.patch_.box;
+    const bool beside =
+        a.left - reach < b.right && b.left - reach < a.right && a.top - reach < b.bottom && b.top - reach < a.bottom;
+    return beside && std::abs(still_since_.seconds - other.still_since_.seconds) <= options_.stay;
+}
+
+void Track::add_part(const Track& part) {
+    const PixelBox box = hull_of(patch_.box, part.patch_.box);
+    Patch whole{.box = box, .values = Plane<std::uint8_t>({box.width(), box.height()}), .area = 0, .centre = {}};
+    for (int j = box.top; j < box.bottom; ++j) {
+        for (int i = box.left; i < box.right; ++i) {
+            const std::uint8_t value = std::max(patch_.at(i, j), part.patch_.at(i, j));
+            if (value == 0) continue;
+            whole.values.at(i - box.left, j - box.top) = value;
+            whole.centre += glm::dvec2(i, j);
+            ++whole.area;
+        }
+    }
+    whole.centre /= std::max(1, whole.area);
+    patch_ = std::move(whole);
+    box_ = hull_of(box_, box);
+    stay_.place = patch_.centre;
+    stay_.box = box;
 }
 
 double Track::visible_part(const Plane<std::uint8_t>& field) const {

@@ -52,6 +52,12 @@ class Track {
     /// \param out_of_another whether it came out of another object: then it began when it became still
     void settle(const Steadiness& steadiness, const Moment& now, bool out_of_another);
 
+    /// Both stand: whether they are parts of one thing, which came to rest side by side within `options.stay`.
+    bool belongs_to(const Track& other, int reach) const;
+
+    /// It stands, and so does this part of it.
+    void add_part(const Track& part);
+
     /// Of an object that stands, the part of its pixels that are seen.
     double visible_part(const Plane<std::uint8_t>& field) const;
 
@@ -86,6 +92,7 @@ class Track {
     std::deque<glm::dvec2> recent_;
     bool merged_ = false;
     bool stands_ = false;
+    Moment still_since_;  ///< by its pixels, which may be before it was first told from what it was part of
     Stay stay_;
     Path path_;
     Stays stays_;

@@ -129,11 +129,11 @@ TEST(EventFinder, ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken) {
         if (f >= 130 && f < 200) person(field, 40 - (f - 130));
         if (f >= 340 && f < 390) person(field, 120 - (f - 340));
         if (f >= 390 && f < 410) person(field, 70);
-        if (f >= 410) person(field, 70 + (f - 410));
+        if (f >= 410) person(field, 70 - (f - 410));
     });
     ASSERT_EQ(events.size(), 3U);
     const Event& box = events[1];
-    EXPECT_NEAR(static_cast<double>(box.first.frame), 100, 15) << "hidden behind the person until frame 110";
+    EXPECT_NEAR(static_cast<double>(box.first.frame), 120, 5) << "it comes to light from frame 113 to 124";
     EXPECT_NEAR(static_cast<double>(box.last.frame), 399, 5);
     ASSERT_EQ(box.stays.size(), 1U);
     EXPECT_EQ(box.stays[0].first.frame, box.first.frame);

@@ -25,8 +25,9 @@ std::vector<Event> events_of(const scene::Scene& scene) {
     FieldOptions fields;
     fields.flow.method = "none";
     EventFinder finder(scene.size());
-    compute_fields(*scene::open_scene(scene, source), fields,
-                   [&](Frame&&, Field&& field) { finder.add(field.scalar, {field.index, field.pts}); });
+    compute_fields(*scene::open_scene(scene, source), fields, [&](Frame&&, Field&& field) {
+        finder.add(field.scalar, {field.index, field.pts});
+    });
     return finder.finish();
 }
 
