@@ -54,8 +54,7 @@ Annotations::Annotations(const GladGLContext& gl)
     check_gl(gl, "setting up the annotations");
 }
 
-void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width,
-                             Size picture) {
+void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture) {
     if (lines.empty()) return;
     const GladGLContext& gl = *gl_;
     line_program_.use();
@@ -73,6 +72,34 @@ void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camer
     check_gl(gl, "drawing lines");
 }
 
+void Annotations::upload_frame(const StandingFrame& frame, const Layout& layout) {
+    std::array<PictureVertex, 4> vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const double x = static_cast<double>(i & 1);
+        const double y = static_cast<double>(i >> 1);
+        vertices[i] = {glm::vec3(layout.p_from_c({x, y, frame.t})), glm::vec2(1 - x, 1 - y)};
+    }
+    gl_->BindVertexArray(picture_array_.id());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
+    gl_->BufferData(GL_ARRAY_BUFFER, sizeof(vertices), vertices.data(), GL_STREAM_DRAW);
+}
+
+void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
+                                  const SeenTarget& target) {
+    if (!seen_program_) {
+        seen_program_ = Program(*gl_, "the standing frames' layers", {shaders::picture_vert},
+                                {shaders::seen_over_glsl, shaders::seen_picture_frag});
+    }
+    seen_program_->use();
+    seen_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    seen_program_->set("opacity", frame.opacity);
+    seen_program_->set("frame", static_cast<float>(frame.frame));
+    upload_frame(frame, layout);
+    target.draw_over(*seen_program_, [&] { gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
+    gl_->BindVertexArray(0);
+    check_gl(*gl_, "drawing a standing frame's layers");
+}
+
 void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera) {
     const GladGLContext& gl = *gl_;
     const GlTexture texture(gl);
@@ -87,12 +114,6 @@ void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, c
                   frame.picture.pixels().data());
     gl.GenerateMipmap(GL_TEXTURE_2D);
 
-    std::array<PictureVertex, 4> vertices;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const double x = static_cast<double>(i & 1);
-        const double y = static_cast<double>(i >> 1);
-        vertices[i] = {glm::vec3(layout.p_from_c({x, y, frame.t})), glm::vec2(1 - x, 1 - y)};
-    }
     picture_program_.use();
     picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     picture_program_.set("picture", 0);
@@ -101,9 +122,7 @@ void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, c
     gl.DepthMask(frame.opacity < 1 ? GL_FALSE : GL_TRUE);
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl.BindVertexArray(picture_array_.id());
-    gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
-    gl.BufferData(GL_ARRAY_BUFFER, sizeof(vertices), vertices.data(), GL_STREAM_DRAW);
+    upload_frame(frame, layout);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl.BindVertexArray(0);
     check_gl(gl, "drawing a standing frame");

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/scene/scene.h"
 #include "core/space/camera.h"
 #include "gl/program.h"
+#include "gl/seen_target.h"
 
 namespace vvr {
 
@@ -19,13 +21,20 @@ class Annotations {
     /// A frame standing at its time; opaque ones write depth.
     void draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera);
 
+    /// The same into a target of what is seen.
+    void draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
+                         const SeenTarget& target);
+
   private:
+    void upload_frame(const StandingFrame& frame, const Layout& layout);
+
     const GladGLContext* gl_;
     Program line_program_;
     GlVertexArray line_array_;
     GlBuffer corners_;
     GlBuffer segments_;
     Program picture_program_;
+    std::optional<Program> seen_program_;  ///< made when it is first asked for
     GlVertexArray picture_array_;
     GlBuffer picture_vertices_;
 };

@@ -15,12 +15,13 @@ namespace {
 struct Storage {
     GLint internal;
     GLenum format;
-    const void* texels;
+    std::size_t texel_bytes;
+    const std::uint8_t* texels;
 };
 
 Storage storage_of(const BrickTexels& brick) {
-    if (brick.coloured.empty()) return {GL_R8, GL_RED, brick.texels.data()};
-    return {GL_RGBA8, GL_RGBA, brick.coloured.data()};
+    if (brick.coloured.empty()) return {GL_R8, GL_RED, 1, brick.texels.data()};
+    return {GL_RGBA8, GL_RGBA, 4, brick.coloured.front().data()};
 }
 
 }  // namespace
@@ -71,13 +72,32 @@ void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
     slot.coloured = coloured;
 }
 
-void BrickTextures::bind(std::int64_t number) const {
+void BrickTextures::upload_ends(std::int64_t number, const BrickTexels& texels) {
+    const Slot& slot = slot_of(number);
+    const Storage storage = storage_of(texels);
+    const std::size_t layer_bytes =
+        storage.texel_bytes * static_cast<std::size_t>(slot.size.width) * static_cast<std::size_t>(slot.size.height);
+    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
+    for (const std::int64_t layer : {std::int64_t{0}, slot.layers - 1}) {
+        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(layer), slot.size.width, slot.size.height, 1,
+                           storage.format, GL_UNSIGNED_BYTE,
+                           storage.texels + layer_bytes * static_cast<std::size_t>(layer));
+    }
+    check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
+}
+
+const BrickTextures::Slot& BrickTextures::slot_of(std::int64_t number) const {
     const Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
     if (slot.number != number) {
         throw Error(ErrorKind::backend,
                     fmt::format("brick {} is not in the ring: its slot holds {}", number, slot.number));
     }
-    gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
+    return slot;
+}
+
+void BrickTextures::bind(std::int64_t number) const {
+    gl_->BindTexture(GL_TEXTURE_3D, slot_of(number).texture.id());
 }
 
 }  // namespace vvr

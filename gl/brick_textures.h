@@ -18,6 +18,10 @@ class BrickTextures {
     /// \throws Error limit when the brick is larger than the driver's largest 3D texture or memory is out
     void upload(std::int64_t number, const BrickTexels& texels);
 
+    /// Replaces the first and the last texel layer of a brick in the ring, which are its neighbours': they have
+    /// changed.
+    void upload_ends(std::int64_t number, const BrickTexels& texels);
+
     /// Binds the texture that holds brick `number` to the texture unit in use.
     void bind(std::int64_t number) const;
 
@@ -29,6 +33,8 @@ class BrickTextures {
         std::int64_t layers = 0;
         bool coloured = false;
     };
+
+    const Slot& slot_of(std::int64_t number) const;
 
     const GladGLContext* gl_;
     BrickRing ring_;

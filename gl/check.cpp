@@ -28,8 +28,8 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
     }
     if (error == GL_OUT_OF_MEMORY) {
-        throw Error(ErrorKind::limit, fmt::format("OpenGL ran out of memory while {}; try a smaller --size, --field-size "
-                                                  "or --max-layers",
+        throw Error(ErrorKind::limit, fmt::format("OpenGL ran out of memory while {}; try a smaller --size or "
+                                                  "--field-size, or a larger --step",
                                                   doing));
     }
     throw Error(ErrorKind::backend, fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing));

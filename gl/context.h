@@ -10,12 +10,19 @@
 namespace vvr {
 
 /// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress.
-/// One thread owns it for its whole life.
+/// The thread that opened it owns it; where frames are read on several threads, it is lent (gl/context_loan.h).
 class Context {
   public:
     virtual ~Context() = default;
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
+
+    /// Makes the context current in the calling thread, which it has been released for.
+    /// \throws Error backend
+    virtual void take() = 0;
+
+    /// Gives the context up, so that another thread can take it.
+    virtual void release() = 0;
 
     const GladGLContext& gl() const { return gl_; }
     const std::string& backend() const { return backend_; }    ///< its name in the backend table
@@ -34,7 +41,7 @@ class Context {
 /// What `vvr doctor` prints of one backend.
 struct BackendReport {
     std::string name;
-    std::string what;                  ///< one line: what it is for
+    std::string what;  ///< one line: what it is for
     bool works = false;
     std::string renderer;              ///< GL_RENDERER, when it works
     std::string version;               ///< GL_VERSION, when it works

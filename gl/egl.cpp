@@ -97,13 +97,26 @@ class EglContext final : public Context {
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
+    void take() final {
+        bind_api();
+        if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
+    }
+    void release() final {
+        egl_.bind_api(EGL_OPENGL_API);
+        egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+
   private:
+    /// Which API is meant is said anew in each thread.
+    void bind_api() const {
+        if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
+    }
+
     void create() {
         if (!has_word(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
             throw Error(ErrorKind::backend, "the driver has no EGL_KHR_surfaceless_context");
         }
-        if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
-
+        bind_api();
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                               EGL_NONE};
         EGLConfig config = nullptr;
@@ -111,16 +124,12 @@ class EglContext final : public Context {
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &configs)) fail("eglChooseConfig");
         if (configs == 0) throw Error(ErrorKind::backend, "eglChooseConfig: no configuration with desktop OpenGL");
 
-        const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                                  3,
-                                                  EGL_CONTEXT_MINOR_VERSION,
-                                                  3,
-                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                  EGL_NONE};
+        const std::array<EGLint, 7> attributes = {
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext (OpenGL 3.3 core)");
-        if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
+        take();
 
         const auto load = [](void* user, const char* name) -> GLADapiproc {
             return reinterpret_cast<GLADapiproc>(static_cast<Egl*>(user)->get_proc_address(name));
@@ -184,8 +193,8 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
 }  // namespace
 
 Backend egl_hardware_backend() {
-    return {"egl", "a GPU through EGL, no display needed",
-            [](int device) { return open_kind("egl", false, device); }, device_names,
+    return {"egl", "a GPU through EGL, no display needed", [](int device) { return open_kind("egl", false, device); },
+            device_names,
             "install the GPU vendor's driver with its EGL library (Mesa's: apt-get install libegl1 libegl-mesa0 "
             "libgl1-mesa-dri)"};
 }

@@ -39,12 +39,14 @@ FlowGeometry::FlowGeometry(const GladGLContext& gl)
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
     const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
         gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Glyph), reinterpret_cast<const void*>(offset));
+        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Glyph),
+                               reinterpret_cast<const void*>(offset));
         gl.VertexAttribDivisor(attribute, 1);
     };
     instance(2, 3, offsetof(Glyph, from));
     instance(3, 3, offsetof(Glyph, vector));
     instance(4, 1, offsetof(Glyph, speed));
+    instance(5, 1, offsetof(Glyph, frame));
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the flow geometry");
 }
@@ -56,16 +58,22 @@ void FlowGeometry::upload(std::span<const Glyph> glyphs) {
     check_gl(*gl_, "uploading the arrows");
 }
 
-void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
+void FlowGeometry::draw_seen(const Camera& camera, const GlyphStyle& style) {
+    if (!seen_program_)
+        seen_program_ = Program(*gl_, "the arrows' layers", {shaders::arrow_vert}, {shaders::seen_frag});
+    draw_with(*seen_program_, camera, style);
+}
+
+void FlowGeometry::draw_with(const Program& program, const Camera& camera, const GlyphStyle& style) const {
     if (glyph_count_ == 0) return;
     const GladGLContext& gl = *gl_;
-    program_.use();
-    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    program_.set("thickness", style.thickness);
-    program_.set("speed_range", style.speed_range);
-    program_.set("slow_colour", style.slow_colour);
-    program_.set("fast_colour", style.fast_colour);
-    program_.set("to_light", to_light(camera));
+    program.use();
+    program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program.set("thickness", style.thickness);
+    program.set("speed_range", style.speed_range);
+    program.set("slow_colour", style.slow_colour);
+    program.set("fast_colour", style.fast_colour);
+    program.set("to_light", to_light(camera));
 
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/scene/glyph.h"
@@ -10,8 +11,8 @@ namespace vvr {
 
 /// How arrows look.
 struct GlyphStyle {
-    float thickness = 0.05F;                  ///< P-space units a unit of the reference glyph's radius
-    glm::vec2 speed_range{0.3F, 6.0F};         ///< pixels a frame at the ends of the colour scale
+    float thickness = 0.05F;            ///< P-space units a unit of the reference glyph's radius
+    glm::vec2 speed_range{0.3F, 6.0F};  ///< pixels a frame at the ends of the colour scale
     glm::vec3 slow_colour{0.98F, 0.72F, 0.20F};
     glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
 };
@@ -27,11 +28,17 @@ class FlowGeometry {
     /// Replaces the arrows that are drawn.
     void upload(std::span<const Glyph> glyphs);
 
-    void draw(const Camera& camera, const GlyphStyle& style) const;
+    void draw(const Camera& camera, const GlyphStyle& style) const { draw_with(program_, camera, style); }
+
+    /// The same into a target of what is seen.
+    void draw_seen(const Camera& camera, const GlyphStyle& style);
 
   private:
+    void draw_with(const Program& program, const Camera& camera, const GlyphStyle& style) const;
+
     const GladGLContext* gl_;
     Program program_;
+    std::optional<Program> seen_program_;  ///< made when it is first asked for
     GlVertexArray vertex_array_;
     GlBuffer mesh_;
     GlBuffer indices_;

@@ -9,6 +9,14 @@
 
 namespace vvr {
 
+void check_samples(const GladGLContext& gl, int samples) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_SAMPLES, &most);
+    if (samples <= most) return;
+    throw Error(ErrorKind::limit, fmt::format("--samples {}: this OpenGL has at most {} a pixel; choose {} or fewer",
+                                              samples, most, most));
+}
+
 Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(&gl), size_(size), samples_(samples) {
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -16,12 +24,7 @@ Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(
         throw Error(ErrorKind::limit, fmt::format("a picture of {}x{} was asked for, this OpenGL draws at most {}x{}",
                                                   size.width, size.height, largest, largest));
     }
-    GLint most_samples = 0;
-    gl.GetIntegerv(GL_MAX_SAMPLES, &most_samples);
-    if (samples > most_samples) {
-        throw Error(ErrorKind::limit,
-                    fmt::format("{} samples a pixel were asked for, this OpenGL has at most {}", samples, most_samples));
-    }
+    check_samples(gl, samples);
     drawn_ = make_target(samples);
     if (samples > 1) resolved_ = make_target(1);
 }
@@ -57,11 +60,16 @@ Plane<glm::vec4> Framebuffer::read(Size size) const {
     if (samples_ > 1) {
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer.id());
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer.id());
-        gl.BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl.BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
         gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.framebuffer.id());
     } else {
         gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
     }
+    return read_pixels(gl, size);
+}
+
+Plane<glm::vec4> read_pixels(const GladGLContext& gl, Size size) {
     Plane<glm::vec4> picture(size);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl.ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, picture.pixels().data());

@@ -7,6 +7,12 @@
 
 namespace vvr {
 
+/// \throws Error limit when the driver has no framebuffers with so many samples a pixel
+void check_samples(const GladGLContext& gl, int samples);
+
+/// The lower left `size` of the bound framebuffer, top row first.
+Plane<glm::vec4> read_pixels(const GladGLContext& gl, Size size);
+
 /// Where a picture is drawn: colour and depth. The colour is in floats: hundreds of faint slices add up in it, and in
 /// half floats each would be rounded down, a tenth of the picture by the end. It costs the software rasteriser no time.
 class Framebuffer {

@@ -36,13 +36,24 @@ class OSMesaContext final : public Context {
   public:
     OSMesaContext() {
         backend_ = "osmesa";
-        const std::array<int, 11> attributes = {osmesa_format, GL_RGBA, osmesa_depth_bits, 0, osmesa_profile,
-                                                osmesa_core_profile, osmesa_major, 3, osmesa_minor, 3, 0};
+        const std::array<int, 11> attributes = {osmesa_format,
+                                                GL_RGBA,
+                                                osmesa_depth_bits,
+                                                0,
+                                                osmesa_profile,
+                                                osmesa_core_profile,
+                                                osmesa_major,
+                                                3,
+                                                osmesa_minor,
+                                                3,
+                                                0};
         handle_ = mesa_.create(attributes.data(), nullptr);
         if (handle_ == nullptr) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
-        if (!mesa_.make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
+        try {
+            take();
+        } catch (...) {
             mesa_.destroy(handle_);
-            throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
+            throw;
         }
         const auto load = [](void* user, const char* name) -> GLADapiproc {
             return static_cast<OSMesa*>(user)->get_proc_address(name);
@@ -57,6 +68,12 @@ class OSMesaContext final : public Context {
     ~OSMesaContext() override { mesa_.destroy(handle_); }
     OSMesaContext(const OSMesaContext&) = delete;
     OSMesaContext& operator=(const OSMesaContext&) = delete;
+
+    void take() final {
+        if (mesa_.make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, side, side)) return;
+        throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
+    }
+    void release() final { mesa_.make_current(nullptr, nullptr, 0, 0, 0); }
 
   private:
     // OSMesa wants a picture to draw into; ours is drawn into a framebuffer object, so the smallest one does.

@@ -1,6 +1,7 @@
 #include "gl/renderer.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/scene/overlay.h"
@@ -20,13 +21,25 @@ std::vector<glm::dvec3> points_to_hold(const Layout& layout, bool box) {
     return points;
 }
 
+// A pixel that lets more than this of what is behind it through shows nothing.
+constexpr float least_opacity = 1.0F / 255;
+
+/// The distance along the view direction of what has `depth`, 0..1, in the depth buffer.
+double distance_of(double depth, const Camera& camera) {
+    const double ndc = 2 * depth - 1;
+    const double scale = camera.projection[2][2];
+    const double offset = camera.projection[3][2];
+    return camera.perspective ? offset / (ndc - scale) : (ndc - offset) / scale;
+}
+
 }  // namespace
 
 Renderer::Renderer(const Context& context, const Layout& layout, const RenderOptions& options)
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
-      camera_(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size)),
+      camera_(
+          options.camera.value_or(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size))),
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
@@ -37,9 +50,18 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
 
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
     textures_.upload(number, texels);
-    const double t_span = static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span, *layout_)});
+    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span(texels), *layout_)});
+}
+
+void Renderer::renew_ends(std::int64_t number, const BrickTexels& texels) {
+    textures_.upload_ends(number, texels);
+    const auto held = std::ranges::find(window_, number, &Held::number);
+    held->cells = brick_cells(texels, t_span(texels), *layout_);
+}
+
+double Renderer::t_span(const BrickTexels& texels) const {
+    return static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
 }
 
 std::vector<PlacedBrick> Renderer::place() const {
@@ -77,6 +99,47 @@ Plane<glm::vec4> Renderer::draw(double phase) {
         }
     }
     return picture;
+}
+
+PictureLayers Renderer::draw_layers(const TimeTable& times) {
+    if (!seen_) seen_.emplace(*gl_, tiles_.front().size);
+    const SliceStack stack = slices(camera_);
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    PictureLayers layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
+                         Plane<float>(options_.size, -1)};
+    for (const Tile& tile : tiles_) {
+        const Plane<glm::vec4> seen = draw_tile_seen(stack, times.frames_a_layer(), tile);
+        for (int j = 0; j < tile.size.height; ++j) {
+            for (int i = 0; i < tile.size.width; ++i) {
+                const glm::vec4& state = seen.at(i, j);
+                if (state.w < least_opacity) continue;
+                const FrameTime at = times.at(static_cast<double>(state.y));
+                layers.depth.at(tile.column + i, tile.row + j) = static_cast<float>(distance_of(state.z, camera_));
+                layers.time.at(tile.column + i, tile.row + j) = static_cast<float>(at.seconds);
+                layers.frame.at(tile.column + i, tile.row + j) = static_cast<float>(at.frame);
+            }
+        }
+    }
+    return layers;
+}
+
+Plane<glm::vec4> Renderer::draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile) {
+    const GladGLContext& gl = *gl_;
+    const Camera camera = camera_.cropped(tile, options_.size);
+    seen_->begin(tile.size);
+    flow_geometry_.draw_seen(camera, options_.glyphs);
+    traceline_strips_.draw_seen(camera, tile.size, options_.traces);
+    const Plane<glm::vec4> opaque = seen_->read(tile.size);
+    seen_->begin_before_geometry();
+    slicer_.draw_seen(place(), textures_, camera, stack, frames_a_layer, *seen_);
+    for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame_seen(frame, *layout_, camera, *seen_);
+    Plane<glm::vec4> seen = seen_->read(tile.size);
+    check_gl(gl, "drawing the layers");
+    std::ranges::transform(opaque.pixels(), seen.pixels(), seen.pixels().begin(),
+                           [](const glm::vec4& behind, const glm::vec4& before) {
+                               return behind.w > 0 && before.w <= 0.5F ? behind : before;
+                           });
+    return seen;
 }
 
 void Renderer::draw_unread(double phase) {

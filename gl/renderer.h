@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "core/bricks/volume.h"
+#include "core/image/picture.h"
 #include "core/scene/scene.h"
+#include "core/scene/time_table.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
@@ -15,6 +18,7 @@
 #include "gl/context.h"
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
+#include "gl/seen_target.h"
 #include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
@@ -23,6 +27,7 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
+    std::optional<Camera> camera;    ///< instead of the one that holds the volume from `view`
     bool hold_box = false;           ///< the camera holds the layout's box, not only the volume in it
     int slices = 0;                  ///< 0 = one for every two voxels
     int samples = 4;                 ///< a pixel, for smooth edges; 1 takes about half the time
@@ -46,6 +51,10 @@ class Renderer {
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickTexels& texels);
 
+    /// Renews what the texels of a brick in the window repeat of its neighbours, after one has come or gone. So the
+    /// window looks as if nothing stood before or after it, and moving it is the same as drawing it afresh.
+    void renew_ends(std::int64_t number, const BrickTexels& texels);
+
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(Scene scene);
 
@@ -53,6 +62,12 @@ class Renderer {
     /// \param phase of the texture that moves along the tracelines, 0..1 (§6.2.1)
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(double phase = 0);
+
+    /// What is seen in each pixel of the picture, at its centre: opaque geometry where it contributes at least as much
+    /// as all that stands before it, else the sample of the volume, or the standing frame, that contributes most.
+    /// Lines show no frame and hide none. It takes a pass of its own, and leaves `draw` as it is.
+    /// \param times of the frames of the bricks and the scene
+    PictureLayers draw_layers(const TimeTable& times);
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw_unread(double phase = 0);
@@ -72,6 +87,8 @@ class Renderer {
     std::vector<PlacedBrick> place() const;
 
   private:
+    double t_span(const BrickTexels& texels) const;
+    Plane<glm::vec4> draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile);
     void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 
     struct Held {
@@ -87,6 +104,7 @@ class Renderer {
     Camera camera_;
     std::vector<Tile> tiles_;
     Framebuffer framebuffer_;
+    std::optional<SeenTarget> seen_;  ///< made when layers are first asked for
     BrickTextures textures_;
     VolumeSlicer slicer_;
     FlowGeometry flow_geometry_;

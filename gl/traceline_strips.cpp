@@ -44,11 +44,12 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
     };
     static_assert(offsetof(TraceVertex, along) == offsetof(TraceVertex, p) + sizeof(glm::vec3));
     static_assert(offsetof(TraceVertex, speed) == offsetof(TraceVertex, length) + sizeof(float));
+    static_assert(offsetof(TraceVertex, frame) == offsetof(TraceVertex, speed) + sizeof(float));
     for (std::size_t point = 0; point < 4; ++point) {
         instance(static_cast<GLuint>(1 + point), 4, point, offsetof(TraceVertex, p));
     }
-    instance(5, 2, 1, offsetof(TraceVertex, length));
-    instance(6, 2, 2, offsetof(TraceVertex, length));
+    instance(5, 3, 1, offsetof(TraceVertex, length));
+    instance(6, 3, 2, offsetof(TraceVertex, length));
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the tracelines");
 }
@@ -67,26 +68,33 @@ void TracelineStrips::upload(const Tracelines& lines) {
     check_gl(*gl_, "uploading the tracelines");
 }
 
-void TracelineStrips::draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
-                           double phase) const {
+void TracelineStrips::draw_seen(const Camera& camera, Size picture, const TraceStyle& style) {
+    if (!seen_program_) {
+        seen_program_ = Program(*gl_, "the tracelines' layers", {shaders::trace_vert}, {shaders::seen_frag});
+    }
+    draw_with(*seen_program_, camera, picture, style, {}, 0);
+}
+
+void TracelineStrips::draw_with(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
+                                const GlyphStyle& colours, double phase) const {
     if (pieces_ == 0) return;
     const GladGLContext& gl = *gl_;
-    program_.use();
-    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    program_.set("eye", glm::vec3(camera.eye));
-    program_.set("forward", glm::vec3(camera.forward));
-    program_.set("perspective", camera.perspective ? 1 : 0);
-    program_.set("half_width", style.width / 2);
+    program.use();
+    program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program.set("eye", glm::vec3(camera.eye));
+    program.set("forward", glm::vec3(camera.forward));
+    program.set("perspective", camera.perspective ? 1 : 0);
+    program.set("half_width", style.width / 2);
     const double pixel = 2 / (camera.projection[1][1] * picture.height);
-    program_.set("least_width", static_cast<float>(style.least_width * pixel / 2));
-    program_.set("stripe_length", style.stripe_length);
-    program_.set("shade", style.shade);
-    program_.set("phase", static_cast<float>(phase));
-    program_.set("speed_range", colours.speed_range);
-    program_.set("slow_colour", colours.slow_colour);
-    program_.set("fast_colour", colours.fast_colour);
-    program_.set("to_light", to_light(camera));
-    program_.set("zebra", 0);
+    program.set("least_width", static_cast<float>(style.least_width * pixel / 2));
+    program.set("stripe_length", style.stripe_length);
+    program.set("shade", style.shade);
+    program.set("phase", static_cast<float>(phase));
+    program.set("speed_range", colours.speed_range);
+    program.set("slow_colour", colours.slow_colour);
+    program.set("fast_colour", colours.fast_colour);
+    program.set("to_light", to_light(camera));
+    program.set("zebra", 0);
 
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_1D, zebra_.id());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/scene/traceline.h"
 #include "core/space/camera.h"
 #include "gl/flow_geometry.h"
@@ -26,11 +28,20 @@ class TracelineStrips {
 
     /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
     void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
-              double phase) const;
+              double phase) const {
+        draw_with(program_, camera, picture, style, colours, phase);
+    }
+
+    /// The same into a target of what is seen.
+    void draw_seen(const Camera& camera, Size picture, const TraceStyle& style);
 
   private:
+    void draw_with(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
+                   const GlyphStyle& colours, double phase) const;
+
     const GladGLContext* gl_;
     Program program_;
+    std::optional<Program> seen_program_;  ///< made when it is first asked for
     GlTexture zebra_;
     GlVertexArray vertex_array_;
     GlBuffer corners_;

@@ -18,6 +18,10 @@ constexpr std::array colours{
     VolumeColourRow{VolumeColour::video, "video", "the video's own", shaders::optical_video_glsl},
 };
 
+std::string_view optical_shader(VolumeColour colour) {
+    return std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader;
+}
+
 }  // namespace
 
 std::span<const VolumeColourRow> volume_colours() {
@@ -27,9 +31,9 @@ std::span<const VolumeColourRow> volume_colours() {
 VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour)
     : gl_(&gl),
       layout_(&layout),
+      colour_(colour),
       program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
-               {layout_shader(layout), std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader,
-                shaders::volume_frag}),
+               {layout_shader(layout), optical_shader(colour), shaders::volume_sample_glsl, shaders::volume_frag}),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
       vertex_array_(gl),
@@ -65,23 +69,58 @@ void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
 
 void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
                         const SliceStack& stack) {
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthMask(GL_FALSE);
+    gl_->Enable(GL_BLEND);
+    gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for_each_brick(program_, bricks, textures, camera, stack, [&](const PlacedBrick&, const SliceMesh& mesh) {
+        gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+    });
+}
+
+void VolumeSlicer::draw_seen(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+                             const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target) {
+    if (!seen_program_) {
+        seen_program_ = Program(*gl_, "the volume's layers", {layout_shader(*layout_), shaders::volume_vert},
+                                {layout_shader(*layout_), optical_shader(colour_), shaders::volume_sample_glsl,
+                                 shaders::seen_over_glsl, shaders::seen_volume_frag});
+    }
+    std::vector<std::int64_t> first_layers = {0};
+    for (const PlacedBrick& brick : bricks) first_layers.push_back(first_layers.back() + brick.layers);
+    for_each_brick(*seen_program_, bricks, textures, camera, stack,
+                   [&](const PlacedBrick& brick, const SliceMesh& mesh) {
+                       const auto number = static_cast<std::size_t>(&brick - bricks.data());
+                       seen_program_->set("texel_layers", static_cast<float>(brick.layers + 2));
+                       seen_program_->set("first_layer", static_cast<float>(first_layers[number]));
+                       seen_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
+                       seen_program_->set("frames_a_layer", static_cast<float>(frames_a_layer));
+                       std::size_t begin = 0;
+                       for (const std::size_t end : mesh.slice_ends) {
+                           target.draw_over(*seen_program_, [&] {
+                               gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                                                 reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
+                           });
+                           begin = end;
+                       }
+                   });
+}
+
+void VolumeSlicer::for_each_brick(const Program& program, std::span<const PlacedBrick> bricks,
+                                  const BrickTextures& textures, const Camera& camera, const SliceStack& stack,
+                                  const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw) {
     if (bricks.empty()) return;
     const GladGLContext& gl = *gl_;
 
-    program_.use();
-    set_layout(program_, *layout_);
-    program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    program_.set("eye", glm::vec3(camera.eye));
-    program_.set("forward", glm::vec3(camera.forward));
-    program_.set("spacing", static_cast<float>(stack.spacing));
-    program_.set("perspective", camera.perspective ? 1 : 0);
-    program_.set("brick", 0);
-    program_.set("transfer", 1);
+    program.use();
+    set_layout(program, *layout_);
+    program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program.set("eye", glm::vec3(camera.eye));
+    program.set("forward", glm::vec3(camera.forward));
+    program.set("spacing", static_cast<float>(stack.spacing));
+    program.set("perspective", camera.perspective ? 1 : 0);
+    program.set("brick", 0);
+    program.set("transfer", 1);
 
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(GL_FALSE);
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.ActiveTexture(GL_TEXTURE1);
     gl.BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
     gl.ActiveTexture(GL_TEXTURE0);
@@ -100,7 +139,7 @@ void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures
         // The texture has a layer more at each end than the brick.
         const double layers = static_cast<double>(brick.layers);
         const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
-        program_.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
+        program.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
         // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each; the next brick was cut
         // while it drew the last one, so waiting costs nothing.
         gl.Finish();
@@ -108,7 +147,7 @@ void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                       mesh.indices.data(), GL_STREAM_DRAW);
-        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
+        draw(brick, mesh);
     }
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the volume");

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "core/space/layout.h"
 #include "gl/brick_textures.h"
 #include "gl/program.h"
+#include "gl/seen_target.h"
 
 namespace vvr {
 
@@ -40,10 +44,22 @@ class VolumeSlicer {
     void draw(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
               const SliceStack& stack);
 
+    /// The same into a target of what is seen: frames are counted from the window's first.
+    /// \param frames_a_layer of the volume
+    void draw_seen(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+                   const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target);
+
   private:
+    /// Makes the mesh of each brick ready, back to front, and has it drawn.
+    void for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, const BrickTextures& textures,
+                        const Camera& camera, const SliceStack& stack,
+                        const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw);
+
     const GladGLContext* gl_;
     const Layout* layout_;
+    VolumeColour colour_;
     Program program_;
+    std::optional<Program> seen_program_;  ///< made when it is first asked for
     TransferFunction transfer_;
     GlTexture transfer_texture_;
     GlVertexArray vertex_array_;

@@ -3,6 +3,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 from;      // one glyph
 layout(location = 3) in vec3 vector;
 layout(location = 4) in float speed;
+layout(location = 5) in float frame;
 
 uniform mat4 clip_from_p;
 uniform float thickness;     // P-space units per unit of the reference glyph
@@ -10,6 +11,7 @@ uniform vec2 speed_range;    // pixels a frame at the ends of the colour scale
 
 out vec3 world_normal;
 out float strength;
+out float seen_frame;
 
 void main() {
     float len = length(vector);
@@ -21,5 +23,6 @@ void main() {
     float width = min(thickness, len);
     gl_Position = clip_from_p * vec4(from + (side * position.x + up * position.y) * width + vector * position.z, 1.0);
     world_normal = side * normal.x + up * normal.y + along * normal.z;
+    seen_frame = frame;
     strength = clamp((speed - speed_range.x) / (speed_range.y - speed_range.x), 0.0, 1.0);
 }

@@ -3,8 +3,8 @@ layout(location = 1) in vec4 before;   // four points of the vertex buffer in a 
 layout(location = 2) in vec4 from;
 layout(location = 3) in vec4 to;
 layout(location = 4) in vec4 after;
-layout(location = 5) in vec2 from_line;  // length of the line, speed
-layout(location = 6) in vec2 to_line;
+layout(location = 5) in vec3 from_line;  // length of the line, speed, frame
+layout(location = 6) in vec3 to_line;
 
 uniform mat4 clip_from_p;
 uniform vec3 eye;
@@ -21,6 +21,7 @@ out float half_girth;  // half the line's width, in stripes
 out vec3 side;
 out vec3 toward;
 out float strength;
+out float seen_frame;
 
 // Between two lines the place along the line does not grow.
 vec3 direction(vec4 a, vec4 b) { return b.w > a.w ? normalize(b.xyz - a.xyz) : vec3(0.0); }
@@ -28,7 +29,7 @@ vec3 direction(vec4 a, vec4 b) { return b.w > a.w ? normalize(b.xyz - a.xyz) : v
 void main() {
     bool begins = corner.x < 0.5;
     vec4 at = begins ? from : to;
-    vec2 line = begins ? from_line : to_line;
+    vec3 line = begins ? from_line : to_line;
     vec3 piece = direction(from, to);
     vec3 along = piece + (begins ? direction(before, from) : direction(to, after));
     // Where the line turns back on itself there is no direction between its two pieces.
@@ -51,6 +52,7 @@ void main() {
 
     across = corner.y;
     stripes = at.w * line.x / stripe_length;
+    seen_frame = line.z;
     half_girth = wide / stripe_length;
     strength = clamp((line.y - speed_range.x) / (speed_range.y - speed_range.x), 0.0, 1.0);
 }

@@ -33,8 +33,8 @@ ExitStatus run_compare(const Command& command, Arguments arguments, const Enviro
     }
     check(options);
 
-    const Samples a = read_samples(names[0]);
-    const Samples b = read_samples(names[1]);
+    const Samples a = without_layers(read_samples(names[0]));
+    const Samples b = without_layers(read_samples(names[1]));
     const Comparison comparison = compare(a, b, options.tolerance);
     if (json) {
         nlohmann::ordered_json told{{"a", names[0]}, {"b", names[1]}};

@@ -16,6 +16,7 @@
 #include "cli/work/picture_output.h"
 #include "cli/work/plan.h"
 #include "cli/work/render_clip.h"
+#include "cli/work/render_series.h"
 #include "cli/work/report.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
@@ -24,7 +25,7 @@ namespace vvr {
 
 namespace {
 
-/// The settings that make the picture what it is.
+/// The settings that made the picture.
 Metadata settings_of(const CommandLine& line, const Metadata& extracted) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
@@ -36,10 +37,16 @@ Metadata settings_of(const CommandLine& line, const Metadata& extracted) {
 }
 
 /// The same, and what they made of this clip.
-Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report) {
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report, bool series) {
     Metadata metadata = settings_of(line, extracted);
     metadata.emplace_back("frames", fmt::to_string(report.frames));
-    metadata.emplace_back("damaged", fmt::to_string(report.damaged));
+    if (series) {
+        // Damage is only known at the end of the clip.
+        metadata.emplace_back("first-frame", fmt::to_string(report.first_frame));
+        metadata.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", report.first_pts, report.last_pts));
+    } else {
+        metadata.emplace_back("damaged", fmt::to_string(report.damaged));
+    }
     metadata.emplace_back("frames-a-layer", fmt::to_string(report.step));
     metadata.emplace_back("layers", fmt::to_string(report.layers));
     metadata.emplace_back("renderer", report.renderer);
@@ -57,27 +64,40 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
     log.debug("backend {}: {}", report.backend, report.renderer);
     log.debug("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows);
     if (report.damaged > 0) {
-        log.warn("'{}': {}; the picture shows {} that decoded", name, counted(report.damaged, "damaged packet"),
+        log.warn("'{}': {}; shown are {} that decoded", name, counted(report.damaged, "damaged packet"),
                  counted(report.frames, "frame"));
+    }
+    if (report.frames_missing) {
+        log.warn("'{}' holds only the clip's first and last picture; --show frames draws no others", name);
     }
     if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
     if (report.step > 1)
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));
 }
 
-RenderReport render(const RenderSettings& settings, FieldSource& source, const RenderJob& job, const PictureSink& sink,
+RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldSource& source, const PictureSink& sink,
                     spdlog::logger& log) {
     const Plan plan = make_plan(job, source);
     check_memory(plan);
     Progress progress("frames", plan.frames, !settings.run.quiet && stderr_is_terminal());
-    RenderReport report = render_clip(
-        job, source, [&](std::int64_t frames) { progress.set(frames); },
-        [&](const RenderReport& so_far, int number, Picture&& picture) {
-            progress.clear();
-            sink(so_far, number, std::move(picture));
-        });
+    const FrameProgress count = [&](std::int64_t frames) { progress.set(frames); };
+    const PictureSink write = [&](const RenderReport& so_far, int number, Picture&& picture) {
+        progress.clear();
+        sink(so_far, number, std::move(picture));
+    };
+    const RenderReport report =
+        job.series ? render_series(job, source, count, write) : render_clip(job, source, count, write);
     log_report(report, log);
     return report;
+}
+
+/// What came of it, in a line.
+std::string outcome(const OutputOptions& output, const RenderReport& report) {
+    const std::string name = output.path.empty() ? report.info.name : output.path.string();
+    const std::string frames = counted(report.frames, "frame");
+    if (is_series(output)) return fmt::format("'{}': {} of {}", name, counted(report.pictures, "picture"), frames);
+    return fmt::format("'{}': {} in {} and {}", name, frames, counted(report.layers, "layer"),
+                       counted(std::ssize(report.bricks), "brick"));
 }
 
 }  // namespace
@@ -90,8 +110,9 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     add_options(line.app(), settings);
     if (!line.parse(arguments)) return ExitStatus::done;
     apply(settings.run, environment.log);
-    check(settings);
     check(output);
+    const bool series = is_series(output);
+    check(settings, series);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "
@@ -102,19 +123,18 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     const OpenedFields fields = open_fields(settings, line);
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
-        pictures.add(number, picture, describe(line, fields.extracted, report));
-        drawn = std::move(picture);
+        pictures.add(number, picture, describe(line, fields.extracted, report, series));
+        drawn = {std::move(picture.pixels), picture.encoding, {}};
     };
     RenderJob job = job_for(settings);
     job.pictures = pictures_of(output);
+    job.series = series;
+    job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);
     job.find_events = (!settings.run.quiet || !output.report.empty()) && marks_objects(settings, fields.extracted);
-    const RenderReport report = render(settings, *fields.source, job, write, environment.log);
+    const RenderReport report = render(settings, job, *fields.source, write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    const std::string target = output.path.empty() ? report.info.name : output.path.string();
-    environment.log.info("'{}': {} in {} and {}, {:.1f} s", target, counted(report.frames, "frame"),
-                         counted(report.layers, "layer"),
-                         counted(static_cast<std::int64_t>(report.bricks.size()), "brick"), took.count());
+    environment.log.info("{}, {:.1f} s", outcome(output, report), took.count());
     if (report.events) environment.log.info("{}", summary_of(*report.events));
     if (!output.report.empty()) {
         const std::string text = format_report(report, settings_of(line, fields.extracted), took.count());
@@ -122,7 +142,7 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
         replace_file(output.report, std::as_bytes(std::span(text)));
     }
     if (!output.golden.path.empty()) {
-        meet_golden(output.golden, drawn, describe(line, fields.extracted, report), environment);
+        meet_golden(output.golden, drawn, describe(line, fields.extracted, report, series), environment);
     }
     return ExitStatus::done;
 }

@@ -1,5 +1,7 @@
 #include "cli/options/bricks.h"
 
+#include <fmt/format.h>
+
 #include "cli/options/option.h"
 #include "core/error.h"
 
@@ -16,11 +18,22 @@ Time parse_brick(const std::string& text) {
 }  // namespace
 
 void add_options(CLI::App& app, BrickOptions& options) {
-    CLI::Option* length = add_option(app, group::bricks, options.length,
-                                     {"--brick", "TIME", "", "length of a brick: 75 (frames) or 3s"}, parse_brick);
-    add_integer(app, group::bricks, options.count, 1, 256,
-                {"--window", "COUNT", "", "bricks that the clip is cut into, without --brick"})
-        ->excludes(length);
+    add_option(app, group::bricks, options.length,
+               {"--brick", "TIME", "",
+                "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"},
+               parse_brick);
+    add_integer(
+        app, group::bricks, options.count, 1, 256,
+        {"--window", "COUNT", fmt::format("{}", standard_window),
+         "bricks that are visible at a time: in a series the window that slides, else what the clip is cut into "
+         "without --brick"});
+}
+
+void check(const BrickOptions& options, bool series) {
+    if (series || !options.length || !options.count) return;
+    throw Error(ErrorKind::usage,
+                "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write a "
+                "series: -o out.{brick:4}.png");
 }
 
 }  // namespace vvr

@@ -10,10 +10,15 @@ namespace vvr {
 
 /// How the volume is cut.
 struct BrickOptions {
-    std::optional<Time> length;  ///< of a brick; none = `count` bricks
-    int count = 8;
+    std::optional<Time> length;  ///< of a brick; none = what the window asks for
+    std::optional<int> count;    ///< of bricks in the window; none = `standard_window`
 };
 
+inline constexpr int standard_window = 8;
+
 void add_options(CLI::App& app, BrickOptions& options);
+
+/// \throws Error usage when they contradict each other
+void check(const BrickOptions& options, bool series);
 
 }  // namespace vvr

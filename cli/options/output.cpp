@@ -17,11 +17,13 @@ constexpr int standard_animation = 24;
 }  // namespace
 
 void add_options(CLI::App& app, OutputOptions& options) {
-    add_option(app, group::output, options.path,
-               {"-o,--output", "FILE", "",
-                fmt::format("the picture: {}; or animated: {}", fmt::join(picture_endings(), " "),
-                            fmt::join(animation_endings(), " "))},
-               [](const std::string& given) { return std::filesystem::path(given); });
+    add_option(
+        app, group::output, options.path,
+        {"-o,--output", "FILE", "",
+         fmt::format("the picture: {}; or animated: {}; a series, one picture for each brick, has a field in its "
+                     "name: {{brick:4}}, #### or %04d",
+                     fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " "))},
+        [](const std::string& given) { return std::filesystem::path(given); });
     add_option(
         app, group::output, options.animate,
         {"--animate", "COUNT", "",
@@ -55,13 +57,16 @@ void check(const OutputOptions& options) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
     }
-    if (name.counts() == "brick") {
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}': there is one picture of all bricks; --animate takes {{frame}}", text));
+    if (name.counts() == "brick" && options.animate) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is the name of a series, a picture for each brick, and none of "
+                                                  "them is animated; --animate takes {{frame}}",
+                                                  text));
     }
-    if (name.has_field() && !options.animate) {
+    if (name.counts() == "frame" && !options.animate) {
         throw Error(ErrorKind::usage,
-                    fmt::format("'{}' has a field for many pictures; say how many with --animate", text));
+                    fmt::format("'{}' has a field for the pictures of an animation; say how many with "
+                                "--animate, or take {{brick}} for a series",
+                                text));
     }
     if (options.animate && !name.has_field()) {
         throw Error(
@@ -70,6 +75,10 @@ void check(const OutputOptions& options) {
                         "or an animated file: {}",
                         *options.animate, text, fmt::join(animation_endings(), " ")));
     }
+}
+
+bool is_series(const OutputOptions& options) {
+    return !options.animate && NamePattern(options.path).has_field();
 }
 
 int pictures_of(const OutputOptions& options) {

@@ -22,6 +22,9 @@ void add_options(CLI::App& app, OutputOptions& options);
 /// \throws Error usage when nothing says where the picture goes, or the name and the number of pictures don't fit
 void check(const OutputOptions& options);
 
+/// Whether the name is that of a series: a picture for each brick.
+bool is_series(const OutputOptions& options);
+
 /// The number of pictures that the options ask for: none where only a report is wanted. A file that can be animated is.
 int pictures_of(const OutputOptions& options);
 

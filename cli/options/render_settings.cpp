@@ -21,9 +21,10 @@ void add_options(CLI::App& app, RenderSettings& settings) {
     add_options(app, settings.backend);
 }
 
-void check(const RenderSettings& settings) {
+void check(const RenderSettings& settings, bool series) {
     if (settings.input.names.size() < 2) only_input(settings.input);
     span_of(settings.input);
+    check(settings.bricks, series);
     validate(settings.fields);
 }
 
@@ -37,7 +38,7 @@ RenderJob job_for(const RenderSettings& settings) {
     RenderJob job;
     job.step = settings.input.step;
 
-    job.bricks = settings.bricks.count;
+    job.bricks = settings.bricks.count.value_or(standard_window);
     if (const auto& brick = settings.bricks.length) {
         if (brick->unit == Time::Unit::seconds) job.brick_seconds = brick->value;
         if (brick->unit == Time::Unit::frames) job.brick_frames = static_cast<std::int64_t>(brick->value);
@@ -51,6 +52,7 @@ RenderJob job_for(const RenderSettings& settings) {
     job.picture.view = view_of(settings.view);
     job.slice_view = slice_view_of(settings.view);
     job.picture.slices = settings.view.slices;
+    job.picture.samples = settings.view.samples;
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
     job.picture.colour = settings.look.volume_colour();

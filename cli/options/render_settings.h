@@ -30,8 +30,9 @@ struct RenderSettings {
 void add_options(CLI::App& app, RenderSettings& settings);
 
 /// What no single option can know: an input is there, times are in order.
+/// \param series a window slides over the clip
 /// \throws Error usage
-void check(const RenderSettings& settings);
+void check(const RenderSettings& settings, bool series = false);
 
 /// Whether the fields or the picture want the frames in colour.
 bool wants_colour(const RenderSettings& settings);

@@ -51,7 +51,9 @@ void add_options(CLI::App& app, ViewOptions& options) {
     add_number(app, group::view, options.fov, {0, 150},
                {"--fov", "DEGREES", "", "vertical field of view; 0 = orthographic"});
     add_integer(app, group::view, options.slices, 0, 16384,
-                {"--slices", "COUNT", "auto", "slices of the volume; 0 = one a voxel"});
+                {"--slices", "COUNT", "auto", "slices of the volume; 0 = one for every two voxels"});
+    add_integer(app, group::view, options.samples, 1, 64,
+                {"--samples", "COUNT", "", "samples a pixel, for smooth edges, as far as OpenGL has so many"});
 }
 
 View view_of(const ViewOptions& options) {

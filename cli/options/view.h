@@ -22,6 +22,7 @@ struct ViewOptions {
     std::optional<std::pair<double, double>> slice_camera;
     double fov = View{}.fov;
     int slices = 0;
+    int samples = 4;
 };
 
 void add_options(CLI::App& app, ViewOptions& options);

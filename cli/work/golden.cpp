@@ -75,7 +75,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
         throw Error(ErrorKind::differs, fmt::format("there is no golden picture '{}' to compare with; {}",
                                                     golden.string(), leave_candidate(golden, bytes)));
     }
-    const Samples expected = read_samples(golden);
+    const Samples expected = without_layers(read_samples(golden));
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/work/render_series.h"
 #include "core/error.h"
 
 namespace vvr {
@@ -26,9 +27,9 @@ std::int64_t bricks_of(const RenderJob& job, const Plan& plan, double rate) {
 std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource& source) {
     constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
-    constexpr std::int64_t field_bytes = 30;    // a pixel of a frame in flight: colour, planes of floats, flow
-    constexpr std::int64_t source_bytes = 2;    // a pixel of a decoded picture
-    constexpr std::int64_t picture_bytes = 36;  // a pixel, as floats in two copies, and encoded
+    constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
+    constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
+    const std::int64_t picture_bytes = job.layers ? 72 : 36;  // a pixel, as floats in two copies, and encoded
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
@@ -54,6 +55,14 @@ void check_memory(const Plan& plan) {
 Plan make_plan(const RenderJob& job, const FieldSource& source) {
     Plan plan;
     plan.frames = source.expected_frames();
+    if (job.series) {
+        const SlidingWindow window = sliding_window(job, source);
+        plan.step = window.step;
+        plan.layers = window.layers();
+        plan.bricks = window.bricks;
+        plan.bytes = bytes_of(job, plan, source);
+        return plan;
+    }
     plan.step = planned_step(job, plan.frames);
     while (plan.frames > job.max_layers * plan.step) plan.step *= 2;
     plan.layers = plan.frames > 0 ? (plan.frames + plan.step - 1) / plan.step : job.max_layers;

@@ -21,7 +21,7 @@ namespace vvr {
 struct RenderJob {
     std::int64_t max_layers = 800;  ///< of the window; a longer clip is sampled in time
     std::int64_t step = 0;          ///< frames a layer takes; 0 = as many as max_layers asks for
-    int bricks = 8;                 ///< K, where brick_seconds and brick_frames are 0
+    int bricks = 8;                 ///< K, where brick_seconds and brick_frames are 0; of a series, k
     double brick_seconds = 0;
     std::int64_t brick_frames = 0;
 
@@ -31,6 +31,8 @@ struct RenderJob {
     double height = 0;  ///< y_s; 0 = square pixels
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
+    bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
+    bool layers = false;       ///< pictures come with what each of their pixels shows
     int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;     ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();
@@ -55,13 +57,16 @@ struct RenderReport {
     std::int64_t damaged = 0;
     double first_pts = 0;  ///< seconds
     double last_pts = 0;
+    std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t layers = 0;
     std::int64_t step = 1;      ///< frames a layer
     std::vector<Brick> bricks;  ///< in layers
+    std::int64_t pictures = 1;  ///< so far
     std::size_t arrows = 0;
-    bool still = false;      ///< nothing in the volume is visible
-    std::string renderer;    ///< GL_RENDERER
-    std::string gl_version;  ///< GL_VERSION
+    bool still = false;           ///< nothing in the volume is visible
+    bool frames_missing = false;  ///< frames that should stand in the picture came without one
+    std::string renderer;         ///< GL_RENDERER
+    std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< where they were looked for
     Stages stages;

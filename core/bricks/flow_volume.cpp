@@ -45,6 +45,11 @@ void FlowVolume::erase_if(const std::function<bool(std::int64_t)>& gone) {
     std::erase_if(layers_, [&gone](const Layer& layer) { return gone(layer.frame); });
 }
 
+void FlowVolume::drop_front(std::int64_t frame) {
+    erase_if([frame](std::int64_t kept) { return kept < frame; });
+    for (Layer& layer : layers_) layer.frame -= frame;
+}
+
 std::size_t FlowVolume::bytes() const {
     std::size_t bytes = 0;
     for (const Layer& layer : layers_) bytes += layer.packed.pixels().size_bytes();

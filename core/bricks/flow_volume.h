@@ -21,6 +21,9 @@ class FlowVolume {
     /// Forgets the frames for which `gone` is true.
     void erase_if(const std::function<bool(std::int64_t)>& gone);
 
+    /// Forgets the frames before `frame`, which is frame 0 from now on.
+    void drop_front(std::int64_t frame);
+
     bool empty() const { return layers_.empty(); }
     std::size_t layers() const { return layers_.size(); }
     std::size_t bytes() const;

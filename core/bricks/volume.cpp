@@ -67,7 +67,7 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
 
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
-    return (frame + 0.5) / static_cast<double>(layers() * step_);
+    return (frame + 0.5) / static_cast<double>(span() * step_);
 }
 
 glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
@@ -75,12 +75,23 @@ glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
 }
 
 glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
-    return {-vector.x / size_.width, -vector.y / size_.height, vector.z / static_cast<double>(layers() * step_)};
+    return {-vector.x / size_.width, -vector.y / size_.height, vector.z / static_cast<double>(span() * step_)};
 }
 
 bool Volume::seeded(std::int64_t frame) const {
     // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
     return (layers_.front().first_frame + frame) % seed_interval_ == 0;
+}
+
+void Volume::drop_front(std::int64_t layers) {
+    const auto end = layers_.begin() + static_cast<std::ptrdiff_t>(std::min(layers, this->layers()));
+    std::int64_t frames = 0;
+    for (auto layer = layers_.begin(); layer != end; ++layer) frames += layer->frames;
+    layers_.erase(layers_.begin(), end);
+    frames_ -= frames;
+    std::erase_if(seeds_, [frames](const FrameSeed& seed) { return seed.frame < frames; });
+    for (FrameSeed& seed : seeds_) seed.frame -= frames;
+    flow_.drop_front(frames);
 }
 
 void Volume::release_before(std::int64_t layer) {

@@ -33,6 +33,8 @@ struct FrameSeed {
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
 /// neighbours are joined in pairs, keeping the stronger value, and from then on a layer takes twice as many frames: so
 /// nothing that moved is lost, the clip's length needn't be known, and memory never grows beyond the capacity.
+///
+/// As a window that slides over a clip it has a fixed span, and its first layers leave before the next ones come.
 class Volume {
   public:
     /// \param capacity layers at most, at least 2
@@ -42,6 +44,12 @@ class Volume {
 
     /// From now on keeps the flow of the frames whose seeds are kept, for tracelines.
     void keep_flow() { keeps_flow_ = true; }
+
+    /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
+    void set_span(std::int64_t layers) { span_ = layers; }
+
+    /// Drops the first `layers` layers with their flow and seeds. Frames are counted from the first that stays.
+    void drop_front(std::int64_t layers);
 
     /// Adds the next frame's field, whose scalar has this volume's size.
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
@@ -61,6 +69,9 @@ class Volume {
     /// textures.
     void release_before(std::int64_t layer);
 
+    /// t_C where the last layer ends.
+    double t_end() const { return static_cast<double>(layers()) / static_cast<double>(span()); }
+
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
     double t_of_frame(double frame) const;
 
@@ -73,6 +84,7 @@ class Volume {
 
   private:
     bool seeded(std::int64_t frame) const;
+    std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
     void join_pairs();
 
     Size size_;
@@ -80,6 +92,7 @@ class Volume {
     std::int64_t step_;
     std::int64_t seed_interval_;
     std::int64_t frames_ = 0;
+    std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/image/atomic_file.h"
+#include "core/image/layer_channels.h"
 #include "core/image/samples.h"
 #include "core/suggest.h"
 #include "core/version.h"
@@ -31,15 +32,16 @@ struct Format {
     std::string_view compression;
     bool alpha;     ///< holds transparency
     bool settings;  ///< holds attributes of any name; else the settings become lines of the description
+    bool layers;    ///< holds further channels of floats
 };
 
 constexpr std::array formats{
-    Format{".png", OIIO::TypeDesc::UINT8, "zip:6", true, true},
-    Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true},
-    Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false},
-    Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false},
-    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
-    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false},
+    Format{".png", OIIO::TypeDesc::UINT8, "zip:6", true, true, false},
+    Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true, true},
+    Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false, false},
+    Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false, false},
+    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false, false},
+    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -54,7 +56,7 @@ const Format& format_of(const std::filesystem::path& path) {
                             did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
-/// The picture's values as the file wants them, without alpha where `channels` is 3.
+/// The colours' values as the file wants them, without alpha where `channels` is 3.
 std::vector<float> file_values(const Picture& picture, const Format& format, int channels) {
     const bool encode = picture.encoding == Encoding::linear && format.type != OIIO::TypeDesc::HALF;
     std::vector<float> values;
@@ -66,6 +68,30 @@ std::vector<float> file_values(const Picture& picture, const Format& format, int
         values.insert(values.end(), pixel.begin(), pixel.begin() + channels);
     }
     return values;
+}
+
+/// The values of all channels, pixel by pixel: `channels` of colour, and the layers after them.
+std::vector<float> with_layers(const std::vector<float>& colours, int channels, const PictureLayers& layers) {
+    std::vector<float> values;
+    const auto count = static_cast<std::size_t>(channels);
+    values.reserve(colours.size() / count * (count + layer_channels.size()));
+    for (std::size_t i = 0; i < colours.size() / count; ++i) {
+        const auto colour = std::span(colours).subspan(i * count, count);
+        values.insert(values.end(), colour.begin(), colour.end());
+        for (const LayerChannel& channel : layer_channels) values.push_back((layers.*channel.plane).pixels()[i]);
+    }
+    return values;
+}
+
+/// Colours stay in the format's own type; half floats would round times and frame numbers.
+void add_layer_channels(OIIO::ImageSpec& spec) {
+    spec.channelformats.assign(static_cast<std::size_t>(spec.nchannels), spec.format);
+    for (const LayerChannel& channel : layer_channels) {
+        spec.channelnames.emplace_back(channel.name);
+        spec.channelformats.push_back(OIIO::TypeDesc::FLOAT);
+    }
+    spec.z_channel = spec.nchannels;
+    spec.nchannels += static_cast<int>(layer_channels.size());
 }
 
 void add_attributes(OIIO::ImageSpec& spec, const Format& format, const Metadata& metadata) {
@@ -90,6 +116,10 @@ std::vector<std::string> picture_endings() {
     return endings;
 }
 
+bool holds_layers(const std::filesystem::path& path) {
+    return format_of(path).layers;
+}
+
 void check_picture_ending(const std::filesystem::path& path) {
     format_of(path);
 }
@@ -105,9 +135,13 @@ std::vector<unsigned char> encode_picture(const std::filesystem::path& path, con
     const auto pixels = picture.pixels.pixels();
     const bool opaque = std::ranges::all_of(pixels, [](const Rgba& pixel) { return pixel[3] >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
-    const std::vector<float> values = file_values(picture, format, channels);
+    std::vector<float> values = file_values(picture, format, channels);
 
     OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), channels, format.type);
+    if (format.layers && !picture.layers.empty()) {
+        values = with_layers(values, channels, picture.layers);
+        add_layer_channels(spec);
+    }
     const bool linear = picture.encoding == Encoding::linear && format.type == OIIO::TypeDesc::HALF;
     spec.attribute("Compression", format.compression);
     // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
@@ -135,12 +169,23 @@ Picture read_picture(const std::filesystem::path& path) {
     const Samples samples = read_samples(path);
     const std::size_t channels = samples.channels.size();
     const bool grey = channels < 3;
-    const bool alpha = channels == 2 || channels >= 4;
+    const auto named = [&](std::string_view name) { return std::ranges::find(samples.channels, name); };
+    const auto alpha = named("A");
+    const auto index_of = [&](auto at) { return static_cast<std::size_t>(at - samples.channels.begin()); };
     Picture picture{Plane<Rgba>(samples.size), samples.encoding};
     for (std::size_t i = 0; i < picture.pixels.pixels().size(); ++i) {
         const auto from = std::span(samples.values).subspan(i * channels, channels);
         picture.pixels.pixels()[i] = {from[0], from[grey ? 0 : 1], from[grey ? 0 : 2],
-                                      alpha ? from[grey ? 1 : 3] : 1.0F};
+                                      alpha == samples.channels.end() ? 1 : from[index_of(alpha)]};
+    }
+    for (const LayerChannel& channel : layer_channels) {
+        const auto at = named(channel.name);
+        if (at == samples.channels.end()) continue;
+        Plane<float>& plane = picture.layers.*channel.plane;
+        plane = Plane<float>(picture.pixels.size());
+        for (std::size_t i = 0; i < plane.pixels().size(); ++i) {
+            plane.pixels()[i] = samples.values[i * channels + index_of(at)];
+        }
     }
     return picture;
 }

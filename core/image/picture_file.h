@@ -20,17 +20,21 @@ void check_picture_ending(const std::filesystem::path& path);
 ///         can't be written to
 void check_picture_path(const std::filesystem::path& path);
 
+/// Whether the format of `path` holds a picture's layers.
+bool holds_layers(const std::filesystem::path& path);
+
 /// The bytes of a picture file, of the format that the ending of `path` names.
 /// \throws Error usage for an ending that is not in the table of formats
 std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
                                           const Metadata& metadata = {});
 
-/// Writes `picture` with its settings. Same picture and settings, same bytes: no date goes into the file. The target
+/// Writes `picture` with its settings, and its layers where the format holds them: channels `Z`, `time` and `frame`.
+/// Same picture and settings, same bytes: no date goes into the file. The target
 /// is replaced as a whole or not touched at all. Linear values are encoded as sRGB in the formats of integers.
 /// \throws Error usage or io, as `check_picture_path` does, and io when the disk is full
 void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata = {});
 
-/// Reads any picture file that OpenImageIO knows.
+/// Reads any picture file that OpenImageIO knows, with those layers that it has.
 /// \throws Error io
 Picture read_picture(const std::filesystem::path& path);
 

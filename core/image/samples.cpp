@@ -1,12 +1,15 @@
 #include "core/image/samples.h"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/image/layer_channels.h"
 
 namespace vvr {
 
@@ -40,6 +43,20 @@ Samples decode_samples(const std::filesystem::path& name, std::span<const unsign
     const auto input = OIIO::ImageInput::open(name.string(), nullptr, &memory);
     if (!input) throw_unreadable(name);
     return read(*input, name);
+}
+
+Samples without_layers(Samples samples) {
+    const auto is_layer = [](const std::string& channel) {
+        return std::ranges::find(layer_channels, channel, &LayerChannel::name) != layer_channels.end();
+    };
+    if (std::ranges::none_of(samples.channels, is_layer)) return samples;
+    std::vector<float> kept;
+    for (std::size_t i = 0; i < samples.values.size(); ++i) {
+        if (!is_layer(samples.channels[i % samples.channels.size()])) kept.push_back(samples.values[i]);
+    }
+    samples.values = std::move(kept);
+    std::erase_if(samples.channels, is_layer);
+    return samples;
 }
 
 }  // namespace vvr

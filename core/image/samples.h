@@ -33,4 +33,8 @@ Samples read_samples(const std::filesystem::path& path);
 /// \throws Error io
 Samples decode_samples(const std::filesystem::path& name, std::span<const unsigned char> bytes);
 
+/// The same without the channels of layers: what a person sees of a picture. Layers have no numbers where nothing is
+/// seen, and frames and seconds where colours have shares.
+Samples without_layers(Samples samples);
+
 }  // namespace vvr

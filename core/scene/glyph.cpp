@@ -64,7 +64,8 @@ std::vector<Glyph> arrows(const Volume& volume, const Layout& layout, const Glyp
         const double length = glm::length(v_p);
         if (!(length > 0)) continue;
         if (length > options.cap) v_p *= options.cap / length;
-        glyphs.push_back({glm::vec3(layout.p_from_c(c)), glm::vec3(v_p), std::hypot(at.seed.u, at.seed.v)});
+        glyphs.push_back({glm::vec3(layout.p_from_c(c)), glm::vec3(v_p), std::hypot(at.seed.u, at.seed.v),
+                          static_cast<float>(at.frame)});
     }
     return glyphs;
 }

@@ -28,6 +28,7 @@ struct Glyph {
     glm::vec3 from;    ///< P-space
     glm::vec3 vector;  ///< P-space, from the tail to the tip
     float speed;       ///< pixels a frame, for the colour
+    float frame = 0;   ///< of its seed, counted from the volume's first
 };
 
 struct GlyphOptions {

@@ -23,6 +23,7 @@ struct StandingFrame {
     double t = 0;  ///< t_C
     Plane<Bgr> picture;
     float opacity = 1;
+    double frame = 0;  ///< counted from the volume's first
 };
 
 /// The geometry that is drawn with the volume.

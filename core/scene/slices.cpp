@@ -171,12 +171,16 @@ SliceMesh cut_slices(const PlacedBrick& brick, const Layout& layout, const Trans
             }
         }
     }
+    int slice = stack.count;
     for (const Piece& piece : farthest_first(pieces, stack.count)) {
+        if (piece.slice != slice && !mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());
+        slice = piece.slice;
         for (std::uint32_t i = 2; i < piece.vertices; ++i) {
             mesh.indices.insert(mesh.indices.end(),
                                 {piece.first_vertex, piece.first_vertex + i - 1, piece.first_vertex + i});
         }
     }
+    if (!mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());
     return mesh;
 }
 

@@ -29,6 +29,7 @@ struct SliceVertex {
 struct SliceMesh {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that there is something of
 };
 
 /// `count` slices through the volume as seen by `camera`; 0 = as many as bring the spacing to `spacing` P-space units.

@@ -15,6 +15,7 @@ struct TraceVertex {
     float along;   ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
     float length;  ///< of the whole line, P-space units
     float speed;   ///< pixels a frame
+    float frame = 0;  ///< counted from the volume's first
 };
 
 /// All tracelines in one vertex buffer (§6.2), one after the other: a line begins where `along` is 0.

@@ -80,6 +80,14 @@ def compare_looks_at_size_channels_and_numbers_first(t):
 
 
 @case
+def compare_leaves_out_layers(t):
+    t.clip()
+    t.vvr("render", "clip.avi", "--size", "160x100", "-o", "layers.exr").expect(0)
+    t.vvr("compare", "layers.exr", "layers.exr").expect(0, out=None)
+    t.vvr("render", "clip.avi", "--size", "160x100", "--golden", "layers.exr").expect(0, "the same")
+
+
+@case
 def compare_as_json(t):
     png(t, "a.png")
     png(t, "b.png", (40, 20), 128, [(7, 9, 255)])

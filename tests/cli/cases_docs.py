@@ -55,6 +55,17 @@ def cli_page_is_up_to_date(t):
 
 
 @case
+def options_that_messages_name_exist(t):
+    page = (t.source / "docs" / "cli.md").read_text()
+    known = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", page))
+    for room in ("cli", "core", "gl"):
+        for file in (t.source / room).rglob("*.cpp"):
+            lines = [line for line in file.read_text().splitlines() if not line.strip().startswith("//")]
+            for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", "\n".join(lines)):
+                check(option in known, f"{file.relative_to(t.source)} names {option}, which is no option")
+
+
+@case
 def links_lead_somewhere(t):
     for page in [t.source / "README.md", *(t.source / "docs").glob("*.md")]:
         for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):

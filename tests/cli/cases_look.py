@@ -40,13 +40,32 @@ def animated_files(t):
 def animations_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", *LINES).expect(1, "--animate makes 3 pictures, but 'out.png' is the name of one")
-    t.render("clip.avi", *LINES, output="a.####.png").expect(1, "'a.####.png' has a field", "--animate")
+    t.render("clip.avi", *LINES, output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate")
     t.render("clip.avi", "--animate", "3", output="a.gif").expect(1, "none are shown: add them with --show")
     t.render("clip.avi", "--animate", "3", *LINES, output="a.{farme}.png").expect(1, "did you mean 'frame'?")
     t.render("clip.avi", "--animate", "3", *LINES, output="a.##.gif").expect(1, "its name takes no field")
     t.render("clip.avi", "--animate", "3", *LINES, output="none/a.gif").expect(2, "there is no folder 'none'")
     t.render("clip.avi", "--animate", "1", *LINES, output="a.gif").expect(1, "--animate: '1' is not a whole number")
     t.expect_files("clip.avi")
+
+
+@case
+def samples_smooth_edges(t):
+    t.clip()
+    for samples in ("1", "4"):
+        t.render("clip.avi", "--samples", samples, "--show", "outline", "--backend", "software",
+                 output=f"{samples}.png").expect(0)
+    t.render("clip.avi", "--show", "outline", "--backend", "software").expect(0)
+
+    def greys(name):
+        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt gray - | od -An -v -tu1 -w1 | sort -u"])
+        return len(raw.out.split())
+    check(greys("1.png") == 2, f"one sample: {greys('1.png')} shades, not that of the paper and that of the line")
+    check(greys("4.png") > 3, f"four samples: {greys('4.png')} shades")
+    check(greys("out.png") == greys("4.png"), "four is what it is without the option")
+    t.render("clip.avi", "--samples", "64", "--backend", "software", output="no.png").expect(
+        5, "--samples 64: this OpenGL has at most ", "or fewer")
+    check(not t.path("no.png").exists(), "a picture all the same")
 
 
 @case

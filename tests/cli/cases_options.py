@@ -34,6 +34,10 @@ UNUSABLE = {  # option and value, and what the text has to say
     ("--layout", "horsehoe"): "did you mean 'horseshoe'?",
     ("--backend", "softwar"): "did you mean 'software'?",
     ("--show", "volume,arows"): "did you mean 'arrows'?",
+    ("--samples", "0"): "is not a whole number from 1 to 64",
+    ("--samples", "65"): "is not a whole number from 1 to 64",
+    ("--samples", "two"): "is not a whole number",
+    ("--slices", "-1"): "is not a whole number from 0",
     ("--device", "-2"): "is not a whole number from -1",
 }
 

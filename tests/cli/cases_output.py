@@ -2,6 +2,7 @@
 
 import os
 import resource
+import struct
 import subprocess
 
 from harness import case, check
@@ -22,6 +23,20 @@ def same_bytes_every_time(t):
         t.render("clip.avi", "--backend", "software", output=name).expect(0)
     for ending in ("png", "exr"):
         check(t.path(f"a.{ending}").read_bytes() == t.path(f"b.{ending}").read_bytes(), f"two {ending} files differ")
+
+
+@case
+def layers_stand_in_an_exr(t):
+    t.clip()
+    for backend in ("software", "osmesa"):
+        t.render("clip.avi", "--backend", backend, "--show", "volume,arrows,tracelines,outline,frames",
+                 output="out.exr").expect(0)
+        header = t.path("out.exr").read_bytes()[:2000]
+        for channel in (b"R", b"G", b"B", b"Z", b"time", b"frame"):
+            kind = struct.pack("<i", 1 if channel in b"RGB" else 2)  # half and float, as the format numbers them
+            check(b"\0" + channel + b"\0" + kind in header, f"{backend}: no channel {channel}, or of another type")
+    t.render("clip.avi", "--brick", "10", output="series.{brick}.exr").expect(0, "2 pictures")
+    check(b"\0time\0" in t.path("series.1.exr").read_bytes()[:2000], "a series has no layers")
 
 
 @case

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "gl/check.h"
 #include "gl/context.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
@@ -53,6 +54,21 @@ TEST(Context, ProbeReportsEveryBackend) {
         EXPECT_EQ(report.works, report.reason.empty()) << report.name;
         EXPECT_EQ(report.works, !report.renderer.empty()) << report.name;
     }
+}
+
+TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
+    GladGLContext gl{};
+    gl.GetError = []() -> GLenum { return GL_OUT_OF_MEMORY; };
+    try {
+        check_gl(gl, "uploading brick 3");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::limit);
+        EXPECT_STREQ(error.what(), "OpenGL ran out of memory while uploading brick 3; try a smaller --size or "
+                                   "--field-size, or a larger --step");
+    }
+    gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
+    EXPECT_NO_THROW(check_gl(gl, "drawing"));
 }
 
 }  // namespace

@@ -90,6 +90,45 @@ Flow uniform_flow(Size size, float u, float v) {
     return {Plane<float>(size, u), Plane<float>(size, v)};
 }
 
+TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
+    const auto fill = [](Volume& volume, int begin, int end) {
+        volume.keep_flow();
+        volume.set_span(4);
+        for (int i = begin; i < end; ++i) {
+            Field field = frame(i, {2, 2}, static_cast<std::uint8_t>(i));
+            field.flow = uniform_flow({2, 2}, static_cast<float>(i), 1);
+            field.seeds = {{0, 0, static_cast<float>(i), 0}};
+            volume.add(field);
+        }
+    };
+    Volume moved({2, 2}, 4, 2, 3);
+    fill(moved, 0, 8);
+    moved.drop_front(3);
+    EXPECT_EQ(moved.layers(), 1);
+    EXPECT_NEAR(moved.t_end(), 0.25, 1e-12) << "of a window of four layers";
+    fill(moved, 8, 13);
+    Volume fresh({2, 2}, 4, 2, 3);
+    fill(fresh, 6, 13);
+
+    ASSERT_EQ(moved.layers(), fresh.layers());
+    EXPECT_EQ(moved.frames(), 7);
+    EXPECT_EQ(moved.layer(0).first_frame, 6);
+    for (std::int64_t i = 0; i < fresh.layers(); ++i) {
+        EXPECT_EQ(moved.layer(i).first_frame, fresh.layer(i).first_frame);
+        EXPECT_EQ(moved.layer(i).frames, fresh.layer(i).frames);
+        EXPECT_TRUE(std::ranges::equal(moved.layer(i).scalar.pixels(), fresh.layer(i).scalar.pixels()));
+    }
+    ASSERT_EQ(moved.seeds().size(), 3U) << "frames 6, 9 and 12";
+    ASSERT_EQ(fresh.seeds().size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(moved.seeds()[i].frame, fresh.seeds()[i].frame);
+        EXPECT_EQ(moved.seeds()[i].seed, fresh.seeds()[i].seed);
+    }
+    ASSERT_EQ(moved.flow().layers(), 3U);
+    for (const double at : {0.0, 1.5, 3.0, 6.0}) EXPECT_EQ(moved.flow().at({0, 0, at}), fresh.flow().at({0, 0, at}));
+    EXPECT_EQ(moved.c_of({0, 0, 3}), fresh.c_of({0, 0, 3}));
+}
+
 TEST(Volume, ThinsFlowWithTheSeeds) {
     Volume volume({2, 2}, 8, 1, 2);
     volume.keep_flow();

@@ -136,6 +136,31 @@ TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
     }
 }
 
+TEST_F(ImageTest, LayersComeBackExactlyFromTheFormatThatHoldsThem) {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (const float alpha : {1.0F, 0.5F}) {
+        Picture picture = gradient({5, 3}, alpha);
+        picture.layers = {Plane<float>({5, 3}, none), Plane<float>({5, 3}, none), Plane<float>({5, 3}, -1)};
+        picture.layers.depth.at(4, 1) = 2.7182818F;
+        picture.layers.time.at(4, 1) = 86399.96F;
+        picture.layers.frame.at(4, 1) = 2159999;  // more than a half float holds
+        write_picture(file("a.exr"), picture);
+        const Picture read = read_picture(file("a.exr"));
+        EXPECT_LT(apart(picture, read), 1.0 / 255) << "colours and alpha as ever";
+        for (const auto plane : {&PictureLayers::depth, &PictureLayers::time, &PictureLayers::frame}) {
+            ASSERT_EQ((read.layers.*plane).size(), picture.pixels.size());
+            EXPECT_EQ((read.layers.*plane).at(4, 1), (picture.layers.*plane).at(4, 1));
+        }
+        EXPECT_TRUE(std::isnan(read.layers.time.at(0, 0)) && std::isnan(read.layers.depth.at(0, 0)));
+        EXPECT_EQ(read.layers.frame.at(0, 0), -1);
+
+        write_picture(file("a.png"), picture);
+        EXPECT_TRUE(read_picture(file("a.png")).layers.empty());
+    }
+    EXPECT_TRUE(holds_layers("out.EXR"));
+    EXPECT_FALSE(holds_layers("out.tif"));
+}
+
 TEST_F(ImageTest, LinearValuesAreEncodedForIntegers) {
     Picture picture{Plane<Rgba>({4, 4}, Rgba{0.2140F, 0.2140F, 0.2140F, 1}), Encoding::linear};
     write_picture(file("a.png"), picture);

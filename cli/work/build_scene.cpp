@@ -1,0 +1,105 @@
+#include "cli/work/build_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/overlay.h"
+
+namespace vvr {
+
+namespace {
+
+Plane<Bgr> standing_picture(const Frame& frame) {
+    if (!frame.colour.empty()) return frame.colour;
+    Plane<Bgr> picture(frame.grey.size());
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
+    return picture;
+}
+
+}  // namespace
+
+FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
+    // Arrows at so many times along the arc leave each other room.
+    constexpr std::int64_t arrow_times = 80;
+    FieldNeeds needs;
+    needs.flow = job.show.contains("tracelines");
+    needs.seeds = needs.flow || job.show.contains("arrows");
+    needs.colour = job.picture.colour == VolumeColour::video;
+    needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
+    return needs;
+}
+
+std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
+    LayoutShape shape = shape_for(field_size, job.r_min, job.r_max);
+    if (job.height > 0) shape.y_s = job.height;
+    return make_layout(job.layout, shape);
+}
+
+RenderOptions options_of(const RenderJob& job, int bricks, std::int64_t layers) {
+    RenderOptions options = job.picture;
+    options.ring = bricks;
+    options.window_layers = layers;
+    options.hold_box = job.show.contains("boxes") || job.show.contains("slices");
+    return options;
+}
+
+const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
+    static const Plane<Bgr> none;
+    return job.picture.colour == VolumeColour::video ? frame.colour : none;
+}
+
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& ends, const Layout& layout) {
+    Scene scene;
+    if (job.show.contains("arrows")) scene.arrows = arrows(volume, layout, job.glyphs);
+    if (job.show.contains("tracelines")) scene.tracelines = tracelines(volume, layout, job.traces);
+    if (job.show.contains("outline")) scene.lines = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
+    if (job.show.contains("frames")) {
+        constexpr float opacity = 0.5F;
+        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number) {
+            Plane<Bgr> picture = standing_picture(frame);
+            if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
+        };
+        stand(0, ends.first, 0);
+        stand(volume.t_end(), ends.last, volume.frames() - 1);
+    }
+    return scene;
+}
+
+void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
+                  const TransferFunction& transfer, Scene& scene) {
+    const auto add = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
+    if (job.show.contains("boxes")) {
+        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+    }
+    if (job.show.contains("slices")) {
+        constexpr int shown = 20;
+        const Camera camera =
+            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
+        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+    }
+}
+
+bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (transfer.visible({0, std::ranges::max(volume.layer(i).scalar.pixels())})) return false;
+    }
+    return true;
+}
+
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase) {
+    const Plane<glm::vec4> drawn = renderer.draw(phase);
+    Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
+    if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
+    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
+        return Rgba{p.x, p.y, p.z, p.w};
+    });
+    return picture;
+}
+
+}  // namespace vvr

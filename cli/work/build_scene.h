@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "cli/work/render_clip.h"
+#include "core/scene/scene.h"
+#include "core/video/frame.h"
+
+// The steps from a volume to its picture that one picture of a clip and a series of them share.
+namespace vvr {
+
+/// The frames at the ends of a volume; one without a picture is not drawn.
+struct WindowFrames {
+    const Frame& first;
+    const Frame& last;
+};
+
+/// What a picture of `frames` frames needs of the fields.
+FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames);
+
+std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
+
+/// How a window of so many bricks, with room for `layers` layers, is rendered.
+RenderOptions options_of(const RenderJob& job, int bricks, std::int64_t layers);
+
+/// The frame's colours where the volume takes them, else none.
+const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
+
+/// All geometry that depends on the fields alone.
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& ends, const Layout& layout);
+
+/// Fig. 5: what the renderer makes of its bricks.
+void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
+                  const TransferFunction& transfer, Scene& scene);
+
+bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
+
+/// Draws what the renderer holds, with its layers where the job wants them.
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase = 0);
+
+}  // namespace vvr

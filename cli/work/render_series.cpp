@@ -1,0 +1,196 @@
+#include "cli/work/render_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/work/build_scene.h"
+#include "core/error.h"
+#include "core/events/event_finder.h"
+#include "gl/context.h"
+#include "gl/context_loan.h"
+#include "gl/framebuffer.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr double standard_seconds = 10;
+constexpr double standard_frames = 100;  // where nobody knows how many are a second
+
+double frames_of_brick(const RenderJob& job, const FieldSource& source) {
+    const VideoInfo& info = source.info();
+    if (job.brick_frames > 0) return static_cast<double>(job.brick_frames);
+    if (job.brick_seconds > 0) {
+        if (info.rate > 0) return job.brick_seconds * info.rate;
+        throw Error(ErrorKind::usage,
+                    fmt::format("--brick {}s: '{}' does not tell how many frames it has a second; give "
+                                "the length of a brick in frames, --brick {:.0f}",
+                                job.brick_seconds, info.name, standard_frames));
+    }
+    const double standard = info.rate > 0 ? standard_seconds * info.rate : standard_frames;
+    const auto expected = static_cast<double>(source.expected_frames());
+    return expected > 0 ? std::min(standard, std::ceil(expected / job.bricks)) : standard;
+}
+
+/// The window while it slides: its volume, its textures, and what is drawn of it.
+class Series {
+  public:
+    Series(const RenderJob& job, const FieldSource& source, Context& context, Stages stages, const PictureSink& sink)
+        : job_(job),
+          window_(sliding_window(job, source)),
+          volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
+                  needs_of(job, source, window_.frames()).every),
+          layout_(layout_of(job, source.field_size())),
+          context_(context),
+          renderer_(context, *layout_, options_of(job, window_.bricks, window_.layers())),
+          transfer_(job.transfer.scaled(job.opacity)),
+          sink_(sink) {
+        volume_.set_span(window_.layers());
+        if (job.show.contains("tracelines")) volume_.keep_flow();
+        renderer_.set_transfer(transfer_);
+        report_.stages = std::move(stages);
+        if (job.find_events) events_.emplace(source.field_size());
+        report_.info = source.info();
+        report_.field_size = source.field_size();
+        report_.step = window_.step;
+        report_.still = true;
+        report_.pictures = 0;
+        report_.renderer = context.renderer();
+        report_.gl_version = context.version();
+        report_.backend = context.backend();
+    }
+
+    void add(Frame&& frame, const Field& field) {
+        if (volume_.frames() == window_.frames()) drop_oldest();
+        volume_.add(field, volume_colour(job_, frame));
+        if (events_) events_->add(field.scalar, {field.index, field.pts});
+        if (!begin_) begin_ = {field.index, field.pts};
+        if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
+        last_ = std::move(frame);
+        if (++frames_of_newest_ == window_.brick_frames()) complete_newest();
+    }
+
+    /// After the last frame: the last brick may be shorter than the others. Frames and times are those of the clip, all
+    /// else is that of the last window.
+    RenderReport finish() {
+        if (frames_of_newest_ > 0) complete_newest();
+        report_.stages.end("fields");
+        if (events_) report_.events = events_->finish();
+        if (begin_) {
+            report_.first_frame = begin_->frame;
+            report_.first_pts = begin_->seconds;
+        }
+        return report_;
+    }
+
+  private:
+    void drop_oldest() {
+        volume_.drop_front(window_.brick_layers);
+        first_of_bricks_.pop_front();
+    }
+
+    void complete_newest() {
+        report_.stages.end("fields");
+        const BorrowedContext context(context_);
+        update_report();
+        if (job_.show.contains("volume")) update_ring();
+        draw();
+        ++newest_;
+        frames_of_newest_ = 0;
+    }
+
+    void update_report() {
+        const Frame& first = first_of_bricks_.front();
+        report_.frames = volume_.frames();
+        report_.first_frame = first.index;
+        report_.first_pts = first.pts;
+        report_.last_pts = last_.pts;
+        report_.layers = volume_.layers();
+        report_.bricks = cut_by(volume_.layers(), window_.brick_layers);
+        report_.still = report_.still && nothing_visible(volume_, transfer_);
+        ++report_.pictures;
+    }
+
+    /// Only the newest brick is uploaded, and single layers of the two that have got another neighbour, or none.
+    void update_ring() {
+        const auto in_window = static_cast<std::int64_t>(report_.bricks.size());
+        const std::int64_t oldest = newest_ - in_window + 1;
+        const auto texels = [&](std::int64_t number) {
+            return brick_texels(volume_, report_.bricks[static_cast<std::size_t>(number - oldest)]);
+        };
+        renderer_.push_brick(newest_, texels(newest_));
+        if (in_window > 1) renderer_.renew_ends(newest_ - 1, texels(newest_ - 1));
+        if (in_window > 2 && oldest > 0) renderer_.renew_ends(oldest, texels(oldest));
+    }
+
+    void draw() {
+        const bool shows_frames = job_.show.contains("frames");
+        Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_);
+        report_.arrows = scene.arrows.size();
+        report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
+        add_overlays(job_, renderer_, *layout_, transfer_, scene);
+        renderer_.set_scene(std::move(scene));
+        Picture picture = draw_picture(job_, renderer_, volume_);
+        report_.stages.end("draw");
+        sink_(report_, static_cast<int>(newest_), std::move(picture));
+        report_.stages.end("write");
+    }
+
+    const RenderJob& job_;
+    SlidingWindow window_;
+    Volume volume_;
+    std::unique_ptr<Layout> layout_;
+    Context& context_;
+    Renderer renderer_;
+    TransferFunction transfer_;
+    const PictureSink& sink_;
+    RenderReport report_;
+    std::optional<EventFinder> events_;
+    std::optional<Moment> begin_;        ///< of the clip
+    std::deque<Frame> first_of_bricks_;  ///< of the bricks in the window
+    Frame last_;
+    std::int64_t newest_ = 0;  ///< number of the brick that is being filled
+    std::int64_t frames_of_newest_ = 0;
+};
+
+}  // namespace
+
+SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source) {
+    SlidingWindow window;
+    window.bricks = job.bricks;
+    const double brick = std::max(1.0, std::round(frames_of_brick(job, source)));
+    const auto frames = static_cast<std::int64_t>(brick) * job.bricks;
+    window.step = planned_step(job, frames);
+    while (frames > job.max_layers * window.step) window.step *= 2;
+    const double layers = std::round(brick / static_cast<double>(window.step));
+    window.brick_layers = std::max<std::int64_t>(1, static_cast<std::int64_t>(layers));
+    return window;
+}
+
+RenderReport render_series(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
+                           const PictureSink& sink) {
+    Stages stages;
+    const auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
+    stages.end("context");
+    Series series(job, source, *context, std::move(stages), sink);
+    const FieldNeeds needs = needs_of(job, source, sliding_window(job, source).frames());
+    // Fields come from other threads in turn, which draw when a brick is full.
+    const ContextForOthers loan(*context);
+    std::int64_t frames = 0;
+    const FieldSummary summary = source.read(needs, [&](Frame&& frame, Field&& field) {
+        series.add(std::move(frame), field);
+        if (progress) progress(++frames);
+    });
+    RenderReport report = series.finish();
+    report.frames = summary.frames;
+    report.damaged = summary.damaged;
+    return report;
+}
+
+}  // namespace vvr

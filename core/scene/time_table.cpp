@@ -1,0 +1,25 @@
+#include "core/scene/time_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vvr {
+
+TimeTable::TimeTable(const Volume& volume) : step_(volume.step()) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        const Layer& layer = volume.layer(i);
+        layers_.push_back({layer.first_frame, layer.frames, layer.pts, layer.last_pts});
+    }
+}
+
+FrameTime TimeTable::at(double frame) const {
+    if (empty()) return {};
+    const std::int64_t last = step_ * (static_cast<std::int64_t>(layers_.size()) - 1) + layers_.back().frames - 1;
+    const std::int64_t number = std::clamp<std::int64_t>(std::llround(frame), 0, last);
+    const Entry& layer = layers_[static_cast<std::size_t>(number / step_)];
+    const std::int64_t within = number % step_;
+    const double share = layer.frames > 1 ? static_cast<double>(within) / static_cast<double>(layer.frames - 1) : 0;
+    return {layer.first_frame + within, std::lerp(layer.begin, layer.end, share)};
+}
+
+}  // namespace vvr

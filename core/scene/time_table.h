@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/bricks/volume.h"
+
+namespace vvr {
+
+/// A frame of the clip.
+struct FrameTime {
+    std::int64_t frame = 0;  ///< index in the clip
+    double seconds = 0;
+};
+
+/// Tells which frame of the clip a frame of a volume is, and when it was.
+class TimeTable {
+  public:
+    explicit TimeTable(const Volume& volume);
+
+    /// The frame nearest to a (fractional) number counted from the volume's first frame; beyond the ends, theirs.
+    /// Between the first and the last frame of a layer times are linear, as only those two are known.
+    FrameTime at(double frame) const;
+
+    std::int64_t frames_a_layer() const { return step_; }
+    bool empty() const { return layers_.empty(); }
+
+  private:
+    struct Entry {
+        std::int64_t first_frame = 0;
+        std::int64_t frames = 0;
+        double begin = 0;  ///< seconds, of its first frame
+        double end = 0;    ///< of its last
+    };
+
+    std::int64_t step_;
+    std::vector<Entry> layers_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,266 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "cli/work/render_clip.h"
+#include "core/scene/slices.h"
+#include "gl/renderer.h"
+#include "tests/scene/scene_source.h"
+#include "tests/support/ray_caster.h"
+#include "tests/support/volumes.h"
+
+namespace vvr {
+namespace {
+
+/// Where in C-space something lies that is seen at the centre of a pixel, `depth` along the view direction.
+glm::dvec3 c_of_pixel(int i, int j, double depth, const Camera& camera, const Layout& layout, Size picture) {
+    const glm::dmat4 p_from_clip = glm::inverse(camera.clip_from_p());
+    const glm::dvec2 at = {(i + 0.5) / picture.width * 2 - 1, 1 - (j + 0.5) / picture.height * 2};
+    const auto point = [&](double z) {
+        const glm::dvec4 p = p_from_clip * glm::dvec4(at, z, 1);
+        return glm::dvec3(p) / p.w;
+    };
+    const glm::dvec3 begin = point(-1);
+    const glm::dvec3 way = point(1) - begin;
+    const double share = (depth - glm::dot(begin - camera.eye, camera.forward)) / glm::dot(way, camera.forward);
+    return layout.c_from_p(begin + share * way);
+}
+
+bool shows_at(const Plane<std::uint8_t>& mask, double column, double row, int reach) {
+    for (int j = -reach; j <= reach; ++j) {
+        for (int i = -reach; i <= reach; ++i) {
+            const int x = std::clamp(static_cast<int>(std::lround(column)) + i, 0, mask.width() - 1);
+            const int y = std::clamp(static_cast<int>(std::lround(row)) + j, 0, mask.height() - 1);
+            if (mask.at(x, y) != 0) return true;
+        }
+    }
+    return false;
+}
+
+struct Look {
+    std::string layout;
+    double rate;
+    double azimuth;
+    double elevation;
+    double fov;
+    double opacity;  ///< factor
+    int samples;
+};
+
+class OneObjectASecond : public testing::TestWithParam<Look> {};
+
+// The whole way from frames to layers. Each pixel is traced back to the place and the time that it shows, by the
+// layout's map on the CPU alone: there the scene must have had its object, in exactly that frame.
+TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
+    const Look& look = GetParam();
+    constexpr Size field{96, 72};
+    scene::Options options;
+    options.size = field;
+    options.rate = look.rate;
+    options.frames = static_cast<int>(12 * look.rate);
+    const scene::Scene discs = scene::make_one_object_a_second(options);
+    SourceOptions source_options;
+    source_options.colour = true;
+    ClipFields source(scene::open_scene(discs, source_options), {});
+
+    RenderJob job;
+    job.layout = look.layout;
+    job.show = {"volume"};
+    job.opacity = look.opacity;
+    job.layers = true;
+    job.backend = "software";
+    job.picture.size = {320, 240};
+    job.picture.samples = look.samples;
+    job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
+    const RenderedClip clip = render_clip(job, source, {});
+    const PictureLayers& layers = clip.picture.layers;
+    ASSERT_EQ(layers.frame.size(), job.picture.size);
+
+    const auto layout = make_layout(look.layout, shape_for(field));
+    const Camera camera = fit_camera(job.picture.view, outline_points(*layout), job.picture.size);
+    std::set<int> seconds;
+    int seen = 0;
+    for (int j = 0; j < job.picture.size.height; ++j) {
+        for (int i = 0; i < job.picture.size.width; ++i) {
+            const int frame = static_cast<int>(layers.frame.at(i, j));
+            if (frame < 0) {
+                EXPECT_EQ(frame, -1);
+                EXPECT_TRUE(std::isnan(layers.time.at(i, j)) && std::isnan(layers.depth.at(i, j)));
+                continue;
+            }
+            ++seen;
+            seconds.insert(static_cast<int>(frame / look.rate));
+            ASSERT_EQ(layers.time.at(i, j), static_cast<float>(frame / look.rate));
+            const glm::dvec3 c =
+                c_of_pixel(i, j, static_cast<double>(layers.depth.at(i, j)), camera, *layout, job.picture.size);
+            const double column = (1 - c.x) * field.width - 0.5;
+            const double row = (1 - c.y) * field.height - 0.5;
+            ASSERT_TRUE(shows_at(discs.truth(frame).objects.front().mask, column, row, 2))
+                << "pixel " << i << " " << j << ": frame " << frame << " shows nothing at " << column << " " << row;
+            ASSERT_LT(std::abs(c.z * options.frames - (frame + 0.5)), 1.001) << "pixel " << i << " " << j;
+        }
+    }
+    EXPECT_EQ(seconds.size(), 12U) << "an object of each second is to be seen";
+    EXPECT_GT(seen, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, OneObjectASecond,
+                         testing::Values(Look{"horseshoe", 25, 0, 46, 30, 1, 4}, Look{"horseshoe", 1, 0, 46, 30, 1, 4},
+                                         Look{"horseshoe", 5, 20, 30, 0, 0.1, 1}, Look{"box", 25, -30, 20, 30, 1, 4},
+                                         Look{"box", 1, 35, 25, 0, 0.1, 1}),
+                         [](const auto& tested) { return tested.param.layout + "_" + std::to_string(tested.index); });
+
+/// A renderer with a volume in it.
+class Layers : public testing::Test {
+  protected:
+    Layers() {
+        options_.size = {100, 76};
+        options_.samples = 1;
+        options_.slices = 150;
+        options_.view = {0, 0, 0, 0.04};
+    }
+
+    PictureLayers draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
+        const std::vector<Brick> cut = cut_into(volume.layers(), bricks);
+        layout_ = make_layout(layout_name_, shape_for(volume.size()));
+        options_.ring = static_cast<int>(cut.size());
+        options_.window_layers = volume.layers();
+        Renderer renderer(*context_, *layout_, options_);
+        renderer.set_transfer(transfer);
+        for (std::size_t i = 0; i < cut.size(); ++i) {
+            renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, cut[i]));
+        }
+        renderer.set_scene(std::move(scene));
+        camera_ = renderer.camera();
+        picture_ = renderer.draw();
+        PictureLayers layers = renderer.draw_layers(TimeTable(volume));
+        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw().pixels())) << "the picture stays the same";
+        return layers;
+    }
+
+    std::string layout_name_ = "box";
+    std::unique_ptr<Layout> layout_;
+    std::unique_ptr<Context> context_ = open_context("software");
+    RenderOptions options_;
+    Camera camera_;
+    Plane<glm::vec4> picture_;
+};
+
+const TransferFunction thin({{0, {0, 0, 1}, 0.5}});
+const TransferFunction thick({{0, {0, 0, 1}, 12}});
+const TransferFunction nothing({{0, {}, 0}});
+
+TEST_F(Layers, OfAnEmptySceneAreEmpty) {
+    const PictureLayers layers = draw(test::full_volume({32, 24}, 40), nothing, {});
+    for (std::size_t i = 0; i < layers.frame.pixels().size(); ++i) {
+        ASSERT_EQ(layers.frame.pixels()[i], -1);
+        ASSERT_TRUE(std::isnan(layers.time.pixels()[i]));
+        ASSERT_TRUE(std::isnan(layers.depth.pixels()[i]));
+    }
+}
+
+TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
+    // Looked at from the front the box's time runs across the picture: its middle is frame 20.
+    const Volume volume = test::full_volume({32, 24}, 40);
+    options_.glyphs.thickness = 0.4F;
+    const auto middle = [&](const TransferFunction& transfer, float z) {
+        Scene scene;
+        scene.arrows = {{{-0.25F, 0.2F, z}, {0.5F, 0, 0}, 1, 33}};
+        const PictureLayers layers = draw(volume, transfer, scene);
+        const glm::dvec3 front = {0, 0.2, 0};
+        const float eye = static_cast<float>(glm::dot(front - camera_.eye, camera_.forward));
+        const float time = layers.time.at(50, 38);
+        EXPECT_EQ(time, static_cast<float>(layers.frame.at(50, 38) / 25.0F));
+        return glm::vec2(layers.frame.at(50, 38), layers.depth.at(50, 38) - eye);
+    };
+    for (const TransferFunction& transfer : {thin, thick, nothing}) {
+        EXPECT_EQ(middle(transfer, -0.03F).x, 33) << "before it";
+    }
+    EXPECT_NEAR(middle(thick, -0.03F).y, -0.03, 0.03);
+    EXPECT_EQ(middle(thin, 0.6F).x, 33) << "a thin volume shows more of what is behind than of itself";
+    EXPECT_NEAR(middle(thin, 0.6F).y, 0.6, 0.03);
+    EXPECT_NEAR(middle(thin, 0.3F).y, 0.3, 0.03);
+    EXPECT_NEAR(middle(thick, 0.6F).x, 20, 1) << "a thick one itself";
+    EXPECT_NEAR(middle(thick, 0.6F).y, 0, 0.01) << "where the ray enters it, if all of it is alike";
+    EXPECT_NEAR(middle(thick, 0.3F).x, 20, 1) << "nor does it show what is deep in it";
+    EXPECT_EQ(middle(thick, 0.06F).x, 33) << "only what lies near its surface";
+}
+
+TEST_F(Layers, OfATracelineRunThroughItsFrames) {
+    const Volume volume = test::full_volume({32, 24}, 40);
+    Scene scene;
+    scene.tracelines = {{{-0.5F, 0.2F, -0.1F}, 0, 1, 1, 4}, {{0.5F, 0.2F, -0.1F}, 1, 1, 1, 24}};
+    options_.traces.width = 0.1F;
+    const PictureLayers layers = draw(volume, thick, scene);
+    const auto frame_at = [&](double x) {
+        const glm::dvec2 pixel = camera_.pixel({x, 0.2, -0.1}, options_.size);
+        return layers.frame.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+    };
+    EXPECT_NEAR(frame_at(-0.49), 4, 1);
+    EXPECT_NEAR(frame_at(0), 14, 1);
+    EXPECT_NEAR(frame_at(0.49), 24, 1);
+}
+
+TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
+    const Volume volume = test::full_volume({32, 24}, 40);
+    Scene scene;
+    scene.frames.push_back({0.5, Plane<Bgr>({32, 24}, {40, 50, 60}), 0.5F, 17});
+    options_.view = {-90, 0, 0, 0.04};  // along time
+    EXPECT_EQ(draw(volume, thick, scene).frame.at(50, 38), 17) << "it is drawn over the volume";
+    EXPECT_EQ(draw(volume, nothing, scene).frame.at(50, 38), 17);
+    EXPECT_EQ(draw(volume, nothing, scene).frame.at(2, 38), -1) << "beside it";
+}
+
+TEST_F(Layers, LinesShowNothing) {
+    const Volume volume = test::full_volume({32, 24}, 40);
+    Scene scene;
+    scene.lines = {{{-0.5F, 0.2F, -0.1F}, {0.5F, 0.2F, -0.1F}, {0, 0, 0, 1}}};
+    EXPECT_EQ(draw(volume, nothing, scene).frame.at(50, 38), -1);
+    EXPECT_LT(picture_.at(50, 38).x, 0.5) << "but there is one";
+}
+
+TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
+    // With more samples a tile holds fewer pixels: one tile here, several there.
+    const Volume volume = test::wandering_balls({48, 36}, 96);
+    layout_name_ = "horseshoe";
+    options_.view = {10, 40, 30, 0.04};
+    options_.size = {1280, 960};
+    options_.slices = 200;
+    const PictureLayers whole = draw(volume, default_transfer_function(), {});
+    options_.samples = 4;
+    const PictureLayers tiled = draw(volume, default_transfer_function(), {}, 3);
+    int seen = 0;
+    int different = 0;
+    for (std::size_t i = 0; i < whole.frame.pixels().size(); ++i) {
+        seen += whole.frame.pixels()[i] >= 0 ? 1 : 0;
+        different += std::abs(whole.frame.pixels()[i] - tiled.frame.pixels()[i]) > 1 ? 1 : 0;
+    }
+    EXPECT_GT(seen, 20'000);
+    EXPECT_LT(different, seen / 500) << "which of two samples is the greater hangs on the last digit here and there";
+}
+
+TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
+    Volume volume({2, 2}, 4);
+    for (int i = 0; i < 7; ++i) {
+        Field field;
+        field.index = 100 + i;
+        field.pts = 10 + (i < 4 ? 0.5 * i : i);
+        field.scalar = Plane<std::uint8_t>({2, 2});
+        volume.add(field);
+    }
+    ASSERT_EQ(volume.step(), 2);
+    const TimeTable times(volume);
+    for (int i = 0; i < 7; ++i) {
+        EXPECT_EQ(times.at(i).frame, 100 + i);
+        EXPECT_EQ(times.at(i).seconds, 10 + (i < 4 ? 0.5 * i : i));
+    }
+    EXPECT_EQ(times.at(2.4).frame, 102);
+    EXPECT_EQ(times.at(-5).frame, 100);
+    EXPECT_EQ(times.at(1e6).frame, 106);
+}
+
+}  // namespace
+}  // namespace vvr

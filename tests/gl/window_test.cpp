@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "gl/renderer.h"
+#include "tests/support/ray_caster.h"
+#include "tests/support/volumes.h"
+
+namespace vvr {
+namespace {
+
+constexpr Size field{48, 36};
+constexpr int brick_layers = 8;
+constexpr int k = 4;
+
+/// Layers `begin` to `end` of a clip.
+Volume part_of(const Volume& clip, std::int64_t begin, std::int64_t end) {
+    Volume part(field, clip.layers());
+    for (std::int64_t i = begin; i < end; ++i) {
+        Field of;
+        of.index = i;
+        of.scalar = clip.layer(i).scalar;
+        part.add(of);
+    }
+    return part;
+}
+
+class MovingWindow : public testing::TestWithParam<std::string> {
+  protected:
+    MovingWindow() {
+        options_.size = {160, 120};
+        options_.ring = k;
+        options_.window_layers = k * brick_layers;
+    }
+
+    Renderer renderer() {
+        Renderer made(*context_, *layout_, options_);
+        made.set_transfer(default_transfer_function());
+        return made;
+    }
+
+    /// Bricks `first` to `last` of the clip, drawn by a renderer that has seen nothing else.
+    Plane<glm::vec4> fresh(int first, int last) {
+        const Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
+        Renderer drawing = renderer();
+        for (int i = 0; i <= last - first; ++i)
+            drawing.push_brick(i, brick_texels(part, {i * brick_layers, brick_layers}));
+        return drawing.draw();
+    }
+
+    Volume clip_ = test::wandering_balls(field, 9 * brick_layers);
+    std::unique_ptr<Layout> layout_ = make_layout(GetParam(), shape_for(field));
+    std::unique_ptr<Context> context_ = open_context("software");
+    RenderOptions options_;
+};
+
+TEST_P(MovingWindow, IsAFreshOneByteForByte) {
+    Renderer moving = renderer();
+    Plane<glm::vec4> before;
+    for (int newest = 0; newest < 9; ++newest) {
+        const int oldest = std::max(0, newest - k + 1);
+        const Volume window = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
+        const auto texels = [&](int number) {
+            return brick_texels(window, {(number - oldest) * brick_layers, brick_layers});
+        };
+        // Of a brick that is there only the ends are looked at.
+        const auto only_ends = [&](int number) {
+            BrickTexels ends = texels(number);
+            const auto area = static_cast<std::ptrdiff_t>(field.width * field.height);
+            std::fill(ends.texels.begin() + area, ends.texels.end() - area, std::uint8_t{255});
+            return ends;
+        };
+        moving.push_brick(newest, texels(newest));
+        if (newest > 0) moving.renew_ends(newest - 1, only_ends(newest - 1));
+        if (oldest > 0) moving.renew_ends(oldest, only_ends(oldest));
+        const Plane<glm::vec4> moved = moving.draw();
+        EXPECT_TRUE(std::ranges::equal(moved.pixels(), fresh(oldest, newest).pixels())) << "brick " << newest;
+        if (newest > 0) {
+            EXPECT_GT(test::max_difference(moved, before), 50) << "it moves";
+        }
+        before = moved;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::Values("horseshoe", "box"));
+
+}  // namespace
+}  // namespace vvr
