@@ -111,6 +111,7 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     if (!line.parse(arguments)) return ExitStatus::done;
     apply(settings.run, environment.log);
     check(output);
+    check_report(output, settings.input.names);
     const bool series = is_series(output);
     check(settings, series);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {

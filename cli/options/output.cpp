@@ -1,5 +1,8 @@
 #include "cli/options/output.h"
 
+#include <system_error>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "cli/options/option.h"
@@ -13,6 +16,15 @@ namespace vvr {
 namespace {
 
 constexpr int standard_animation = 24;
+
+/// Whether both name one file, be it there or not.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code none;
+    const auto whole = [&](const auto& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
+    };
+    return !a.empty() && !b.empty() && whole(a) == whole(b);
+}
 
 }  // namespace
 
@@ -40,6 +52,14 @@ void add_options(CLI::App& app, OutputOptions& options) {
 void check(const OutputOptions& options) {
     check(options.golden);
     if (!options.report.empty()) check_file_path(options.report);
+    const std::pair<std::string, std::filesystem::path> others[] = {
+        {"-o", options.path}, {"--golden", options.golden.path}, {"--diff", options.golden.comparison.diff}};
+    for (const auto& [name, path] : others) {
+        if (!same_file(options.report, path)) continue;
+        throw Error(ErrorKind::usage, fmt::format("--report and {} both name '{}'; give the report a name of its own, "
+                                                  "such as report.json",
+                                                  name, path.string()));
+    }
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
         throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
     }
@@ -74,6 +94,15 @@ void check(const OutputOptions& options) {
             fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
                         "or an animated file: {}",
                         *options.animate, text, fmt::join(animation_endings(), " ")));
+    }
+}
+
+void check_report(const OutputOptions& options, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        if (!same_file(options.report, input)) continue;
+        throw Error(ErrorKind::usage, fmt::format("--report '{}' would replace the input; give the report a name of "
+                                                  "its own, such as report.json",
+                                                  options.report.string()));
     }
 }
 

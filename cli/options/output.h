@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +23,9 @@ void add_options(CLI::App& app, OutputOptions& options);
 
 /// \throws Error usage when nothing says where the picture goes, or the name and the number of pictures don't fit
 void check(const OutputOptions& options);
+
+/// \throws Error usage when the report would be written over an input
+void check_report(const OutputOptions& options, const std::vector<std::string>& inputs);
 
 /// Whether the name is that of a series: a picture for each brick.
 bool is_series(const OutputOptions& options);

@@ -99,6 +99,7 @@ class Series {
         const BorrowedContext context(context_);
         update_report();
         if (job_.show.contains("volume")) update_ring();
+        report_.stages.end("draw");
         draw();
         ++newest_;
         frames_of_newest_ = 0;
@@ -132,6 +133,7 @@ class Series {
         const bool shows_frames = job_.show.contains("frames");
         Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_);
         report_.arrows = scene.arrows.size();
+        report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));

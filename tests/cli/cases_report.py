@@ -144,3 +144,47 @@ def report_names_are_text(t):
         file.write(data)
     t.run([t.vvr_path, "render", b"bad\xff.avi", "--report", "bytes.json"]).expect(0)
     read(t, "bytes.json")
+
+
+@case
+def report_has_a_file_of_its_own(t):
+    t.clip()
+    before = t.path("clip.avi").read_bytes()
+    t.render("clip.avi", "--report", "./out.png").expect(
+        1, "--report and -o both name 'out.png'; give the report a name of its own, such as report.json")
+    t.vvr("render", "clip.avi", "--golden", "g.png", "--report", "g.png").expect(
+        1, "--report and --golden both name 'g.png'")
+    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi' would replace the input")
+    check(t.path("clip.avi").read_bytes() == before, "the clip was written over")
+    t.expect_files("clip.avi")
+
+
+@case
+def report_of_one_frame(t):
+    t.clip("one.avi", 0.1)
+    t.vvr("render", "one.avi", "--report", "report.json").expect(0, "'one.avi': 1 frame in 1 layer")
+    report = read(t)
+    check(report["frames"]["used"] == 1 and report["span"]["seconds"] == 0, str(report["span"]))
+    check(report["events"] == [], str(report["events"]))
+
+
+@case
+def report_of_no_frames(t):
+    t.write("empty.avi", "")
+    result = t.vvr("render", "empty.avi", "--report", "report.json").expect(3, "empty.avi")
+    check(result.err.count("\n") == 1, str(result))
+    t.clip()
+    t.vvr("render", "clip.avi", "--start", "60s", "--report", "report.json").expect(1, "'clip.avi' has no frame from 60 s")
+    t.expect_files("clip.avi", "empty.avi")
+
+
+@case
+def report_of_a_series(t):
+    t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
+    t.vvr("render", "cross.y4m", "--report", "whole.json").expect(0, "2 events")
+    t.render("cross.y4m", "--brick", "30", "--window", "2", "--report", "series.json", output="s{brick}.png").expect(
+        0, "5 pictures of 150 frames", "2 events")
+    whole, series = read(t, "whole.json"), read(t, "series.json")
+    for part in ("frames", "span", "input", "events"):
+        check(whole[part] == series[part], f"{part}: {whole[part]} and {series[part]}")
+    check(series["seconds"]["draw"] > 0, str(series["seconds"]))
