@@ -8,6 +8,22 @@
 
 namespace vvr {
 
+namespace {
+
+/// The rows in which there is anything, and `reach` more.
+PixelBox rows_of_objects(const Plane<std::uint8_t>& field, int reach) {
+    const auto something = [](std::uint8_t value) { return value != 0; };
+    const auto pixels = field.pixels();
+    const auto first = std::ranges::find_if(pixels, something);
+    if (first == pixels.end()) return {};
+    const auto after = std::find_if(pixels.rbegin(), pixels.rend(), something);
+    const auto row_of = [&](auto place) { return static_cast<int>(place / field.width()); };
+    return {0, std::max(0, row_of(first - pixels.begin()) - reach), field.width(),
+            std::min(field.height(), row_of(pixels.rend() - after - 1) + 1 + reach)};
+}
+
+}  // namespace
+
 PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
     if (a.empty()) return b;
     if (b.empty()) return a;
@@ -16,15 +32,15 @@ PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
 
 Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
     Blobs blobs{Plane<int>(field.size()), {}};
-    const bool nothing = std::ranges::none_of(field.pixels(), [](std::uint8_t value) { return value != 0; });
-    if (nothing) return blobs;
+    const PixelBox all = rows_of_objects(field, reach);
+    if (all.empty()) return blobs;
     cv::Mat wide;
-    cv::dilate(cv_view(field), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-    cv::Mat labels(field.height(), field.width(), CV_32S, blobs.labels.pixels().data());
+    cv::dilate(cv_view(field).rowRange(all.top, all.bottom), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+    cv::Mat labels(all.height(), field.width(), CV_32S, &blobs.labels.at(0, all.top));
     const int count = cv::connectedComponents(wide, labels, 8, CV_32S);
 
     std::vector<Patch> found(static_cast<std::size_t>(count));
-    for (int j = 0; j < field.height(); ++j) {
+    for (int j = all.top; j < all.bottom; ++j) {
         for (int i = 0; i < field.width(); ++i) {
             if (field.at(i, j) == 0) continue;
             Patch& patch = found[static_cast<std::size_t>(blobs.labels.at(i, j))];

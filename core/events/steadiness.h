@@ -28,8 +28,11 @@ class Steadiness {
   private:
     static constexpr std::size_t most_misses = 3;
 
+    void add(std::uint8_t value, Pixel& pixel, const Moment& now) const;
+
     std::array<Moment, most_misses> last_{};  ///< times of the last fields, the latest first
     Plane<Pixel> pixels_;
+    Plane<std::uint8_t> levels_;  ///< those of the pixels, closer together
 };
 
 }  // namespace vvr
