@@ -10,16 +10,12 @@ namespace vvr {
 
 namespace {
 
-/// The rows in which there is anything, and `reach` more.
-PixelBox rows_of_objects(const Plane<std::uint8_t>& field, int reach) {
-    const auto something = [](std::uint8_t value) { return value != 0; };
-    const auto pixels = field.pixels();
-    const auto first = std::ranges::find_if(pixels, something);
-    if (first == pixels.end()) return {};
-    const auto after = std::find_if(pixels.rbegin(), pixels.rend(), something);
-    const auto row_of = [&](auto place) { return static_cast<int>(place / field.width()); };
-    return {0, std::max(0, row_of(first - pixels.begin()) - reach), field.width(),
-            std::min(field.height(), row_of(pixels.rend() - after - 1) + 1 + reach)};
+/// The box about all there is, and `reach` more; empty for nothing.
+PixelBox box_of_objects(const Plane<std::uint8_t>& field, int reach) {
+    const cv::Rect all = cv::boundingRect(cv_view(field));
+    if (all.empty()) return {};
+    return {std::max(0, all.x - reach), std::max(0, all.y - reach), std::min(field.width(), all.x + all.width + reach),
+            std::min(field.height(), all.y + all.height + reach)};
 }
 
 }  // namespace
@@ -32,16 +28,17 @@ PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
 
 Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
     Blobs blobs{Plane<int>(field.size()), {}};
-    const PixelBox all = rows_of_objects(field, reach);
+    const PixelBox all = box_of_objects(field, reach);
     if (all.empty()) return blobs;
     cv::Mat wide;
-    cv::dilate(cv_view(field).rowRange(all.top, all.bottom), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-    cv::Mat labels(all.height(), field.width(), CV_32S, &blobs.labels.at(0, all.top));
+    const cv::Rect part(all.left, all.top, all.width(), all.height());
+    cv::dilate(cv_view(field)(part), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+    cv::Mat labels = cv::Mat(field.height(), field.width(), CV_32S, blobs.labels.pixels().data())(part);
     const int count = cv::connectedComponents(wide, labels, 8, CV_32S);
 
     std::vector<Patch> found(static_cast<std::size_t>(count));
     for (int j = all.top; j < all.bottom; ++j) {
-        for (int i = 0; i < field.width(); ++i) {
+        for (int i = all.left; i < all.right; ++i) {
             if (field.at(i, j) == 0) continue;
             Patch& patch = found[static_cast<std::size_t>(blobs.labels.at(i, j))];
             patch.box = hull_of(patch.box, {i, j, i + 1, j + 1});
@@ -57,7 +54,12 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
         blobs.patches.push_back(std::move(found[k]));
         numbers[k] = static_cast<int>(blobs.patches.size());
     }
-    for (int& label : blobs.labels.pixels()) label = numbers[static_cast<std::size_t>(label)];
+    for (int j = all.top; j < all.bottom; ++j) {
+        for (int i = all.left; i < all.right; ++i) {
+            int& label = blobs.labels.at(i, j);
+            label = numbers[static_cast<std::size_t>(label)];
+        }
+    }
     for (std::size_t k = 0; k < blobs.patches.size(); ++k) {
         Patch& patch = blobs.patches[k];
         for (int j = patch.box.top; j < patch.box.bottom; ++j) {
