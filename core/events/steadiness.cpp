@@ -49,7 +49,7 @@ void Steadiness::add(std::uint8_t value, Pixel& pixel, const Moment& now) const 
     if (pixel.level != 0 && alike(value, pixel.level)) {
         // Follows light that changes slowly.
         pixel.level = static_cast<std::uint8_t>((7 * pixel.level + value + 4) / 8);
-        if (pixel.misses > 0) --pixel.misses;
+        if (pixel.misses > 0) pixel.misses--;
         return;
     }
     if (pixel.level == 0) {
