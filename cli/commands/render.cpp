@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -15,19 +17,28 @@
 #include "cli/work/plan.h"
 #include "cli/work/render_clip.h"
 #include "cli/work/render_series.h"
+#include "cli/work/report.h"
+#include "core/fields/filter.h"
+#include "core/image/atomic_file.h"
 
 namespace vvr {
 
 namespace {
 
-/// The settings that made the picture, and what they made of this clip.
-Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report, bool series) {
+/// The settings that made the picture.
+Metadata settings_of(const CommandLine& line, const Metadata& extracted) {
     Metadata metadata;
     for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
         for (const auto& [option, value] : line.settings(name, extracted)) {
             metadata.emplace_back(option, without_folder(option, value));
         }
     }
+    return metadata;
+}
+
+/// The same, and what they made of this clip.
+Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report, bool series) {
+    Metadata metadata = settings_of(line, extracted);
     metadata.emplace_back("frames", fmt::to_string(report.frames));
     if (series) {
         // Damage is only known at the end of the clip.
@@ -40,6 +51,12 @@ Metadata describe(const CommandLine& line, const Metadata& extracted, const Rend
     metadata.emplace_back("layers", fmt::to_string(report.layers));
     metadata.emplace_back("renderer", report.renderer);
     return metadata;
+}
+
+/// Whether the fields' filter marks objects, among which there are events to be found.
+bool marks_objects(const RenderSettings& settings, const Metadata& extracted) {
+    const auto found = std::ranges::find(extracted, "filter", &Metadata::value_type::first);
+    return find_filter(found == extracted.end() ? settings.fields.filter : found->second).traits.shows_object;
 }
 
 void log_report(const RenderReport& report, spdlog::logger& log) {
@@ -74,6 +91,16 @@ RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldS
     return report;
 }
 
+/// What the settings ask for, as far as this output needs it.
+RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, const OpenedFields& fields) {
+    RenderJob job = job_for(settings);
+    job.pictures = pictures_of(output);
+    job.series = is_series(output);
+    job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);
+    job.find_events = !output.report.empty() && marks_objects(settings, fields.extracted);
+    return job;
+}
+
 /// What came of it, in a line.
 std::string outcome(const OutputOptions& output, const RenderReport& report) {
     const std::string name = output.path.empty() ? report.info.name : output.path.string();
@@ -94,6 +121,7 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     if (!line.parse(arguments)) return ExitStatus::done;
     apply(settings.run, environment.log);
     check(output);
+    check_report(output, settings.input.names);
     const bool series = is_series(output);
     check(settings, series);
     if (pictures_of(output) > 1 && !settings.look.shows("tracelines")) {
@@ -109,14 +137,17 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
         pictures.add(number, picture, describe(line, fields.extracted, report, series));
         drawn = {std::move(picture.pixels), picture.encoding, {}};
     };
-    RenderJob job = job_for(settings);
-    job.pictures = pictures_of(output);
-    job.series = series;
-    job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);
+    const RenderJob job = job_of(settings, output, fields);
     const RenderReport report = render(settings, job, *fields.source, write, environment.log);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("{}, {:.1f} s", outcome(output, report), took.count());
+    if (report.events) environment.log.info("{}", summary_of(*report.events));
+    if (!output.report.empty()) {
+        const std::string text = format_report(report, settings_of(line, fields.extracted), took.count());
+        const auto held = environment.signals.hold();
+        replace_file(output.report, std::as_bytes(std::span(text)));
+    }
     if (!output.golden.path.empty()) {
         meet_golden(output.golden, drawn, describe(line, fields.extracted, report, series), environment);
     }

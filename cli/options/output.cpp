@@ -1,9 +1,13 @@
 #include "cli/options/output.h"
 
+#include <system_error>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "cli/options/option.h"
 #include "core/image/animation_file.h"
+#include "core/image/atomic_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 
@@ -12,6 +16,15 @@ namespace vvr {
 namespace {
 
 constexpr int standard_animation = 24;
+
+/// Whether both name one file, be it there or not.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code none;
+    const auto whole = [&](const auto& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
+    };
+    return !a.empty() && !b.empty() && whole(a) == whole(b);
+}
 
 }  // namespace
 
@@ -30,13 +43,28 @@ void add_options(CLI::App& app, OutputOptions& options) {
                      "if not given) or has a field: {{frame:4}}, #### or %04d",
                      standard_animation)},
         [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+    add_option(app, group::output, options.report,
+               {"--report", "FILE", "", "a JSON file of the input, the settings, the events and the run; needs no -o"},
+               [](const std::string& given) { return std::filesystem::path(given); });
     add_options(app, options.golden);
 }
 
 void check(const OutputOptions& options) {
     check(options.golden);
-    if (options.path.empty() && options.golden.path.empty()) {
+    if (!options.report.empty()) check_file_path(options.report);
+    const std::pair<std::string, std::filesystem::path> others[] = {
+        {"-o", options.path}, {"--golden", options.golden.path}, {"--diff", options.golden.comparison.diff}};
+    for (const auto& [name, path] : others) {
+        if (!same_file(options.report, path)) continue;
+        throw Error(ErrorKind::usage, fmt::format("--report and {} both name '{}'; give the report a name of its own, "
+                                                  "such as report.json",
+                                                  name, path.string()));
+    }
+    if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
         throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    }
+    if (options.path.empty() && options.animate) {
+        throw Error(ErrorKind::usage, "--animate: say where the pictures go with -o FILE");
     }
     if (!options.golden.path.empty() && pictures_of(options) > 1) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
@@ -69,11 +97,21 @@ void check(const OutputOptions& options) {
     }
 }
 
+void check_report(const OutputOptions& options, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        if (!same_file(options.report, input)) continue;
+        throw Error(ErrorKind::usage, fmt::format("--report '{}' would replace the input; give the report a name of "
+                                                  "its own, such as report.json",
+                                                  options.report.string()));
+    }
+}
+
 bool is_series(const OutputOptions& options) {
     return !options.animate && NamePattern(options.path).has_field();
 }
 
 int pictures_of(const OutputOptions& options) {
+    if (options.path.empty() && options.golden.path.empty()) return 0;
     return options.animate.value_or(is_animation(options.path) ? standard_animation : 1);
 }
 

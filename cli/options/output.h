@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -9,10 +11,11 @@
 
 namespace vvr {
 
-/// Where the picture goes, or the pictures, and what it is compared with.
+/// Where the picture goes, or the pictures, and what is said of it.
 struct OutputOptions {
     std::filesystem::path path;
-    std::optional<int> animate;  ///< pictures of the moving texture
+    std::optional<int> animate;    ///< pictures of the moving texture
+    std::filesystem::path report;  ///< empty = nowhere
     GoldenOptions golden;
 };
 
@@ -21,10 +24,13 @@ void add_options(CLI::App& app, OutputOptions& options);
 /// \throws Error usage when nothing says where the picture goes, or the name and the number of pictures don't fit
 void check(const OutputOptions& options);
 
+/// \throws Error usage when the report would be written over an input
+void check_report(const OutputOptions& options, const std::vector<std::string>& inputs);
+
 /// Whether the name is that of a series: a picture for each brick.
 bool is_series(const OutputOptions& options);
 
-/// The number of pictures that the options ask for; a file that can be animated is.
+/// The number of pictures that the options ask for: none where only a report is wanted. A file that can be animated is.
 int pictures_of(const OutputOptions& options);
 
 }  // namespace vvr

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/work/build_scene.h"
+#include "core/events/event_finder.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
 
@@ -18,20 +19,25 @@ struct Fields {
     Frame first;
     Frame last;
     FieldSummary summary;
+    std::optional<std::vector<Event>> events;
 };
 
 Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step, const FrameProgress& progress) {
     const std::int64_t expected = source.expected_frames();
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.max_layers);
 
-    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}};
+    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}, {}};
+    std::optional<EventFinder> events;
+    if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
         result.volume.add(field, volume_colour(job, frame));
+        if (events) events->add(field.scalar, {field.index, field.pts});
         if (result.volume.frames() == 1) result.first = frame;
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
     });
+    if (events) result.events = events->finish();
     return result;
 }
 
@@ -69,8 +75,10 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
+    RenderReport report;
     const auto context = open_context(job.backend, job.device);
     check_samples(context->gl(), job.picture.samples);
+    report.stages.end("context");
     const std::int64_t expected = source.expected_frames();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -80,8 +88,10 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
         fields = read_fields(job, source, step, progress);
     }
 
+    report.stages.end("fields");
+
     Volume& volume = fields.volume;
-    RenderReport report;
+    report.events = std::move(fields.events);
     report.info = source.info();
     report.field_size = source.field_size();
     report.frames = fields.summary.frames;
@@ -97,9 +107,12 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     Scene scene = build_scene(job, volume, {fields.first, fields.last}, *layout);
     report.arrows = scene.arrows.size();
 
+    report.stages.end("scene");
+
     report.still = nothing_visible(volume, job.transfer);
 
     report.renderer = context->renderer();
+    report.gl_version = context->version();
     report.backend = context->backend();
     Renderer renderer(*context, *layout, options_of(job, static_cast<int>(report.bricks.size()), volume.layers()));
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
@@ -114,8 +127,11 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     for (int i = 0; i < job.pictures; ++i) {
+        Picture picture = draw_picture(job, renderer, volume, static_cast<double>(i) / job.pictures);
+        report.stages.end("draw");
         report.pictures = i + 1;
-        sink(report, i, draw_picture(job, renderer, volume, static_cast<double>(i) / job.pictures));
+        sink(report, i, std::move(picture));
+        report.stages.end("write");
     }
     return report;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/work/stages.h"
+#include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/scene/glyph.h"
 #include "core/scene/traceline.h"
@@ -28,10 +30,11 @@ struct RenderJob {
     double r_max = 1;
     double height = 0;  ///< y_s; 0 = square pixels
 
-    bool series = false;    ///< a picture for each brick, while a window of `bricks` of them slides over the clip
-    bool layers = false;    ///< pictures come with what each of their pixels shows
-    int pictures = 1;       ///< over which the tracelines' texture moves on by one stripe
-    RenderOptions picture;  ///< ring and window_layers are found out
+    bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
+    bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
+    bool layers = false;       ///< pictures come with what each of their pixels shows
+    int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
+    RenderOptions picture;     ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();
     double opacity = 1;  ///< factor on its extinctions
     GlyphOptions glyphs;
@@ -63,7 +66,10 @@ struct RenderReport {
     bool still = false;           ///< nothing in the volume is visible
     bool frames_missing = false;  ///< frames that should stand in the picture came without one
     std::string renderer;         ///< GL_RENDERER
+    std::string gl_version;       ///< GL_VERSION
     std::string backend;
+    std::optional<std::vector<Event>> events;  ///< where they were looked for
+    Stages stages;
 };
 
 struct RenderedClip {

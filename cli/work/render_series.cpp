@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/work/build_scene.h"
 #include "core/error.h"
+#include "core/events/event_finder.h"
 #include "gl/context.h"
-#include "gl/framebuffer.h"
 #include "gl/context_loan.h"
+#include "gl/framebuffer.h"
 
 namespace vvr {
 
@@ -38,7 +40,7 @@ double frames_of_brick(const RenderJob& job, const FieldSource& source) {
 /// The window while it slides: its volume, its textures, and what is drawn of it.
 class Series {
   public:
-    Series(const RenderJob& job, const FieldSource& source, Context& context, const PictureSink& sink)
+    Series(const RenderJob& job, const FieldSource& source, Context& context, Stages stages, const PictureSink& sink)
         : job_(job),
           window_(sliding_window(job, source)),
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
@@ -51,26 +53,38 @@ class Series {
         volume_.set_span(window_.layers());
         if (job.show.contains("tracelines")) volume_.keep_flow();
         renderer_.set_transfer(transfer_);
+        report_.stages = std::move(stages);
+        if (job.find_events) events_.emplace(source.field_size());
         report_.info = source.info();
         report_.field_size = source.field_size();
         report_.step = window_.step;
         report_.still = true;
         report_.pictures = 0;
         report_.renderer = context.renderer();
+        report_.gl_version = context.version();
         report_.backend = context.backend();
     }
 
     void add(Frame&& frame, const Field& field) {
         if (volume_.frames() == window_.frames()) drop_oldest();
         volume_.add(field, volume_colour(job_, frame));
+        if (events_) events_->add(field.scalar, {field.index, field.pts});
+        if (!begin_) begin_ = {field.index, field.pts};
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = std::move(frame);
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest();
     }
 
-    /// After the last frame: the last brick may be shorter than the others.
+    /// After the last frame: the last brick may be shorter than the others. Frames and times are those of the clip, all
+    /// else is that of the last window.
     RenderReport finish() {
         if (frames_of_newest_ > 0) complete_newest();
+        report_.stages.end("fields");
+        if (events_) report_.events = events_->finish();
+        if (begin_) {
+            report_.first_frame = begin_->frame;
+            report_.first_pts = begin_->seconds;
+        }
         return report_;
     }
 
@@ -81,9 +95,11 @@ class Series {
     }
 
     void complete_newest() {
+        report_.stages.end("fields");
         const BorrowedContext context(context_);
         update_report();
         if (job_.show.contains("volume")) update_ring();
+        report_.stages.end("draw");
         draw();
         ++newest_;
         frames_of_newest_ = 0;
@@ -117,10 +133,14 @@ class Series {
         const bool shows_frames = job_.show.contains("frames");
         Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_);
         report_.arrows = scene.arrows.size();
+        report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));
-        sink_(report_, static_cast<int>(newest_), draw_picture(job_, renderer_, volume_));
+        Picture picture = draw_picture(job_, renderer_, volume_);
+        report_.stages.end("draw");
+        sink_(report_, static_cast<int>(newest_), std::move(picture));
+        report_.stages.end("write");
     }
 
     const RenderJob& job_;
@@ -132,6 +152,8 @@ class Series {
     TransferFunction transfer_;
     const PictureSink& sink_;
     RenderReport report_;
+    std::optional<EventFinder> events_;
+    std::optional<Moment> begin_;        ///< of the clip
     std::deque<Frame> first_of_bricks_;  ///< of the bricks in the window
     Frame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled
@@ -154,9 +176,11 @@ SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source) {
 
 RenderReport render_series(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                            const PictureSink& sink) {
+    Stages stages;
     const auto context = open_context(job.backend, job.device);
     check_samples(context->gl(), job.picture.samples);
-    Series series(job, source, *context, sink);
+    stages.end("context");
+    Series series(job, source, *context, std::move(stages), sink);
     const FieldNeeds needs = needs_of(job, source, sliding_window(job, source).frames());
     // Fields come from other threads in turn, which draw when a brick is full.
     const ContextForOthers loan(*context);

@@ -44,6 +44,11 @@ def golden_images_commands(t):
 
 
 @case
+def report_commands(t):
+    run_commands(t, "docs/report.md")
+
+
+@case
 def cli_page_is_up_to_date(t):
     page = subprocess.run([t.source / "scripts" / "cli-page", t.vvr_path], stdout=subprocess.PIPE, check=True).stdout
     check(page == (t.source / "docs" / "cli.md").read_bytes(), "docs/cli.md is old; make it with scripts/cli-page")

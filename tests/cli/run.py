@@ -13,6 +13,7 @@ import cases_look  # noqa: F401
 import cases_options  # noqa: F401
 import cases_output  # noqa: F401
 import cases_process  # noqa: F401
+import cases_report  # noqa: F401
 import cases_series  # noqa: F401
 from harness import CASES, Bench
 

@@ -1,0 +1,76 @@
+#include "core/events/patch.h"
+
+#include <algorithm>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/fields/cv_view.h"
+
+namespace vvr {
+
+namespace {
+
+/// The box about all there is, and `reach` more; empty for nothing.
+PixelBox box_of_objects(const Plane<std::uint8_t>& field, int reach) {
+    const cv::Rect all = cv::boundingRect(cv_view(field));
+    if (all.empty()) return {};
+    return {std::max(0, all.x - reach), std::max(0, all.y - reach), std::min(field.width(), all.x + all.width + reach),
+            std::min(field.height(), all.y + all.height + reach)};
+}
+
+}  // namespace
+
+PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
+Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
+    Blobs blobs{Plane<int>(field.size()), {}};
+    const PixelBox all = box_of_objects(field, reach);
+    if (all.empty()) return blobs;
+    cv::Mat wide;
+    const cv::Rect part(all.left, all.top, all.width(), all.height());
+    cv::dilate(cv_view(field)(part), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+    cv::Mat labels = cv::Mat(field.height(), field.width(), CV_32S, blobs.labels.pixels().data())(part);
+    const int count = cv::connectedComponents(wide, labels, 8, CV_32S);
+
+    std::vector<Patch> found(static_cast<std::size_t>(count));
+    for (int j = all.top; j < all.bottom; ++j) {
+        for (int i = all.left; i < all.right; ++i) {
+            if (field.at(i, j) == 0) continue;
+            Patch& patch = found[static_cast<std::size_t>(blobs.labels.at(i, j))];
+            patch.box = hull_of(patch.box, {i, j, i + 1, j + 1});
+            patch.centre += glm::dvec2(i, j);
+            ++patch.area;
+        }
+    }
+    std::vector<int> numbers(found.size());
+    for (std::size_t k = 1; k < found.size(); ++k) {
+        if (found[k].area < std::max(1, min_area)) continue;
+        found[k].centre /= found[k].area;
+        found[k].values = Plane<std::uint8_t>({found[k].box.width(), found[k].box.height()});
+        blobs.patches.push_back(std::move(found[k]));
+        numbers[k] = static_cast<int>(blobs.patches.size());
+    }
+    for (int j = all.top; j < all.bottom; ++j) {
+        for (int i = all.left; i < all.right; ++i) {
+            int& label = blobs.labels.at(i, j);
+            label = numbers[static_cast<std::size_t>(label)];
+        }
+    }
+    for (std::size_t k = 0; k < blobs.patches.size(); ++k) {
+        Patch& patch = blobs.patches[k];
+        for (int j = patch.box.top; j < patch.box.bottom; ++j) {
+            for (int i = patch.box.left; i < patch.box.right; ++i) {
+                if (blobs.labels.at(i, j) == static_cast<int>(k) + 1) {
+                    patch.values.at(i - patch.box.left, j - patch.box.top) = field.at(i, j);
+                }
+            }
+        }
+    }
+    return blobs;
+}
+
+}  // namespace vvr

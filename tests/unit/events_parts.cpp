@@ -1,0 +1,176 @@
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/events/event_finder.h"
+#include "core/events/patch.h"
+#include "core/events/path.h"
+#include "core/events/stays.h"
+#include "core/events/steadiness.h"
+
+namespace vvr {
+namespace {
+
+constexpr double rate = 25;
+
+Moment at(std::int64_t frame) {
+    return {frame, static_cast<double>(frame) / rate};
+}
+
+void fill(Plane<std::uint8_t>& field, const PixelBox& box, std::uint8_t value) {
+    for (int j = std::max(0, box.top); j < std::min(field.height(), box.bottom); ++j) {
+        for (int i = std::max(0, box.left); i < std::min(field.width(), box.right); ++i) field.at(i, j) = value;
+    }
+}
+
+TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
+    Plane<std::uint8_t> field({60, 40});
+    fill(field, {5, 5, 10, 12}, 90);
+    fill(field, {12, 5, 14, 12}, 200);
+    fill(field, {40, 20, 50, 30}, 70);
+    fill(field, {30, 2, 31, 3}, 255);
+    const Blobs blobs = find_blobs(field, 1, 4);
+    ASSERT_EQ(blobs.patches.size(), 2U);
+    EXPECT_EQ(blobs.patches[0].box, (PixelBox{5, 5, 14, 12}));
+    EXPECT_EQ(blobs.patches[0].area, 7 * 7);
+    EXPECT_EQ(blobs.patches[0].at(13, 5), 200);
+    EXPECT_EQ(blobs.patches[0].at(11, 5), 0);
+    EXPECT_EQ(blobs.patches[0].at(45, 25), 0);
+    EXPECT_DOUBLE_EQ(blobs.patches[1].centre.x, 44.5);
+    EXPECT_DOUBLE_EQ(blobs.patches[1].centre.y, 24.5);
+    EXPECT_EQ(blobs.labels.at(4, 4), 1) << "labels reach farther than the pixels";
+    EXPECT_EQ(blobs.labels.at(30, 2), 0);
+    EXPECT_TRUE(find_blobs(Plane<std::uint8_t>({8, 8}), 1, 4).patches.empty());
+}
+
+TEST(Steadiness, KnowsSinceWhenThroughNoiseAndShortGaps) {
+    Steadiness steadiness;
+    Plane<std::uint8_t> field({1, 1});
+    const auto show = [&](std::int64_t frame, int value) {
+        field.at(0, 0) = static_cast<std::uint8_t>(value);
+        steadiness.add(field, at(frame));
+    };
+    for (int f = 0; f < 10; ++f) show(f, 0);
+    EXPECT_EQ(steadiness.at(0, 0).level, 0);
+    for (int f = 10; f < 30; ++f) show(f, 200);
+    for (int f = 30; f < 60; ++f) show(f, f == 40 || f == 41 ? 0 : 100 + (f % 3) * 10);
+    EXPECT_EQ(steadiness.at(0, 0).since.frame, 30) << "another value is another object";
+    EXPECT_NEAR(steadiness.at(0, 0).level, 110, 12);
+    for (int f = 60; f < 63; ++f) show(f, 0);
+    EXPECT_EQ(steadiness.at(0, 0).level, 0);
+}
+
+TEST(Path, IsCoarseHoweverLongItIs) {
+    Path path;
+    for (int f = 0; f < 100'000; ++f) path.add(at(f), {0.01 * f, 5});
+    const std::vector<PathPoint> points = path.points();
+    EXPECT_LE(points.size(), 129U);
+    EXPECT_GT(points.size(), 60U);
+    EXPECT_EQ(points.front().at.frame, 0);
+    EXPECT_EQ(points.back().at.frame, 99'999);
+    EXPECT_NEAR(length_of(points), 999.99, 1e-6);
+}
+
+TEST(Path, OfWhatStandsIsTwoPoints) {
+    Path path;
+    for (int f = 0; f < 1000; ++f) path.add(at(f), {7, 5});
+    const std::vector<PathPoint> points = path.points();
+    ASSERT_LE(points.size(), 3U);
+    EXPECT_EQ(points.back().at.frame, 999);
+    EXPECT_EQ(length_of(points), 0);
+}
+
+TEST(Stays, AreWhereTheMiddleKeepsItsPlace) {
+    Stays stays(2);
+    for (int f = 0; f < 300; ++f) {
+        const double x = f < 100 ? f : f < 200 ? 100 + std::sin(f) : f - 100;
+        stays.add(at(f), {x, 0}, {}, 3);
+    }
+    const std::vector<Stay> found = stays.finish();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(static_cast<double>(found[0].first.frame), 98, 3);
+    EXPECT_NEAR(static_cast<double>(found[0].last.frame), 202, 3);
+    EXPECT_NEAR(found[0].place.x, 100, 3);
+}
+
+std::vector<Event> events_of(int frames, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
+    EventFinder finder({120, 90});
+    for (int f = 0; f < frames; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        paint(f, field);
+        finder.add(field, at(f));
+    }
+    return finder.finish();
+}
+
+TEST(EventFinder, NothingIsNoEventAndABlinkIsNone) {
+    EXPECT_TRUE(events_of(50, [](int, auto&) {}).empty());
+    EXPECT_TRUE(events_of(50, [](int f, auto& field) {
+                    if (f > 20 && f < 30) fill(field, {20, 20, 40, 40}, 100);
+                }).empty());
+}
+
+TEST(EventFinder, WhatFluttersAtItsPlaceIsNone) {
+    EXPECT_TRUE(events_of(300, [](int f, auto& field) {
+                    const int x = 40 + static_cast<int>(4 * std::sin(0.5 * f));
+                    fill(field, {x, 30, x + 16, 40}, static_cast<std::uint8_t>(60 + (37 * f) % 150));
+                }).empty());
+}
+
+// The box stands where the one who brought it was, and is told from him only when he has gone.
+TEST(EventFinder, ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken) {
+    const auto person = [](auto& field, int x) { fill(field, {x, 30, x + 14, 70}, 120); };
+    const auto events = events_of(500, [&](int f, auto& field) {
+        if (f >= 100 && f < 400) fill(field, {60, 60, 72, 70}, 220);
+        if (f < 90) person(field, f - 30);
+        if (f >= 90 && f < 130) person(field, 60 - (f > 110 ? f - 110 : 0));
+        if (f >= 130 && f < 200) person(field, 40 - (f - 130));
+        if (f >= 340 && f < 390) person(field, 120 - (f - 340));
+        if (f >= 390 && f < 410) person(field, 70);
+        if (f >= 410) person(field, 70 - (f - 410));
+    });
+    ASSERT_EQ(events.size(), 3U);
+    const Event& box = events[1];
+    EXPECT_NEAR(static_cast<double>(box.first.frame), 120, 5) << "it comes to light from frame 113 to 124";
+    EXPECT_NEAR(static_cast<double>(box.last.frame), 399, 5);
+    ASSERT_EQ(box.stays.size(), 1U);
+    EXPECT_EQ(box.stays[0].first.frame, box.first.frame);
+    EXPECT_EQ(box.stays[0].last.frame, box.last.frame);
+    EXPECT_NEAR(box.stays[0].place.x, 65.5, 2);
+    EXPECT_NEAR(box.stays[0].place.y, 64.5, 2);
+    EXPECT_EQ(box.from, 0U);
+    EXPECT_EQ(box.into, 2U);
+    EXPECT_TRUE(events[0].stays.empty());
+}
+
+TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
+    const auto events = events_of(200, [](int f, auto& field) {
+        fill(field, {110 - f, 34, 122 - f, 74}, 210);
+        fill(field, {f - 30, 30, f - 18, 70}, 90);
+    });
+    ASSERT_EQ(events.size(), 2U);
+    for (const Event& event : events) {
+        EXPECT_GT(event.path_length, 90);
+        EXPECT_LT(std::abs(event.path.back().place.y - event.path.front().place.y), 8);
+        EXPECT_GT(std::abs(event.path.back().place.x - event.path.front().place.x), 90) << "it turned back";
+    }
+}
+
+TEST(EventFinder, EventsDoNotLeaveTheField) {
+    const auto events = events_of(200, [](int f, auto& field) {
+        fill(field, {f - 30, -10, f - 10, 30}, 90);
+        fill(field, {60, 10, 70, 30}, 200);
+    });
+    ASSERT_FALSE(events.empty());
+    for (const Event& event : events) {
+        EXPECT_GE(event.box.left, 0);
+        EXPECT_GE(event.box.top, 0);
+        EXPECT_LE(event.box.right, 120);
+        EXPECT_LE(event.box.bottom, 90);
+    }
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,175 @@
+// The events of scenes of which it is known what happens.
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/events/event_finder.h"
+#include "core/fields/pipeline.h"
+#include "tests/scene/scene.h"
+#include "tests/scene/scene_source.h"
+
+namespace vvr {
+namespace {
+
+constexpr double frames_off = 5;
+constexpr double pixels_off = 5;
+
+std::vector<Event> events_of(const scene::Scene& scene) {
+    SourceOptions source;
+    source.colour = true;
+    source.field_size = {-1, -1};
+    FieldOptions fields;
+    fields.flow.method = "none";
+    EventFinder finder(scene.size());
+    compute_fields(*scene::open_scene(scene, source), fields, [&](Frame&&, Field&& field) {
+        finder.add(field.scalar, {field.index, field.pts});
+    });
+    return finder.finish();
+}
+
+struct Visit {
+    int first;
+    int last;
+};
+
+/// When an object can be seen: enough of it to be told from nothing.
+std::vector<Visit> visits_of(const scene::Scene& scene, const std::string& name) {
+    constexpr int least = 30;  // pixels
+    std::vector<Visit> visits;
+    for (int f = 0; f < scene.frames(); ++f) {
+        for (const scene::Object& object : scene.truth(f).objects) {
+            if (object.name != name || std::ranges::count(object.mask.pixels(), 255) < least) continue;
+            if (visits.empty() || visits.back().last < f - 1) visits.push_back({f, f});
+            visits.back().last = f;
+        }
+    }
+    return visits;
+}
+
+bool goes_right(const scene::Scene& scene, const std::string& name, int frame) {
+    const scene::Truth truth = scene.truth(frame);
+    const auto found = std::ranges::find(truth.objects, name, &scene::Object::name);
+    return found != truth.objects.end() && found->vx > 0;
+}
+
+void expect_frames(const Moment& first, const Moment& last, double begin, double end) {
+    EXPECT_NEAR(static_cast<double>(first.frame), begin, frames_off);
+    EXPECT_NEAR(static_cast<double>(last.frame), end, frames_off);
+}
+
+struct Case {
+    std::string name;
+    int frames;
+    std::uint64_t seed;
+    double noise;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
+
+class LeftBagEvents : public testing::TestWithParam<Case> {};
+
+TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
+    scene::Options options;
+    options.frames = GetParam().frames;
+    options.seed = GetParam().seed;
+    options.noise = GetParam().noise;
+    const scene::Scene scene = scene::make_left_bag(options);
+    const scene::LeftBag facts = scene::left_bag_facts(options);
+    const std::vector<Event> events = events_of(scene);
+    ASSERT_EQ(events.size(), 3U);
+
+    const std::vector<Visit> visits = visits_of(scene, "person");
+    ASSERT_EQ(visits.size(), 2U);
+    expect_frames(events[0].first, events[0].last, visits[0].first, visits[0].last);
+    expect_frames(events[2].first, events[2].last, visits[1].first, visits[1].last);
+
+    const Event& bag = events[1];
+    expect_frames(bag.first, bag.last, facts.put_down, facts.taken_up - 1);
+    ASSERT_EQ(bag.stays.size(), 1U);
+    expect_frames(bag.stays[0].first, bag.stays[0].last, facts.put_down, facts.taken_up - 1);
+    EXPECT_NEAR(bag.stays[0].place.x, facts.x, pixels_off);
+    EXPECT_NEAR(bag.stays[0].place.y, facts.y, pixels_off);
+    EXPECT_LT(bag.path_length, pixels_off);
+    EXPECT_EQ(bag.from, 0U);
+    EXPECT_EQ(bag.into, 2U);
+
+    // He goes through the picture; his middle is that of what he carries as well.
+    EXPECT_GT(events[0].path_length, 0.9 * scene.size().width);
+    for (const PathPoint& point : events[0].path) {
+        const scene::Truth truth = scene.truth(static_cast<int>(point.at.frame));
+        const auto person = std::ranges::find(truth.objects, "person", &scene::Object::name);
+        ASSERT_NE(person, truth.objects.end());
+        if (person->x < 30 || person->x > scene.size().width - 30 || std::abs(person->x - facts.x) < 40) continue;
+        EXPECT_NEAR(point.place.x, person->x, 10) << point.at.frame;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LeftBagEvents,
+                         testing::Values(Case{"as_it_is", 1600, 1, 0}, Case{"another_hall", 1600, 3, 0},
+                                         Case{"noise", 1600, 1, 5}, Case{"quick", 600, 1, 0},
+                                         Case{"quick_with_noise", 600, 2, 5}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(StillEvents, NoiseIsNone) {
+    for (const double noise : {0.0, 5.0, 8.0}) {
+        scene::Options options;
+        options.noise = noise;
+        options.frames = 150;
+        EXPECT_TRUE(events_of(scene::make_still(options)).empty()) << noise;
+    }
+}
+
+TEST(FallOnFloorEvents, AreOneThatLiesStill) {
+    const scene::Scene scene = scene::make_fall_on_floor({});
+    const scene::FallOnFloor facts = scene::fall_on_floor_facts({});
+    const std::vector<Event> events = events_of(scene);
+    ASSERT_EQ(events.size(), 1U);
+    const std::vector<Visit> visits = visits_of(scene, "person");
+    expect_frames(events[0].first, events[0].last, visits.front().first, visits.back().last);
+    ASSERT_EQ(events[0].stays.size(), 1U);
+    expect_frames(events[0].stays[0].first, events[0].stays[0].last, facts.lies, facts.gets_up);
+    EXPECT_NEAR(events[0].stays[0].place.x, facts.x, pixels_off);
+    EXPECT_NEAR(events[0].stays[0].place.y, facts.y, pixels_off);
+}
+
+TEST(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
+    for (const double noise : {0.0, 5.0}) {
+        scene::Options options;
+        options.noise = noise;
+        const scene::Scene scene = scene::make_two_walkers_cross(options);
+        const std::vector<Event> events = events_of(scene);
+        ASSERT_EQ(events.size(), 2U) << noise;
+        for (const std::string name : {"walker 0", "walker 1"}) {
+            const Visit visit = visits_of(scene, name).front();
+            const bool rightward = goes_right(scene, name, visit.first + 20);
+            const auto event = std::ranges::find_if(
+                events, [&](const Event& e) { return (e.path.back().place.x > e.path.front().place.x) == rightward; });
+            ASSERT_NE(event, events.end()) << name;
+            expect_frames(event->first, event->last, visit.first, visits_of(scene, name).back().last);
+            EXPECT_GT(event->path_length, 0.9 * scene.size().width);
+        }
+    }
+}
+
+TEST(WalkersEvents, AreAsManyAsWalkers) {
+    const scene::Scene scene = scene::make_walkers({});
+    const std::vector<Event> events = events_of(scene);
+    ASSERT_EQ(events.size(), 6U);
+    for (int k = 0; k < 6; ++k) {
+        const Visit visit = visits_of(scene, "walker " + std::to_string(k)).front();
+        // One of them comes in behind another, so his beginning is not so well known.
+        const bool there = std::ranges::any_of(events, [&](const Event& event) {
+            return std::abs(event.first.frame - visit.first) <= 12 && std::abs(event.last.frame - visit.last) <= 5;
+        });
+        EXPECT_TRUE(there) << "walker " << k << ": " << visit.first << " to " << visit.last;
+    }
+}
+
+}  // namespace
+}  // namespace vvr
