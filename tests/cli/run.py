@@ -3,6 +3,7 @@
 import sys
 
 import cases_backend  # noqa: F401
+import cases_annotations  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
