@@ -60,6 +60,10 @@ VolumeColour LookOptions::volume_colour() const {
     return std::ranges::find(volume_colours(), colour, &VolumeColourRow::name)->colour;
 }
 
+VolumeShading LookOptions::volume_shading() const {
+    return std::ranges::find(volume_shadings(), shading, &VolumeShadingRow::name)->shading;
+}
+
 void add_options(CLI::App& app, LookOptions& options) {
     add_option(app, group::look, options.show,
                {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
@@ -91,6 +95,7 @@ void add_options(CLI::App& app, LookOptions& options) {
                });
     add_name(app, group::look, options.colour, names_of(volume_colours()),
              {"--color", "NAME", "", "the volume's colour, the transfer function's or the video's own"});
+    add_choice(app, group::look, options.shading, volume_shadings(), {"--shading", "NAME", "", "light on the volume"});
     add_number(app, group::look, options.opacity, {0, 1000},
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
     add_number(app, group::look, options.glyph_scale, {0.01, 100},

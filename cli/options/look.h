@@ -23,6 +23,7 @@ struct LookOptions {
     WallClock clock;
     std::string transfer;  ///< a name or a file; empty = the theme's
     std::string colour{volume_colours().front().name};
+    std::string shading{volume_shadings().front().name};
     double opacity = 1;      ///< factor on the extinction
     double glyph_scale = 1;  ///< factor on the arrows' size
     TraceOptions traces;
@@ -31,6 +32,7 @@ struct LookOptions {
     glm::vec4 background_colour() const;
     bool shows(const std::string& part) const;
     VolumeColour volume_colour() const;
+    VolumeShading volume_shading() const;
 };
 
 void add_options(CLI::App& app, LookOptions& options);

@@ -56,6 +56,7 @@ RenderJob job_for(const RenderSettings& settings) {
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
     job.picture.colour = settings.look.volume_colour();
+    job.picture.shading = settings.look.volume_shading();
     job.theme = find_theme(settings.look.theme);
     job.picture.background = settings.look.background_colour();
     job.picture.glyphs.slow_colour = job.theme.slow;
