@@ -97,6 +97,7 @@ RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldS
 /// What the settings ask for, as far as this output needs it.
 RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, const OpenedFields& fields) {
     RenderJob job = job_for(settings);
+    job.clock = clock_of(settings.look.start_time, fields.source->info());
     job.pictures = pictures_of(output);
     job.series = is_series(output);
     job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);

@@ -62,7 +62,6 @@ RenderJob job_for(const RenderSettings& settings) {
     job.picture.glyphs.slow_colour = job.theme.slow;
     job.picture.glyphs.fast_colour = job.theme.fast;
     job.title = settings.look.title;
-    job.clock = settings.look.clock;
     job.keyframes = settings.look.keyframes;
     const FilterRow& filter = find_filter(settings.fields.filter);
     job.scalar = {std::string(filter.name), std::string(filter.help)};
