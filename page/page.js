@@ -235,6 +235,7 @@ function drawNow() {
     at('clock').textContent = clockOf(secondsOf(now));
     at('cursor').style.left = (secondsOf(now) - begins) / lasts * 100 + '%';
     drawVeil();
+    drawRing();
 }
 
 function followPlayer() {
@@ -448,6 +449,46 @@ function textOf(event) {
     return parts.join(' · ');
 }
 
+/// Where an event's object was, in shares of the picture's width and height; null = not at that time.
+function placeOf(event, frame) {
+    const after = event.path.findIndex(point => point[0] >= frame);
+    if (after < 0 || frame < event.first) return null;
+    const [end, x, y] = event.path[after];
+    const [begin, fromX, fromY] = event.path[Math.max(0, after - 1)];
+    const share = end > begin ? (frame - begin) / (end - begin) : 1;
+    return [fromX + share * (x - fromX), fromY + share * (y - fromY)];
+}
+
+/// A part of a still in which the event's object is to be seen.
+function portraitOf(event) {
+    const frame = document.createElement('div');
+    const image = document.createElement('img');
+    const seen = stillNear((event.first + event.last) / 2);
+    const place = placeOf(event, clamp(seen.frame, event.first, event.last)) ?? [0.5, 0.5];
+    const shown = 0.3;  // of the still's longer side
+    const side = 62 / shown / Math.max(...data.size);
+    ['width', 'height'].forEach((name, k) => {
+        const length = data.size[k] * side;
+        image.style[name] = length + 'px';
+        image.style[k ? 'top' : 'left'] = clamp(31 - place[k] * length, Math.min(0, 62 - length), 0) + 'px';
+    });
+    image.alt = '';
+    image.src = seen.src;
+    frame.append(image);
+    return frame;
+}
+
+/// A ring in the player about what the chosen event is.
+function drawRing() {
+    const event = chosen === null ? null : data.events[chosen];
+    const shown = !film && !still.hidden ? stillNear(now).frame : now;
+    const place = event && placeOf(event, shown);
+    at('ring').hidden = !place;
+    if (!place) return;
+    at('ring').style.left = place[0] * 100 + '%';
+    at('ring').style.top = place[1] * 100 + '%';
+}
+
 function listEvents() {
     const list = at('events');
     const count = data.events?.length ?? 0;
@@ -462,15 +503,11 @@ function listEvents() {
     (data.events ?? []).forEach((event, number) => {
         const button = document.createElement('button');
         button.type = 'button';
-        const image = document.createElement('img');
-        image.alt = '';
-        image.loading = 'lazy';
-        image.src = stillNear((event.first + event.last) / 2).src;
         const times = document.createElement('b');
         times.textContent = `${number + 1}.  ${clockOf(secondsOf(event.first))} – ${clockOf(secondsOf(event.last))}`;
         const text = document.createElement('span');
         text.textContent = textOf(event);
-        button.append(image, times, text);
+        button.append(portraitOf(event), times, text);
         button.addEventListener('click', () => {
             choose(number);
             show(event.first, true);
@@ -490,14 +527,15 @@ function choose(number) {
     });
     at('bars').querySelectorAll('i').forEach((bar, k) => bar.classList.toggle('chosen', k === number));
     drawVeil();
+    drawRing();
 }
 
 /// Goes to the next event, or the one before, and shows its first moment.
 function step(by) {
     if (!data.events?.length) return;
-    const after = chosen ?? data.events.findIndex(event => event.first > now) - (by > 0 ? 1 : 0);
-    const number = chosen === null && !moved ? (by > 0 ? 0 : data.events.length - 1)
-        : clamp(after + (chosen === null && by < 0 ? -1 : by), 0, data.events.length - 1);
+    const number = chosen !== null ? clamp(chosen + by, 0, data.events.length - 1)
+        : by > 0 ? Math.max(0, data.events.findIndex(event => event.first >= now))
+        : Math.max(0, data.events.findLastIndex(event => event.first < now));
     choose(number);
     const event = data.events[number];
     show(event.first, false);

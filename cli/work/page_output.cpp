@@ -37,6 +37,7 @@ std::string page_text(const fs::path& path, const std::string& input, const Rend
     content.name = shown_name(input);
     if (fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
     content.shown = report.info.size;
+    content.field = report.field_size;
     content.picture = std::move(picture);
     content.settings = settings;
     content.moments = std::move(moments);

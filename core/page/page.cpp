@@ -57,14 +57,25 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place) : Json();
 }
 
-Json json_of(const Event& event) {
+/// Where it was and when, as shares of the picture's width and height, so that nobody needs to know the field's size.
+Json json_of(const std::vector<PathPoint>& path, Size field) {
+    const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
+    Json json = Json::array();
+    for (const PathPoint& point : path) {
+        json.push_back({point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)});
+    }
+    return json;
+}
+
+Json json_of(const Event& event, Size field) {
     double still = 0;
     for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
     return {{"first", event.first.frame},
             {"last", event.last.frame},
             {"still", rounded(still)},
             {"from", number_of(event.from)},
-            {"into", number_of(event.into)}};
+            {"into", number_of(event.into)},
+            {"path", json_of(event.path, field)}};
 }
 
 Json json_of(const Still& still) {
@@ -90,7 +101,7 @@ Json json_of(const PageContent& content) {
     json["events"] = Json();
     if (content.events) {
         json["events"] = Json::array();
-        for (const Event& event : *content.events) json["events"].push_back(json_of(event));
+        for (const Event& event : *content.events) json["events"].push_back(json_of(event, content.field));
     }
     json["stills"] = Json::array();
     for (const Still& still : moments.stills) json["stills"].push_back(json_of(still));

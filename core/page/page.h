@@ -15,6 +15,7 @@ struct PageContent {
     std::string name;      ///< of the clip, as people are to read it
     std::string clip_url;  ///< where it is from the page; empty = there is no file to play
     Size shown;            ///< size of the clip's picture
+    Size field;            ///< in whose pixels the events are
     Picture picture;       ///< with its layers
     Metadata settings;     ///< that made it
     Moments moments;
