@@ -41,8 +41,10 @@ function lengthOf(frame) {
     return frame > firstFrame ? Math.max(0, begin - secondsOf(frame - 1)) : 0.04;
 }
 
-/// A time at which a player shows this frame, however it rounds.
-const middleOf = frame => secondsOf(frame) + lengthOf(frame) / 2;
+/// A time at which a player shows this frame, however it rounds: the middle of the frame's time, but not far from its
+/// beginning. Where frames refer to later ones and their times vary, MP4 has the lengths of others in their places, and
+/// Chromium passes over a frame that should have ended by such a length.
+const timeWithin = frame => secondsOf(frame) + Math.min(lengthOf(frame) / 2, 0.01);
 
 const begins = secondsOf(firstFrame);
 const lasts = Math.max(secondsOf(lastFrame) - begins, 0.001);
@@ -220,7 +222,7 @@ function show(frame, play) {
     moved = true;
     playing = play;
     if (film) {
-        video.currentTime = Math.max(0, middleOf(now) - film.begin + film.offset);
+        video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
         if (play) video.play().catch(() => {});
         else video.pause();
     } else if (!still.hidden) {
@@ -293,7 +295,7 @@ function pointAt(frame, x, y) {
 function peekAt(frame) {
     if (!film || peeker.readyState < 1 || peeker.seeking) return;
     peeker.dataset.frame = frame;
-    peeker.currentTime = Math.max(0, middleOf(frame) - film.begin + film.offset);
+    peeker.currentTime = Math.max(0, timeWithin(frame) - film.begin + film.offset);
 }
 peeker.addEventListener('seeked', () => {
     if (Number(peeker.dataset.frame) === pointed) peeker.hidden = false;

@@ -32,7 +32,7 @@ def row_of(row):
 
 def brightest(t, clip):
     """The middle of what is bright in each frame of a clip, as shares of width and height."""
-    grey = subprocess.run(["ffmpeg", "-v", "error", "-i", t.path(clip), "-vsync", "passthrough", "-f", "rawvideo", "-pix_fmt",
+    grey = subprocess.run(["ffmpeg", "-v", "fatal", "-i", t.path(clip), "-vsync", "passthrough", "-f", "rawvideo", "-pix_fmt",
                            "gray", "-"], stdout=subprocess.PIPE, check=True).stdout
     area = SIZE[0] * SIZE[1]
     middles = []
@@ -164,7 +164,7 @@ def page_of_stills(t):
 
 @case
 def page_of_a_variable_rate(t):
-    # Frames come closer and closer; the container rounds their times.
+    # Frames come farther and farther apart; the container rounds their times.
     discs(t, "steady.mkv", *H264)
     for clip in ("varying.mp4", "varying.webm"):
         codec = H264 if clip.endswith("mp4") else ("-c:v", "libvpx", "-b:v", "1M", "-deadline", "realtime", "-cpu-used", "8")
