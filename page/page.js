@@ -134,7 +134,9 @@ function drawVeil() {
 
 /// Says at the horseshoe's ends which is which, where there are pixels enough of the first and the last frame.
 function labelEnds() {
-    for (const [label, frame, word] of [[at('begins'), firstFrame, 'begins'], [at('ends'), lastFrame, 'ends']]) {
+    const ends = [[at('begins'), firstFrame, 'begins ' + clockOf(begins, false)],
+                  [at('ends'), lastFrame, 'ends ' + clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)]];
+    for (const [label, frame, words] of ends) {
         let count = 0;
         let left = width, right = 0, bottom = 0;
         frames.forEach((seen, k) => {
@@ -145,7 +147,7 @@ function labelEnds() {
             bottom = Math.max(bottom, Math.floor(k / width));
         });
         if (count < width * height / 1000) continue;
-        label.textContent = word + ' ' + clockOf(secondsOf(frame), false);
+        label.textContent = words;
         label.style.left = (left + right) / 2 / width * 100 + '%';
         label.style.top = bottom / height * 100 + '%';
         label.hidden = false;
@@ -321,6 +323,7 @@ function place() {
         middle[k] = clamp(middle[k], half, 1 - half);
         return room[k] / 2 - middle[k] * size[k];
     });
+    view.style.touchAction = scale > 1 ? 'none' : 'pan-y';
     stage.style.width = size[0] + 'px';
     stage.style.height = size[1] + 'px';
     stage.style.transform = `translate(${corner[0]}px, ${corner[1]}px)`;
@@ -566,8 +569,11 @@ document.addEventListener('keydown', event => {
 
 // ---- Beginning
 
-at('summary').textContent = `${clockOf(begins, false)} to ${clockOf(secondsOf(lastFrame), false)}, ${lastFrame - firstFrame + 1} frames`;
+const count = lastFrame - firstFrame + 1;
+at('summary').textContent = `${clockOf(begins, false)} to ${clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)}, ${count} frame${count === 1 ? '' : 's'}`;
 at('screen').style.aspectRatio = at('peeked').style.aspectRatio = data.size[0] + ' / ' + data.size[1];
+at('screen').style.maxWidth = `max(160px, 46vh * ${data.size[0] / data.size[1]})`;
+at('peeked').style.width = 220 * data.size[0] / Math.max(...data.size) + 'px';
 listEvents();
 drawStrip();
 place();

@@ -26,10 +26,12 @@ update_package_lists() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update >&2
 }
 
-# The packages of packages.txt that are not installed, one a line.
+package_lists=(scripts/packages.txt)
+
+# The packages of the lists that are not installed, one a line.
 missing_packages() {
     local wanted
-    wanted=$(sed 's/#.*//' scripts/packages.txt)
+    wanted=$(sed 's/#.*//' "${package_lists[@]}")
     # dpkg-query fails when it has never heard of a package, which is an answer too.
     # shellcheck disable=SC2086
     { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |
@@ -37,11 +39,11 @@ missing_packages() {
 }
 
 install_packages() {
-    command -v dpkg-query >/dev/null || die "this is not Debian; install what scripts/packages.txt lists, by your own means"
+    command -v dpkg-query >/dev/null || die "this is not Debian; install what ${package_lists[*]} lists, by your own means"
     local missing
     missing=$(missing_packages)
     if [ -z "$missing" ]; then
-        say "all packages of scripts/packages.txt are installed"
+        say "all packages of ${package_lists[*]} are installed"
         return
     fi
     say "installing" $missing

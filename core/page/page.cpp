@@ -70,12 +70,8 @@ Json json_of(const std::vector<PathPoint>& path, Size field) {
 Json json_of(const Event& event, Size field) {
     double still = 0;
     for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
-    return {{"first", event.first.frame},
-            {"last", event.last.frame},
-            {"still", rounded(still)},
-            {"from", number_of(event.from)},
-            {"into", number_of(event.into)},
-            {"path", json_of(event.path, field)}};
+    return {{"first", event.first.frame},    {"last", event.last.frame},      {"still", rounded(still)},
+            {"from", number_of(event.from)}, {"into", number_of(event.into)}, {"path", json_of(event.path, field)}};
 }
 
 Json json_of(const Still& still) {
@@ -109,6 +105,13 @@ Json json_of(const PageContent& content) {
     return json;
 }
 
+/// How time runs in the picture, in words.
+std::string way_of_time(const Metadata& settings) {
+    const auto layout = std::ranges::find(settings, "layout", &Metadata::value_type::first);
+    const bool bent = layout == settings.end() || layout->second == "horseshoe";
+    return bent ? "around the horseshoe, from its left end to its right" : "from left to right";
+}
+
 }  // namespace
 
 std::string make_page(const PageContent& content) {
@@ -122,6 +125,7 @@ std::string make_page(const PageContent& content) {
             {"script policy", policy_hash(page_files::page_js)},
             {"style policy", policy_hash(page_files::page_css)},
             {"name", html_text(name)},
+            {"way", way_of_time(content.settings)},
             {"style", std::string(page_files::page_css)},
             {"script", std::string(page_files::page_js)},
             {"picture", picture_url(".png", {content.picture.pixels, content.picture.encoding, {}}, content.settings)},
