@@ -165,7 +165,7 @@ let film = null;       // what the player has open
 const films = [];
 if (data.clip) films.push({url: () => data.clip, begin: 0, says: 'the clip itself'});
 if (data.preview) {
-    const every = data.preview.step > 1 ? ', each ' + data.preview.step + 'th frame' : '';
+    const every = data.preview.step > 1 ? ', one frame in ' + data.preview.step : '';
     films.push({
         url: () => URL.createObjectURL(new Blob([bytesOf(data.preview.base64)], {type: data.preview.type})),
         begin: data.preview.begin,
@@ -182,11 +182,12 @@ function isTheClip(candidate) {
 function openFilm(number) {
     film = null;
     if (number === films.length) {
-        video.hidden = true;
+        video.onerror = null;
         video.removeAttribute('src');
+        video.hidden = true;
         still.hidden = false;
-        at('source').textContent = 'a still: ' + (data.clip ? 'neither the clip nor a preview' : 'no film') + ' can be played here';
-        show(now, false);
+        at('source').textContent = data.clip ? 'a still, as the clip can’t be played here' : 'a still, as there is no film to be played';
+        drawNow();
         return;
     }
     const candidate = films[number];
@@ -227,10 +228,6 @@ function show(frame, play) {
         video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
         if (play) video.play().catch(() => {});
         else video.pause();
-    } else if (!still.hidden) {
-        const nearest = stillNear(now);
-        still.src = nearest.src;
-        still.alt = 'The clip at ' + clockOf(secondsOf(nearest.frame));
     }
     drawNow();
 }
@@ -238,6 +235,11 @@ function show(frame, play) {
 function drawNow() {
     at('clock').textContent = clockOf(secondsOf(now));
     at('cursor').style.left = (secondsOf(now) - begins) / lasts * 100 + '%';
+    if (!still.hidden) {
+        const nearest = stillNear(now);
+        still.src = nearest.src;
+        still.alt = 'The clip at ' + clockOf(secondsOf(nearest.frame));
+    }
     drawVeil();
     drawRing();
 }
@@ -464,12 +466,13 @@ function placeOf(event, frame) {
     return [fromX + share * (x - fromX), fromY + share * (y - fromY)];
 }
 
-/// A part of a still in which the event's object is to be seen.
+/// A part of a still in which the event's object is to be seen; grey where no still is of its time.
 function portraitOf(event) {
     const frame = document.createElement('div');
-    const image = document.createElement('img');
     const seen = stillNear((event.first + event.last) / 2);
-    const place = placeOf(event, clamp(seen.frame, event.first, event.last)) ?? [0.5, 0.5];
+    const place = placeOf(event, seen.frame);
+    if (!place) return frame;
+    const image = document.createElement('img');
     const shown = 0.3;  // of the still's longer side
     const side = 62 / shown / Math.max(...data.size);
     ['width', 'height'].forEach((name, k) => {

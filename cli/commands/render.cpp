@@ -149,8 +149,8 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         const Metadata description = describe(line, fields.extracted, report, series);
         if (watched != nullptr) {
-            pictures.add_page(page_text(output.path, settings.input.names.front(), report, picture, description,
-                                        watched->take()));
+            pictures.add_page(
+                page_text(output.path, settings.input.names.front(), report, picture, description, watched->take()));
         } else {
             pictures.add(number, picture, description);
         }

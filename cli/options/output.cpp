@@ -34,13 +34,13 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 }  // namespace
 
 void add_options(CLI::App& app, OutputOptions& options) {
-    add_option(
-        app, group::output, options.path,
-        {"-o,--output", "FILE", "",
-         fmt::format("the picture: {}; a page to watch the clip from it: {}; or animated: {}; a series, one picture for each brick, has a field in its "
-                     "name: {{brick:4}}, #### or %04d",
-                     fmt::join(picture_endings(), " "), page_ending, fmt::join(animation_endings(), " "))},
-        [](const std::string& given) { return std::filesystem::path(given); });
+    add_option(app, group::output, options.path,
+               {"-o,--output", "FILE", "",
+                fmt::format("the picture: {}; a page to watch the clip from it: {}; or animated: {}; a series, one "
+                            "picture for each brick, has a field in its "
+                            "name: {{brick:4}}, #### or %04d",
+                            fmt::join(picture_endings(), " "), page_ending, fmt::join(animation_endings(), " "))},
+               [](const std::string& given) { return std::filesystem::path(given); });
     add_option(
         app, group::output, options.animate,
         {"--animate", "COUNT", "",
@@ -79,8 +79,9 @@ void check(const OutputOptions& options) {
     const std::string text = options.path.string();
     if (is_page(options)) {
         if (!name.has_field() && !options.animate) return;
-        throw Error(ErrorKind::usage, fmt::format("'{}': a page holds one picture; {}", text,
-                                                  name.has_field() ? "its name takes no field" : "leave out --animate"));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': a page holds one picture; {}", text,
+                                name.has_field() ? "its name takes no field" : "leave out --animate"));
     }
     if (is_animation(options.path)) {
         if (!name.has_field()) return;

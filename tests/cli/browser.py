@@ -62,6 +62,9 @@ class Page:
     def text(self, name):
         return self.run("return document.getElementById(arguments[0]).textContent", name)
 
+    def text_of(self, selector):
+        return self.run("return document.querySelector(arguments[0]).textContent", selector)
+
     def hidden(self, name):
         return self.run("return document.getElementById(arguments[0]).hidden", name)
 

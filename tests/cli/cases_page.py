@@ -1,5 +1,6 @@
 """The page of a picture, in a real browser. Where there is no Chromium these are skipped, and say so."""
 
+import os
 import re
 import subprocess
 
@@ -51,6 +52,14 @@ def discs(t, clip, *codec):
     check(len(places) == FRAMES, f"{len(places)} frames")
     t.path("discs.y4m").unlink()
     return places
+
+
+def opened(page, t, name):
+    """A page in the browser that is there, if there is one."""
+    if page is None:
+        return Page(t, name)
+    page.open(t.path(name))
+    return page
 
 
 def twenty():
@@ -186,6 +195,26 @@ def page_of_a_variable_rate(t):
 
 
 @case
+def page_in_a_browser_that_tells_noise(t):
+    places = discs(t, "discs.mp4", *H264)
+    t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
+    text = t.path("out.html").read_text()
+    changed = re.sub(r'"sum":(\d+)', lambda found: f'"sum":{int(found[1]) + 1}', text)
+    t.write("noise.html", changed)
+    with Page(t, "out.html") as page:
+        check(page.hidden("notice"), page.text("notice"))
+        page.driver.get(t.path("noise.html").as_uri())
+        page.wait("a notice", "return !document.getElementById('notice').hidden && document.getElementById('source').textContent !== ''")
+        page.hold_still()
+        page.click(column_of(0.5), row_of(places[125][1]))
+        check(page.run("return moved") is False, "a click on noise goes somewhere")
+        page.run("document.getElementById('strip').scrollIntoView()")
+        page.run("""const box = strip.getBoundingClientRect();
+            strip.dispatchEvent(new MouseEvent('click', {clientX: box.left + 1 + 0.5 * box.width, clientY: box.top + 5}))""")
+        check(abs(page.run("return now") - 125) <= 1, f"the strip's middle is frame {page.run('return now')}")
+
+
+@case
 def page_of_a_part(t):
     places = discs(t, "discs.avi", *MSMPEG4)
     t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW, "--start", "4s", "--end", "8s").expect(0)
@@ -275,36 +304,40 @@ def page_zooms_and_pans(t):
 
 @case
 def page_of_hostile_names(t):
-    import os
     names = ["a \"b\" 'c' &amp; ü ñ 日本.mp4", "<script>alert(1)<%2Fscript>.mp4", "</title><img src=x onerror=alert(1)>.mp4",
              "--><!--{{name}}{{data}} #1?x=%41.mp4", "javascript:alert(1).mp4"]
     names = [name.replace("/", "\u2044") for name in names]
     t.clip("plain.mp4", 2, size="96x72", codec=H264)
     t.path("in <b>").mkdir()
-    for k, name in enumerate(names):
-        os.rename(t.path("plain.mp4"), t.path(name))
-        t.vvr("render", f"./{name}", "-o", f"in <b>/page {k}.html", "--size", "320x200", "--backend", "software").expect(0)
-        with Page(t, f"in <b>/page {k}.html") as page:
-            check(page.run("return document.querySelector('h1').textContent") == name, page.run("return document.title"))
+    page = None
+    try:
+        for k, name in enumerate(names):
+            os.rename(t.path("plain.mp4"), t.path(name))
+            file = f"in <b>/page {k}.html"
+            t.vvr("render", f"./{name}", "-o", file, "--size", "320x200", "--backend", "software").expect(0)
+            page = opened(page, t, file)
+            check(page.text_of("h1") == name, page.text_of("h1"))
             check(page.run("return document.title") == name, page.run("return document.title"))
             check(page.source() == "the clip itself", f"{name}: {page.source()} {page.run('return data.clip')}")
             count = page.run("return [document.scripts.length, document.images.length, document.querySelectorAll('b').length]")
             plain = page.run("return [2, 3 + document.querySelectorAll('#events img').length, 3 + data.events.length]")
             check(count == plain, f"{name}: the name made {count} of {plain} elements")
             check(page.complaints() == [], str(page.complaints()))
-        os.rename(t.path(name), t.path("plain.mp4"))
-    # A name that is no text at all.
-    bad = bytes(t.folder) + b"/bad\xff.mp4"
-    os.rename(t.path("plain.mp4"), bad)
-    t.run([t.vvr_path, "render", b"bad\xff.mp4", "-o", "bad.html", "--size", "320x200"]).expect(0)
-    with Page(t, "bad.html") as page:
+            os.rename(t.path(name), t.path("plain.mp4"))
+        # A name that is no text at all.
+        os.rename(t.path("plain.mp4"), bytes(t.folder) + b"/bad\xff.mp4")
+        t.run([t.vvr_path, "render", b"bad\xff.mp4", "-o", "bad.html", "--size", "320x200"]).expect(0)
+        page = opened(page, t, "bad.html")
         check(page.source() == "the clip itself", page.source())
+    finally:
+        if page:
+            page.driver.quit()
 
 
 @case
 def page_of_extracted_fields(t):
     t.clip("clip.avi", 2, size="96x72")
-    for name, arguments, source in (("bare", (), "a still: no film"), ("full", ("--with-color",), "a small preview")):
+    for name, arguments, source in (("bare", (), "a still, as there is no film"), ("full", ("--with-color",), "a small preview")):
         t.vvr("extract", "clip.avi", "-o", name, *arguments).expect(0)
         t.vvr("render", name, "-o", f"{name}.html", "--size", "320x200").expect(0)
         with Page(t, f"{name}.html") as page:
