@@ -1,6 +1,6 @@
-// The left-bag volume drawn as a straight box with one sample for each voxel along a ray, timed, and written for another
-// program to draw alike (bench/vtk_volume.py): FOLDER gets volume.raw (x_C fastest, then y_C, then t_C), vvr.png, and
-// scene.json with the camera, the colours and vvr's own seconds.
+// The left-bag volume drawn as a straight box with one sample for each voxel along a ray, timed, and written for
+// another program to draw alike (bench/vtk_volume.py): FOLDER gets volume.raw (x_C fastest, then y_C, then t_C),
+// vvr.png, and scene.json with the camera, the colours and vvr's own seconds.
 //
 //     box_volume FOLDER [BACKEND] [RUNS]
 #include <cmath>
@@ -22,7 +22,9 @@ namespace {
 
 using namespace vvr;
 
-nlohmann::json as_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+nlohmann::json as_json(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 Picture to_picture(const Plane<glm::vec4>& drawn) {
     Picture picture{Plane<Rgba>(drawn.size())};

@@ -1,7 +1,7 @@
 // Frames a second of a clip, on two threads: decoded and scaled to 384 pixels of grey, and with all fields as well.
+// JSON on stdout.
 //
 //     fields_rate CLIP
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/fields/pipeline.h"
 
@@ -56,10 +57,9 @@ int main(int argc, char** argv) try {
     for (int run = 0; run < runs; ++run) {
         for (Case& c : cases) c.rates.push_back(frames_a_second(argv[1], c.filter, c.flow, c.colour));
     }
-    for (Case& c : cases) {
-        std::ranges::sort(c.rates);
-        fmt::print("{:28} {:7.0f} frames/s\n", c.name, c.rates[runs / 2]);
-    }
+    nlohmann::json report;
+    for (const Case& c : cases) report[c.name] = c.rates;
+    fmt::print("{}\n", report.dump());
     return 0;
 } catch (const std::exception& error) {
     fmt::print(stderr, "fields_rate: {}\n", error.what());

@@ -15,6 +15,7 @@ foreach(module core imgproc video)
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
 endforeach()
 
+find_package(Fontconfig REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)

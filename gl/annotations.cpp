@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "gl/check.h"
 #include "shaders.h"
@@ -126,6 +127,47 @@ void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, c
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl.BindVertexArray(0);
     check_gl(gl, "drawing a standing frame");
+}
+
+void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera) {
+    if (floor.darkness.empty()) return;
+    constexpr int steps = 128;
+    const GladGLContext& gl = *gl_;
+    if (!floor_program_) floor_program_ = Program(gl, "the floor", {shaders::picture_vert}, {shaders::floor_frag});
+    const GlTexture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, floor.darkness.width(), floor.darkness.height(), 0, GL_RED, GL_UNSIGNED_BYTE,
+                  floor.darkness.pixels().data());
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+
+    std::vector<PictureVertex> vertices;
+    for (int i = 0; i <= steps; ++i) {
+        const double along = static_cast<double>(i) / steps;
+        for (const double x : {0.0, 1.0}) {
+            vertices.push_back({glm::vec3(layout.p_from_c({x, 0, along * floor.t_end})), glm::vec2(1 - x, along)});
+        }
+    }
+    floor_program_->use();
+    floor_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    floor_program_->set("darkness", 0);
+    floor_program_->set("shadow", floor.colour);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.BindVertexArray(picture_array_.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(PictureVertex)), vertices.data(),
+                  GL_STREAM_DRAW);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(vertices.size()));
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing the floor");
 }
 
 }  // namespace vvr

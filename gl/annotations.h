@@ -25,6 +25,9 @@ class Annotations {
     void draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
                          const SeenTarget& target);
 
+    /// The shadow on the volume's floor.
+    void draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera);
+
   private:
     void upload_frame(const StandingFrame& frame, const Layout& layout);
 
@@ -34,7 +37,8 @@ class Annotations {
     GlBuffer corners_;
     GlBuffer segments_;
     Program picture_program_;
-    std::optional<Program> seen_program_;  ///< made when it is first asked for
+    std::optional<Program> floor_program_;  ///< made when it is first asked for
+    std::optional<Program> seen_program_;   ///< the same
     GlVertexArray picture_array_;
     GlBuffer picture_vertices_;
 };

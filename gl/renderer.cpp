@@ -15,12 +15,6 @@ namespace {
 // A tile of so many samples takes 20 bytes a sample: the framebuffer's memory doesn't grow with the picture.
 constexpr std::int64_t tile_samples = 1536 * 1024;
 
-std::vector<glm::dvec3> points_to_hold(const Layout& layout, bool box) {
-    std::vector<glm::dvec3> points = outline_points(layout);
-    if (box) points = corners(layout_box(layout));
-    return points;
-}
-
 // A pixel that lets more than this of what is behind it through shows nothing.
 constexpr float least_opacity = 1.0F / 255;
 
@@ -39,7 +33,7 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       layout_(&layout),
       options_(options),
       camera_(
-          options.camera.value_or(fit_camera(options.view, points_to_hold(layout, options.hold_box), options.size))),
+          options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
@@ -152,11 +146,13 @@ void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile
     const GladGLContext& gl = *gl_;
     const Camera camera = camera_.cropped(tile, options_.size);
     framebuffer_.bind(tile.size);
-    gl.ClearColor(options_.background.x, options_.background.y, options_.background.z, 1);
+    gl.ClearColor(options_.background.x, options_.background.y, options_.background.z, options_.background.w);
     gl.DepthMask(GL_TRUE);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     annotations_.draw_lines(scene_.lines, camera, 1.0 + options_.size.height / 800.0, tile.size);
+    // Seen from below, the floor lies before all else, and is drawn as what is behind it all the same: it is thin.
+    annotations_.draw_floor(scene_.floor, *layout_, camera);
     flow_geometry_.draw(camera, options_.glyphs);
     traceline_strips_.draw(camera, tile.size, options_.traces, options_.glyphs, phase);
     slicer_.draw(place(), textures_, camera, stack);

@@ -71,6 +71,8 @@ function bytesOf(base64) {
 }
 
 async function readFrames() {
+    await picture.decode();
+    pale = colour(...groundOf(picture), 205);
     const png = new Blob([bytesOf(data.layers.src.split(',')[1])], {type: 'image/png'});
     const bitmap = await createImageBitmap(png, {premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
     const canvas = document.createElement('canvas');
@@ -109,12 +111,22 @@ function frameNear(x, y) {
     return nearest;
 }
 
+/// The colour behind everything in the picture, which is that of its corner.
+function groundOf(image) {
+    const canvas = document.createElement('canvas');
+    canvas.width = canvas.height = 1;
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0, 1, 1, 0, 0, 1, 1);
+    const [red, green, blue, alpha] = context.getImageData(0, 0, 1, 1).data;
+    return alpha > 0 ? [red, green, blue] : [255, 255, 255];
+}
+
 /// Pales what is not of the chosen event, and marks the moment that the player shows.
 const veil = at('veil').getContext('2d');
 const veilPixels = veil.createImageData(width, height);
 const veilWords = new Uint32Array(veilPixels.data.buffer);
 const colour = (red, green, blue, alpha) => new Uint32Array(new Uint8Array([red, green, blue, alpha]).buffer)[0];
-const pale = colour(255, 255, 255, 205);
+let pale = 0;
 const glow = colour(217, 72, 15, 215);
 
 function drawVeil() {
@@ -125,7 +137,7 @@ function drawVeil() {
     const event = chosen === null ? null : data.events[chosen];
     for (let k = 0; k < frames.length; ++k) {
         const frame = frames[k];
-        if (frame < 0) veilWords[k] = event ? pale : 0;
+        if (frame < 0) veilWords[k] = 0;  // lines and writing
         else if (moved && frame >= from && frame <= to && frame !== firstFrame && frame !== lastFrame) veilWords[k] = glow;
         else veilWords[k] = event && (frame < event.first || frame > event.last) ? pale : 0;
     }

@@ -26,24 +26,23 @@ update_package_lists() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update >&2
 }
 
-package_lists=(scripts/packages.txt)
-
-# The packages of the lists that are not installed, one a line.
+# The packages of packages.txt that are not installed, one a line: those for everything, or those marked `GROUP:`.
 missing_packages() {
     local wanted
-    wanted=$(sed 's/#.*//' "${package_lists[@]}")
+    wanted=$(sed 's/#.*//' scripts/packages.txt | awk -F': *' -v group="${1-}" 'NF == 2 ? $1 == group : group == "" {print $NF}')
     # dpkg-query fails when it has never heard of a package, which is an answer too.
     # shellcheck disable=SC2086
     { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |
         awk '$2 == "installed" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted | sort -u)
 }
 
+# Installs what is missing for everything, or with an argument for that group.
 install_packages() {
-    command -v dpkg-query >/dev/null || die "this is not Debian; install what ${package_lists[*]} lists, by your own means"
+    command -v dpkg-query >/dev/null || die "this is not Debian; install what scripts/packages.txt lists, by your own means"
     local missing
-    missing=$(missing_packages)
+    missing=$(missing_packages "${1-}")
     if [ -z "$missing" ]; then
-        say "all packages of ${package_lists[*]} are installed"
+        say "all packages of scripts/packages.txt are installed${1:+ (group $1)}"
         return
     fi
     say "installing" $missing

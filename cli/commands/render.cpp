@@ -73,6 +73,9 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
     if (report.frames_missing) {
         log.warn("'{}' holds only the clip's first and last picture; --show frames draws no others", name);
     }
+    if (report.font_missing) {
+        log.warn("fontconfig finds no font, so nothing is written on the picture; install one, fonts-dejavu-core say");
+    }
     if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
     if (report.step > 1)
         log.info("{} share a layer, as the clip is longer than the window", counted(report.step, "frame"));

@@ -1,6 +1,10 @@
 #include "cli/options/look.h"
 
 #include <algorithm>
+#include <charconv>
+#include <ctime>
+#include <iomanip>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -17,7 +21,36 @@ std::vector<std::string> parse_parts(const std::string& text) {
     return shown;
 }
 
+/// A colour multiplied by its opacity.
+glm::vec4 parse_colour(const std::string& text) {
+    if (text == "none") return glm::vec4(0);
+    unsigned value = 0;
+    const char* const end = text.data() + text.size();
+    const bool hex = text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
+    if (!hex) throw Error(ErrorKind::usage, fmt::format("'{}': a colour is #rrggbb, or none", text));
+    return {static_cast<float>(value >> 16 & 255U) / 255, static_cast<float>(value >> 8 & 255U) / 255,
+            static_cast<float>(value & 255U) / 255, 1};
+}
+
+WallClock parse_clock(const std::string& text) {
+    for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
+        std::tm parts{};
+        std::istringstream stream(text);
+        stream >> std::get_time(&parts, form);
+        if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof()) continue;
+        const std::tm asked = parts;
+        const std::time_t seconds = timegm(&parts);
+        // 30 February would become a day in March.
+        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon) return seconds;
+    }
+    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00", text));
+}
+
 }  // namespace
+
+glm::vec4 LookOptions::background_colour() const {
+    return background.empty() ? glm::vec4(find_theme(theme).background, 1) : parse_colour(background);
+}
 
 bool LookOptions::shows(const std::string& part) const {
     return std::ranges::count(show, part) > 0;
@@ -32,8 +65,24 @@ void add_options(CLI::App& app, LookOptions& options) {
                {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
                 fmt::format("what is drawn, of {}", fmt::join(show_words(), ", "))},
                parse_parts);
+    add_integer(app, group::look, options.keyframes, 0, 32,
+                {"--keyframes", "COUNT", "", "frames that stand in the volume between the first and the last"});
+    add_choice(app, group::look, options.theme, themes(),
+               {"--theme", "NAME", "", "colours of all that isn't the video's"});
+    add_option(app, group::look, options.background,
+               {"--background", "COLOR", "", "#rrggbb, or none for a transparent picture; the theme's if not given"},
+               [](const std::string& given) {
+                   parse_colour(given);
+                   return given;
+               });
+    add_text(app, group::look, options.title,
+             {"--title", "TEXT", "", "above the picture; the clip's name if not given"});
+    add_option(
+        app, group::look, options.clock,
+        {"--start-time", "DATETIME", "", "when the clip began, 2026-11-21 08:00:00: the ruler shows a clock's time"},
+        parse_clock);
     add_option(app, group::look, options.transfer,
-               {"--transfer", "NAME", options.transfer,
+               {"--transfer", "NAME", "the theme's",
                 fmt::format("colour and opacity of the volume's values: {}, or a file of points",
                             fmt::join(names_of(transfer_functions()), ", "))},
                [](const std::string& given) {

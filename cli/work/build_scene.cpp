@@ -37,11 +37,11 @@ std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
     return make_layout(job.layout, shape);
 }
 
-RenderOptions options_of(const RenderJob& job, int bricks, std::int64_t layers) {
+RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers) {
     RenderOptions options = job.picture;
+    options.camera = framing.camera;
     options.ring = bricks;
     options.window_layers = layers;
-    options.hold_box = job.show.contains("boxes") || job.show.contains("slices");
     return options;
 }
 
@@ -50,19 +50,29 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
     return job.picture.colour == VolumeColour::video ? frame.colour : none;
 }
 
-Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& ends, const Layout& layout) {
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
+                  const Framing& framing) {
     Scene scene;
     if (job.show.contains("arrows")) scene.arrows = arrows(volume, layout, job.glyphs);
     if (job.show.contains("tracelines")) scene.tracelines = tracelines(volume, layout, job.traces);
-    if (job.show.contains("outline")) scene.lines = volume_outline(layout, {0.55F, 0.58F, 0.62F, 1});
+    const glm::vec4 line_colour(job.theme.lines, 1);
+    if (job.show.contains("outline")) scene.lines = volume_outline(layout, line_colour);
+    const std::vector<Segment> marks =
+        ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour);
+    scene.lines.insert(scene.lines.end(), marks.begin(), marks.end());
+    if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
     if (job.show.contains("frames")) {
-        constexpr float opacity = 0.5F;
-        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number) {
+        constexpr float at_the_ends = 0.5F;
+        constexpr float between = 0.3F;  // they stand before what the volume shows
+        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
             Plane<Bgr> picture = standing_picture(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
         };
-        stand(0, ends.first, 0);
-        stand(volume.t_end(), ends.last, volume.frames() - 1);
+        stand(0, frames.first, 0, at_the_ends);
+        for (const KeyFrame& key : frames.between) {
+            stand(volume.t_of_frame(static_cast<double>(key.number)), key.frame, key.number, between);
+        }
+        stand(volume.t_end(), frames.last, volume.frames() - 1, at_the_ends);
     }
     return scene;
 }
@@ -92,13 +102,15 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
     return true;
 }
 
-Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase) {
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+                     double phase) {
     const Plane<glm::vec4> drawn = renderer.draw(phase);
     Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
     if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
     std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
         return Rgba{p.x, p.y, p.z, p.w};
     });
+    draw(picture, lettering);
     return picture;
 }
 

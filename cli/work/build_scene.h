@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
+#include "cli/work/annotate.h"
 #include "cli/work/render_clip.h"
 #include "core/scene/scene.h"
 #include "core/video/frame.h"
@@ -10,10 +12,17 @@
 // The steps from a volume to its picture that one picture of a clip and a series of them share.
 namespace vvr {
 
-/// The frames at the ends of a volume; one without a picture is not drawn.
+/// A frame and its number, counted from the volume's first.
+struct KeyFrame {
+    Frame frame;
+    std::int64_t number = 0;
+};
+
+/// The frames at the ends of a volume and between them; one without a picture is not drawn.
 struct WindowFrames {
     const Frame& first;
     const Frame& last;
+    std::span<const KeyFrame> between{};
 };
 
 /// What a picture of `frames` frames needs of the fields.
@@ -22,13 +31,14 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
 
 /// How a window of so many bricks, with room for `layers` layers, is rendered.
-RenderOptions options_of(const RenderJob& job, int bricks, std::int64_t layers);
+RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers);
 
 /// The frame's colours where the volume takes them, else none.
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.
-Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& ends, const Layout& layout);
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
+                  const Framing& framing);
 
 /// Fig. 5: what the renderer makes of its bricks.
 void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
@@ -36,7 +46,8 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
 
-/// Draws what the renderer holds, with its layers where the job wants them.
-Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, double phase = 0);
+/// Draws what the renderer holds, with its layers where the job wants them, and writes on it.
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+                     double phase = 0);
 
 }  // namespace vvr

@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "cli/options/words.h"
-#include "core/image/caption.h"
+#include "core/image/text.h"
 #include "core/image/draw.h"
 
 namespace vvr {
@@ -151,8 +151,8 @@ Inspection inspect(const Frame& frame, const Field& field) {
     const int base = gap + height;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const int middle = panels[k].left + panel_width / 2;
-        const bool written = draw_caption(result.picture, middle, base + 27, captions[k], text_size, ink) &&
-                             draw_caption(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
+        const bool written = draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
+                             draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
         result.captions = result.captions && written;
     }
     return result;

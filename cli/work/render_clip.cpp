@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cli/work/annotate.h"
 #include "cli/work/build_scene.h"
 #include "core/events/event_finder.h"
 #include "gl/context.h"
@@ -18,6 +19,7 @@ struct Fields {
     Volume volume;
     Frame first;
     Frame last;
+    std::vector<KeyFrame> keyframes;
     FieldSummary summary;
     std::optional<std::vector<Event>> events;
 };
@@ -26,7 +28,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
     const std::int64_t expected = source.expected_frames();
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.max_layers);
 
-    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}, {}};
+    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}, {}, {}};
     std::optional<EventFinder> events;
     if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
@@ -34,6 +36,10 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
         result.volume.add(field, volume_colour(job, frame));
         if (events) events->add(field.scalar, {field.index, field.pts});
         if (result.volume.frames() == 1) result.first = frame;
+        const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
+        if (wanted <= job.keyframes && result.volume.frames() - 1 == wanted * (expected - 1) / (job.keyframes + 1)) {
+            result.keyframes.push_back({frame, result.volume.frames() - 1});
+        }
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
     });
@@ -56,7 +62,14 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 
 const std::vector<std::string>& show_words() {
     static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline",
-                                                   "frames", "boxes",  "slices"};
+                                                   "frames", "floor",  "ruler",      "legend",
+                                                   "title",  "boxes",  "slices"};
+    return words;
+}
+
+const std::vector<std::string>& standard_show() {
+    static const std::vector<std::string> words = {"volume", "arrows", "outline", "frames",
+                                                   "floor",  "ruler",  "legend",  "title"};
     return words;
 }
 
@@ -104,7 +117,8 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.bricks = cut(job, fields);
 
     const auto layout = layout_of(job, volume.size());
-    Scene scene = build_scene(job, volume, {fields.first, fields.last}, *layout);
+    const Framing framing = frame_volume(job, *layout);
+    Scene scene = build_scene(job, volume, {fields.first, fields.last, fields.keyframes}, *layout, framing);
     report.arrows = scene.arrows.size();
 
     report.stages.end("scene");
@@ -114,7 +128,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.renderer = context->renderer();
     report.gl_version = context->version();
     report.backend = context->backend();
-    Renderer renderer(*context, *layout, options_of(job, static_cast<int>(report.bricks.size()), volume.layers()));
+    Renderer renderer(*context, *layout, options_of(job, framing, static_cast<int>(report.bricks.size()), volume.layers()));
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
     if (job.show.contains("volume")) {
@@ -126,8 +140,11 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     }
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
+    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    report.labels = lettering.labels;
+    report.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     for (int i = 0; i < job.pictures; ++i) {
-        Picture picture = draw_picture(job, renderer, volume, static_cast<double>(i) / job.pictures);
+        Picture picture = draw_picture(job, renderer, volume, lettering, static_cast<double>(i) / job.pictures);
         report.stages.end("draw");
         report.pictures = i + 1;
         sink(report, i, std::move(picture));

@@ -10,12 +10,27 @@
 #include "cli/work/stages.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
+#include "core/labels/lettering.h"
+#include "core/labels/time_ticks.h"
 #include "core/scene/glyph.h"
+#include "core/scene/theme.h"
 #include "core/scene/traceline.h"
 #include "core/store/field_source.h"
 #include "gl/renderer.h"
 
 namespace vvr {
+
+/// The words that RenderJob::show takes.
+const std::vector<std::string>& show_words();
+
+/// Those of them that a picture has if nothing else is asked for.
+const std::vector<std::string>& standard_show();
+
+/// What the values of a volume are, for the legend.
+struct ScalarMeaning {
+    std::string name;
+    std::string help;
+};
 
 /// Everything that decides how a clip becomes a picture.
 struct RenderJob {
@@ -39,15 +54,17 @@ struct RenderJob {
     double opacity = 1;  ///< factor on its extinctions
     GlyphOptions glyphs;
     TraceOptions traces;
+    Theme theme = themes().front();
+    std::string title;  ///< empty = the clip's name
+    WallClock clock;    ///< when the clip begins
+    ScalarMeaning scalar;
+    int keyframes = 0;  ///< frames that stand in the volume between the first and the last
     std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
-    std::set<std::string> show = {"volume", "arrows", "outline", "frames"};
+    std::set<std::string> show = {standard_show().begin(), standard_show().end()};
 
     std::string backend = "auto";
     int device = -1;
 };
-
-/// The words that RenderJob::show takes.
-const std::vector<std::string>& show_words();
 
 /// What happened on the way.
 struct RenderReport {
@@ -69,6 +86,8 @@ struct RenderReport {
     std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< where they were looked for
+    std::vector<Label> labels;                 ///< all text in the last picture
+    bool font_missing = false;                 ///< text was to be written, and there is no font
     Stages stages;
 };
 

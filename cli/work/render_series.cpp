@@ -46,8 +46,9 @@ class Series {
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
                   needs_of(job, source, window_.frames()).every),
           layout_(layout_of(job, source.field_size())),
+          framing_(frame_volume(job, *layout_)),
           context_(context),
-          renderer_(context, *layout_, options_of(job, window_.bricks, window_.layers())),
+          renderer_(context, *layout_, options_of(job, framing_, window_.bricks, window_.layers())),
           transfer_(job.transfer.scaled(job.opacity)),
           sink_(sink) {
         volume_.set_span(window_.layers());
@@ -131,13 +132,16 @@ class Series {
 
     void draw() {
         const bool shows_frames = job_.show.contains("frames");
-        Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_);
+        Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_, framing_);
         report_.arrows = scene.arrows.size();
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));
-        Picture picture = draw_picture(job_, renderer_, volume_);
+        const Lettering lettering = letter(job_, report_, volume_, *layout_, framing_);
+        report_.labels = lettering.labels;
+        report_.font_missing = framing_.sheet.text > 0 && !measure_text("0", framing_.sheet.text);
+        Picture picture = draw_picture(job_, renderer_, volume_, lettering);
         report_.stages.end("draw");
         sink_(report_, static_cast<int>(newest_), std::move(picture));
         report_.stages.end("write");
@@ -147,6 +151,7 @@ class Series {
     SlidingWindow window_;
     Volume volume_;
     std::unique_ptr<Layout> layout_;
+    Framing framing_;
     Context& context_;
     Renderer renderer_;
     TransferFunction transfer_;

@@ -106,6 +106,12 @@ Json json_of(const Event& event, std::size_t place, const Scale& scale) {
     return json;
 }
 
+Json json_of(const Label& label) {
+    Json json = json_of(label.box);
+    json["text"] = label.text;
+    return json;
+}
+
 std::int64_t peak_memory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -147,6 +153,8 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     json["settings"] = Json::object();
     for (const auto& [name, value] : settings) json["settings"][name] = value;
     json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
+    json["labels"] = Json::array();
+    for (const Label& label : report.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();
     for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);

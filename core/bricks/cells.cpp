@@ -21,7 +21,9 @@ std::vector<double> borders(int cells) {
     return result;
 }
 
-int cells_along(std::int64_t voxels, int side) { return static_cast<int>((voxels + side - 1) / side); }
+int cells_along(std::int64_t voxels, int side) {
+    return static_cast<int>((voxels + side - 1) / side);
+}
 
 /// First and last of the texels of one axis that touch a cell.
 struct Reach {
@@ -78,7 +80,8 @@ class Strip {
 
     /// The columns and rows of what isn't 0; the first after the last if all is.
     std::array<Reach, 2> occupied(Reach columns) const {
-        std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1}, Reach{rows_.last + 1, rows_.first - 1}};
+        std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1},
+                                      Reach{rows_.last + 1, rows_.first - 1}};
         each(columns, [&](std::int64_t column, std::int64_t row, std::size_t at) {
             if (high_[at] == 0) return;
             found[0] = {std::min(found[0].first, column), std::max(found[0].last, column)};

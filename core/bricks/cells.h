@@ -27,7 +27,7 @@ struct CellBox {
 /// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
 /// Cells with nothing visible in them are passed over when slices are cut (DESIGN: empty space).
 struct BrickCells {
-    std::vector<double> x;           ///< ascending borders in x_C, one more than there are cells
+    std::vector<double> x;  ///< ascending borders in x_C, one more than there are cells
     std::vector<double> y;
     std::vector<double> t;           ///< in t_B, from 0 to 1 over the brick
     std::vector<ValueRange> ranges;  ///< x fastest, then y, then t
@@ -55,7 +55,7 @@ BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& l
 struct PlacedBrick {
     std::int64_t number = 0;  ///< counted from the clip's first brick; names its texture
     std::int64_t layers = 0;
-    double t_begin = 0;       ///< t_C
+    double t_begin = 0;  ///< t_C
     double t_end = 1;
     const BrickCells* cells = nullptr;
 };

@@ -6,26 +6,14 @@
 
 #include <glm/glm.hpp>
 
+#include "core/pixel_box.h"
+
 namespace vvr {
 
 /// A frame of the clip and its time.
 struct Moment {
     std::int64_t frame = 0;
     double seconds = 0;
-};
-
-/// Part of a field: columns left to right - 1, rows top to bottom - 1.
-struct PixelBox {
-    int left = 0;
-    int top = 0;
-    int right = 0;
-    int bottom = 0;
-
-    bool empty() const { return left >= right || top >= bottom; }
-    int width() const { return right - left; }
-    int height() const { return bottom - top; }
-
-    friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
 /// The smallest box that holds both; an empty one adds nothing.

@@ -26,13 +26,24 @@ struct StandingFrame {
     double frame = 0;  ///< counted from the volume's first
 };
 
+/// What moved, seen from above: it lies under the volume and tells where in the scene a trail runs.
+struct FloorShadow {
+    Plane<std::uint8_t> darkness;  ///< columns as in a frame, a row for each layer of time
+    double t_end = 1;              ///< t_C to which the rows reach
+    glm::vec4 colour{0, 0, 0, 0.3F};
+};
+
 /// The geometry that is drawn with the volume.
 struct Scene {
     std::vector<Glyph> arrows;
     Tracelines tracelines;
     std::vector<Segment> lines;
     std::vector<StandingFrame> frames;
+    FloorShadow floor;  ///< empty where none is to be drawn
 };
+
+/// The shadow of all that is in a volume: of each column of a frame the strongest value.
+FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour);
 
 /// The edges of the volume.
 std::vector<Segment> volume_outline(const Layout& layout, const glm::vec4& colour);

@@ -12,12 +12,34 @@ namespace {
 
 // Corner i of a cell lies at the upper border in x, y, t where bit 0, 1, 2 of i is set.
 constexpr std::array<std::array<int, 2>, 12> edges = {{
-    {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7},
+    {0, 1},
+    {2, 3},
+    {4, 5},
+    {6, 7},
+    {0, 2},
+    {1, 3},
+    {4, 6},
+    {5, 7},
+    {0, 4},
+    {1, 5},
+    {2, 6},
+    {3, 7},
 }};
 
 // The edges around each corner's neighbours by face: which faces (x low, x high, y low …) an edge borders on.
 constexpr std::array<std::array<int, 2>, 12> faces_of_edge = {{
-    {2, 4}, {3, 4}, {2, 5}, {3, 5}, {0, 4}, {1, 4}, {0, 5}, {1, 5}, {0, 2}, {1, 2}, {0, 3}, {1, 3},
+    {2, 4},
+    {3, 4},
+    {2, 5},
+    {3, 5},
+    {0, 4},
+    {1, 4},
+    {0, 5},
+    {1, 5},
+    {0, 2},
+    {1, 2},
+    {0, 3},
+    {1, 3},
 }};
 
 struct Piece {
@@ -58,9 +80,13 @@ struct Corner {
     int face = 0;  ///< on which the polygon goes on to the next corner
 };
 
-bool borders_on(std::size_t edge, int face) { return faces_of_edge[edge][0] == face || faces_of_edge[edge][1] == face; }
+bool borders_on(std::size_t edge, int face) {
+    return faces_of_edge[edge][0] == face || faces_of_edge[edge][1] == face;
+}
 
-int other_face(std::size_t edge, int face) { return faces_of_edge[edge][faces_of_edge[edge][0] == face ? 1 : 0]; }
+int other_face(std::size_t edge, int face) {
+    return faces_of_edge[edge][faces_of_edge[edge][0] == face ? 1 : 0];
+}
 
 /// The polygon in which slice `slice` meets the proxy, its corners in order around it. Walks from edge to edge over the
 /// faces, so no sorting by angle is needed.
@@ -145,12 +171,12 @@ Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int i
     const double t_high = cells.t[static_cast<std::size_t>(it) + 1];
     unsigned outside = ~0U;
     for (std::size_t i = 0; i < proxy.corners.size(); ++i) {
-        const glm::dvec3 p = cutting.layout->p_from_c({(i & 1) != 0 ? box.x_high : box.x_low,
-                                                       (i & 2) != 0 ? box.y_high : box.y_low,
-                                                       t_at((i & 4) != 0 ? t_high : t_low)});
+        const glm::dvec3 p =
+            cutting.layout->p_from_c({(i & 1) != 0 ? box.x_high : box.x_low, (i & 2) != 0 ? box.y_high : box.y_low,
+                                      t_at((i & 4) != 0 ? t_high : t_low)});
         proxy.corners[i] = p;
-        proxy.depth[i] =
-            (glm::dot(p - cutting.camera->eye, cutting.camera->forward) - cutting.stack->nearest) / cutting.stack->spacing;
+        proxy.depth[i] = (glm::dot(p - cutting.camera->eye, cutting.camera->forward) - cutting.stack->nearest) /
+                         cutting.stack->spacing;
         outside &= outside_of(cutting.clip_from_p * glm::dvec4(p, 1));
     }
     proxy.t_reference = static_cast<float>(t_at((t_low + t_high) / 2));

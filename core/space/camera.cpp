@@ -45,6 +45,19 @@ Camera Camera::cropped(const Tile& tile, Size picture) const {
     return camera;
 }
 
+Camera Camera::within(const Tile& tile, Size picture) const {
+    const glm::dvec2 scale = {static_cast<double>(tile.size.width) / picture.width,
+                              static_cast<double>(tile.size.height) / picture.height};
+    glm::dmat4 place(1);
+    place[0][0] = scale.x;
+    place[1][1] = scale.y;
+    place[3][0] = (2.0 * tile.column + tile.size.width) / picture.width - 1;
+    place[3][1] = 1 - (2.0 * tile.row + tile.size.height) / picture.height;
+    Camera camera = *this;
+    camera.projection = place * projection;
+    return camera;
+}
+
 std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels) {
     const int width = static_cast<int>(std::clamp<std::int64_t>(pixels, 1, picture.width));
     const int height = static_cast<int>(std::clamp<std::int64_t>(pixels / width, 1, picture.height));

@@ -41,6 +41,9 @@ struct Camera {
     /// The same view of only the part `tile` of a picture of size `picture`.
     Camera cropped(const Tile& tile, Size picture) const;
 
+    /// The camera whose picture of size `picture` shows this one's in its part `tile`, and more around it.
+    Camera within(const Tile& tile, Size picture) const;
+
     /// Pixel position (column, row from the top; pixel centres at .5) of a point of P-space.
     glm::dvec2 pixel(const glm::dvec3& p, Size picture) const;
 };

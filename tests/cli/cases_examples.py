@@ -49,3 +49,29 @@ def example_workflow_builds_with_what_is_there(t):
     check("./scripts/install" in build and (t.source / "scripts" / "install").exists(), build)
     presets = (t.source / "CMakePresets.json").read_text()
     check('"name": "release"' in presets and "--preset release" in build, build)
+
+
+@case
+def example_for_cron_draws_what_is_new(t):
+    environment = put_vvr_on_path(t)
+    t.path("clips").mkdir()
+    t.clip("clips/door one.avi")
+    t.clip("clips/hall.mkv", seconds=1)
+    script = t.source / "docs" / "examples" / "new-clips.sh"
+
+    def run():
+        return t.run(["sh", script, "clips", "pictures"], env=environment)
+
+    def pictures():
+        return {path.name: path.stat().st_mtime_ns for path in t.path("pictures").glob("*.png")}
+
+    first = run()
+    check(first.status == 0 and first.out + first.err == "", f"cron would send a mail: {first}")
+    drawn = pictures()
+    check(set(drawn) == {"door one.avi.png", "hall.mkv.png"}, str(drawn))
+    check(run().status == 0 and pictures() == drawn, "pictures that were there are drawn again")
+    t.write("clips/notes.txt", "no clip")
+    t.clip("clips/lift.avi", seconds=1)
+    third = run()
+    check(third.status == 1 and "notes.txt" in third.err and third.err.count("\n") == 1, str(third))
+    check(set(pictures()) == {*drawn, "lift.avi.png"}, "one bad clip stops the others")

@@ -4,6 +4,7 @@ import os
 import sys
 
 import cases_backend  # noqa: F401
+import cases_annotations  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,10 @@ struct Look {
     double opacity;  ///< factor
     int samples;
 };
+
+void PrintTo(const Look& look, std::ostream* out) {
+    *out << look.layout << ", " << look.rate << " frames a second, seen from " << look.azimuth << "," << look.elevation;
+}
 
 class OneObjectASecond : public testing::TestWithParam<Look> {};
 

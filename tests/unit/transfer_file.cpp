@@ -65,8 +65,8 @@ TEST(TransferFile, IsFoundByNameOrPath) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "'heet' is neither a transfer function nor a file; there are blue, grey, heat, mist, "
-                     "solid (did you mean 'heat'?)");
+                     "'heet' is neither a transfer function nor a file; there are blue, grey, heat, "
+                     "viridis, magma, coolwarm, mist, solid (did you mean 'heat'?)");
     }
     EXPECT_THROW(find_transfer("/"), Error) << "a folder";
 }

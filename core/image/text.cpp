@@ -1,0 +1,93 @@
+#include "core/image/text.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include <fontconfig/fontconfig.h>
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+namespace vvr {
+
+namespace {
+
+/// The file of the font that fontconfig takes for sans serif, empty when there is none.
+std::string find_font() {
+    const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
+    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(
+        FcNameParse(reinterpret_cast<const FcChar8*>("sans:scalable=true")), FcPatternDestroy);
+    if (!config || !pattern) return {};
+    FcConfigSubstitute(config.get(), pattern.get(), FcMatchPattern);
+    FcDefaultSubstitute(pattern.get());
+    FcResult result = FcResultNoMatch;
+    const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> font(
+        FcFontMatch(config.get(), pattern.get(), &result), FcPatternDestroy);
+    FcChar8* file = nullptr;
+    if (!font || FcPatternGetString(font.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
+    return reinterpret_cast<const char*>(file);
+}
+
+const std::string& font() {
+    static const std::string found = find_font();
+    return found;
+}
+
+/// How many bytes the UTF-8 sequence at `at` takes; 0 when it is none.
+std::size_t sequence_length(const std::string& text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint8_t first = byte(at);
+    std::size_t length = 0;
+    if (first < 0x80) length = 1;
+    if (first >= 0xC2 && first < 0xE0) length = 2;
+    if (first >= 0xE0 && first < 0xF0) length = 3;
+    if (first >= 0xF0 && first < 0xF5) length = 4;
+    if (length == 0 || at + length > text.size()) return 0;
+    for (std::size_t i = at + 1; i < at + length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    }
+    return length;
+}
+
+}  // namespace
+
+std::string printable(const std::string& text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = sequence_length(text, at);
+        const auto byte = static_cast<std::uint8_t>(text[at]);
+        if (length == 0) {
+            result += '?';
+        } else if (byte < 0x20 || byte == 0x7F) {
+            result += ' ';
+        } else {
+            result.append(text, at, length);
+        }
+        at += std::max<std::size_t>(length, 1);
+    }
+    return result;
+}
+
+std::optional<PixelBox> measure_text(const std::string& text, int size) {
+    if (font().empty()) return std::nullopt;
+    const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font());
+    if (!box.defined()) return std::nullopt;
+    return PixelBox{box.xbegin, box.ybegin, box.xend, box.yend};
+}
+
+bool draw_text(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {
+    if (font().empty()) return false;
+    const OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), 4, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageBuf pixels(spec, picture.pixels.pixels().data());
+    const bool done = OIIO::ImageBufAlgo::render_text(pixels, x, y, text, size, font(), colour);
+    if (!done) pixels.geterror();  // taken, or OpenImageIO prints it at the end
+    return done;
+}
+
+bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {
+    const std::optional<PixelBox> box = measure_text(text, size);
+    return box && draw_text(picture, x - (box->left + box->right) / 2, y, text, size, colour);
+}
+
+}  // namespace vvr

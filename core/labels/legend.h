@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/labels/lettering.h"
+#include "core/labels/sheet.h"
+
+namespace vvr {
+
+/// What a scale of colours means.
+struct LegendEntry {
+    std::vector<Rgba> colours;  ///< from left to right
+    std::string text;           ///< beside it
+    std::string brief;          ///< where there isn't room for that
+};
+
+/// Writes the entries into the sheet's legend, all with their whole text or all brief; the last are left out where
+/// there isn't room even then.
+void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const Rgba& colour,
+                   Lettering& lettering);
+
+/// Writes a title, and beside it in another colour what there is to say of it, into the sheet's title. What doesn't fit
+/// is left out from the end.
+void letter_title(const std::string& title, const std::string& rest, const Sheet& sheet, const Rgba& colour,
+                  const Rgba& pale, Lettering& lettering);
+
+}  // namespace vvr

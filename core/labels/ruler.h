@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "core/bricks/volume.h"
+#include "core/labels/lettering.h"
+#include "core/labels/sheet.h"
+#include "core/labels/time_ticks.h"
+#include "core/scene/scene.h"
+#include "core/space/layout.h"
+
+namespace vvr {
+
+/// One of the four edges of a volume that run along time: x_C and y_C are 0 or 1 on it.
+struct TimeEdge {
+    double x = 1;
+    double y = 1;
+};
+
+/// The edge that lies outermost in a camera's picture, so that labels beside it hide nothing.
+TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture);
+
+/// Where marks of a ruler along `edge` end, in P-space: what a camera has to show besides the volume.
+std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge);
+
+/// t_C of a moment of the clip, between the times of the volume's layers.
+double t_of_seconds(const Volume& volume, double seconds);
+
+/// The marks of the ticks in P-space.
+std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
+                                 const std::vector<TimeTick>& ticks, const glm::vec4& colour);
+
+/// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
+/// between the first and the last.
+void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,
+                  const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering);
+
+}  // namespace vvr

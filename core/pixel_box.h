@@ -1,0 +1,26 @@
+#pragma once
+
+namespace vvr {
+
+/// Part of a picture or a field: columns left to right - 1, rows top to bottom - 1.
+struct PixelBox {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+
+    bool empty() const { return left >= right || top >= bottom; }
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+
+    bool holds(const PixelBox& other) const {
+        return other.left >= left && other.right <= right && other.top >= top && other.bottom <= bottom;
+    }
+    bool meets(const PixelBox& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+
+    friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+}  // namespace vvr

@@ -1,0 +1,86 @@
+"""What is written on a picture: read back from the report, and options that are refused."""
+
+import json
+
+from harness import case, check
+
+
+def labels_of(t, clip, *options, size="640x480"):
+    t.vvr("render", clip, "-o", "out.png", "--size", size, "--report", "report.json", "--quiet", *options).expect(0)
+    return json.loads(t.path("report.json").read_text())["labels"]
+
+
+def texts_of(labels):
+    return [label["text"] for label in labels]
+
+
+@case
+def labels_tell_clip_span_times_and_colours(t):
+    t.clip("a door's \"clip\".avi", seconds=12)
+    labels = labels_of(t, "a door's \"clip\".avi")
+    texts = texts_of(labels)
+    check(texts[:2] == ["a door's \"clip\".avi", "120 frames, 0.0 s to 11.9 s"], str(texts))
+    check({"0:00", "0:02", "0:04", "0:06", "0:08", "0:10"} <= set(texts), str(texts))
+    check("difference 13 to 255" in texts and "speed 0.3 to 6 px/frame" in texts, str(texts))
+    at = {label["text"]: label for label in labels}
+    check(at["0:00"]["x"] < at["0:04"]["x"] < at["0:08"]["x"], "time runs from left to right")
+    check(at["0:04"]["y"] < at["0:00"]["y"] and at["0:04"]["y"] < at["0:10"]["y"], "around the arc")
+    for label in labels:
+        check(label["x"] >= 0 and label["y"] >= 0 and label["x"] + label["width"] <= 640
+              and label["y"] + label["height"] <= 480, f"{label} leaves the picture")
+
+
+@case
+def labels_with_a_title_and_a_clock(t):
+    t.clip(seconds=12)
+    texts = texts_of(labels_of(t, "clip.avi", "--title", "Hall, north", "--start-time", "2026-11-21 23:59:55"))
+    check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06"], str(texts))
+    check("00:00:00" in texts and "00:00:04" in texts, str(texts))
+
+
+@case
+def labels_can_be_switched_off(t):
+    t.clip()
+    check(labels_of(t, "clip.avi", "--show", "volume,arrows,outline,frames") == [], "labels that nobody asked for")
+    check(len(labels_of(t, "clip.avi", "--show", "volume,title")) == 2, "a title and its rest")
+    check(labels_of(t, "clip.avi", size="160x100") == [], "labels where there is no room")
+
+
+@case
+def labels_of_a_still_clip_say_so(t):
+    t.scene("still", "still.y4m", "--size", "160x120", "--frames", "30")
+    check("nothing moves" in texts_of(labels_of(t, "still.y4m")), "an empty picture without a word")
+
+
+@case
+def labels_need_a_font(t):
+    t.clip()
+    t.path("fonts.conf").write_text("<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>")
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
+    done = t.vvr("render", "clip.avi", "-o", "out.png", "--size", "640x480", env=environment)
+    done.expect(0, "warning: fontconfig finds no font, so nothing is written on the picture; install one")
+    t.expect_picture("out.png", (640, 480))
+
+
+@case
+def annotations_that_are_refused(t):
+    t.clip()
+    for options, *texts in [
+        (("--theme", "lihgt"), "--theme: 'lihgt'", "did you mean 'light'?"),
+        (("--background", "red"), "--background: 'red': a colour is #rrggbb, or none"),
+        (("--background", "#12345g"), "a colour is #rrggbb"),
+        (("--start-time", "yesterday"), "--start-time: 'yesterday': a date and time is written 2026-11-21 08:00:00"),
+        (("--start-time", "2026-02-30 08:00"), "a date and time is written"),
+        (("--keyframes", "33"), "--keyframes: '33'"),
+        (("--show", "volume,rulre"), "--show: 'rulre'", "did you mean 'ruler'?"),
+    ]:
+        t.render("clip.avi", *options).expect(1, *texts)
+    t.expect_files("clip.avi")
+
+
+@case
+def a_transparent_picture(t):
+    t.clip()
+    t.render("clip.avi", "--background", "none").expect(0)
+    probe = t.run(["ffprobe", "-v", "error", "-show_entries", "stream=pix_fmt", "-of", "csv=p=0", "out.png"])
+    check(probe.out.strip() == "rgba", f"{probe.out} has no transparency")
