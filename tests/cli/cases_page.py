@@ -229,11 +229,11 @@ def page_of_a_part(t):
 
 @case
 def page_steps_through_events(t):
-    from selenium.webdriver.common.keys import Keys
     t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
     t.ffmpeg("-i", "bag.y4m", *H264, "bag.mp4")
     t.vvr("render", "bag.mp4", "-o", "out.html", "--report", "report.json", "--size", "640x400").expect(0, "3 events")
     with Page(t, "out.html") as page:
+        from selenium.webdriver.common.keys import Keys
         check(page.text("heading") == "3 events", page.text("heading"))
         firsts = page.run("return data.events.map(event => event.first)")
         # The bag is put down at 354 of 1600 frames.
@@ -267,11 +267,11 @@ def page_steps_through_events(t):
 
 @case
 def page_zooms_and_pans(t):
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.keys import Keys
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
     with Page(t, "out.html") as page:
+        from selenium.webdriver.common.action_chains import ActionChains
+        from selenium.webdriver.common.keys import Keys
         frame = twenty()[12]
         spot = (column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         where = """const b = picture.getBoundingClientRect();
