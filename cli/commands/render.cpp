@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/work/golden.h"
 #include "cli/work/open_fields.h"
+#include "cli/work/page_output.h"
 #include "cli/work/picture_output.h"
 #include "cli/work/plan.h"
 #include "cli/work/render_clip.h"
@@ -100,9 +103,18 @@ RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, co
     job.clock = clock_of(settings.look.start_time, fields.source->info());
     job.pictures = pictures_of(output);
     job.series = is_series(output);
-    job.layers = !output.path.empty() && !is_animation(output.path) && holds_layers(output.path);
-    job.find_events = !output.report.empty() && marks_objects(settings, fields.extracted);
+    const bool page = is_page(output);
+    job.layers = page || (!output.path.empty() && !is_animation(output.path) && holds_layers(output.path));
+    job.find_events = (page || !output.report.empty()) && marks_objects(settings, fields.extracted);
     return job;
+}
+
+/// Puts itself between the fields and who reads them.
+WatchedFields* watch(OpenedFields& fields) {
+    auto watched = std::make_unique<WatchedFields>(std::move(fields.source));
+    WatchedFields* const watcher = watched.get();
+    fields.source = std::move(watched);
+    return watcher;
 }
 
 /// What came of it, in a line.
@@ -135,10 +147,17 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     }
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
-    const OpenedFields fields = open_fields(settings, line);
+    OpenedFields fields = open_fields(settings, line);
+    WatchedFields* const watched = is_page(output) ? watch(fields) : nullptr;
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
-        pictures.add(number, picture, describe(line, fields.extracted, report, series));
+        const Metadata description = describe(line, fields.extracted, report, series);
+        if (watched != nullptr) {
+            pictures.add_page(
+                page_text(output.path, settings.input.names.front(), report, picture, description, watched->take()));
+        } else {
+            pictures.add(number, picture, description);
+        }
         drawn = {std::move(picture.pixels), picture.encoding, {}};
     };
     const RenderJob job = job_of(settings, output, fields);

@@ -1,5 +1,8 @@
 #include "cli/options/output.h"
 
+#include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +20,8 @@ namespace {
 
 constexpr int standard_animation = 24;
 
+constexpr std::string_view page_ending = ".html";
+
 /// Whether both name one file, be it there or not.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
@@ -29,13 +34,13 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 }  // namespace
 
 void add_options(CLI::App& app, OutputOptions& options) {
-    add_option(
-        app, group::output, options.path,
-        {"-o,--output", "FILE", "",
-         fmt::format("the picture: {}; or animated: {}; a series, one picture for each brick, has a field in its "
-                     "name: {{brick:4}}, #### or %04d",
-                     fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " "))},
-        [](const std::string& given) { return std::filesystem::path(given); });
+    add_option(app, group::output, options.path,
+               {"-o,--output", "FILE", "",
+                fmt::format("the picture: {}; a page to watch the clip from it: {}; or animated: {}; a series, one "
+                            "picture for each brick, has a field in its "
+                            "name: {{brick:4}}, #### or %04d",
+                            fmt::join(picture_endings(), " "), page_ending, fmt::join(animation_endings(), " "))},
+               [](const std::string& given) { return std::filesystem::path(given); });
     add_option(
         app, group::output, options.animate,
         {"--animate", "COUNT", "",
@@ -72,6 +77,12 @@ void check(const OutputOptions& options) {
     if (options.path.empty()) return;
     const NamePattern name(options.path);
     const std::string text = options.path.string();
+    if (is_page(options)) {
+        if (!name.has_field() && !options.animate) return;
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}': a page holds one picture; {}", text,
+                                name.has_field() ? "its name takes no field" : "leave out --animate"));
+    }
     if (is_animation(options.path)) {
         if (!name.has_field()) return;
         throw Error(ErrorKind::usage,
@@ -108,6 +119,12 @@ void check_report(const OutputOptions& options, const std::vector<std::string>& 
 
 bool is_series(const OutputOptions& options) {
     return !options.animate && NamePattern(options.path).has_field();
+}
+
+bool is_page(const OutputOptions& options) {
+    std::string ending = options.path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == page_ending;
 }
 
 int pictures_of(const OutputOptions& options) {

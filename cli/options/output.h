@@ -30,6 +30,9 @@ void check_report(const OutputOptions& options, const std::vector<std::string>& 
 /// Whether the name is that of a series: a picture for each brick.
 bool is_series(const OutputOptions& options);
 
+/// Whether the name is that of a page, which holds the picture and what is to be seen in the clip.
+bool is_page(const OutputOptions& options);
+
 /// The number of pictures that the options ask for: none where only a report is wanted. A file that can be animated is.
 int pictures_of(const OutputOptions& options);
 

@@ -1,5 +1,7 @@
 #include "cli/work/picture_output.h"
 
+#include <span>
+
 #include "core/image/atomic_file.h"
 
 namespace vvr {
@@ -13,12 +15,12 @@ constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths o
 PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : signals_(signals), name_(options.path) {
     if (options.path.empty()) return;
     const auto held = signals.hold();
-    if (is_animation(options.path)) {
+    if (is_animation(options.path) || is_page(options)) {
         check_file_path(options.path);
-        animation_.emplace(options.path, pictures_a_second);
     } else {
         check_picture_path(name_.at(0));
     }
+    if (is_animation(options.path)) animation_.emplace(options.path, pictures_a_second);
 }
 
 void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
@@ -29,6 +31,11 @@ void PictureOutput::add(int number, const Picture& picture, const Metadata& meta
     }
     const auto held = signals_.hold();
     write_picture(name_.at(number), picture, metadata);
+}
+
+void PictureOutput::add_page(const std::string& text) {
+    const auto held = signals_.hold();
+    replace_file(name_.path(), std::as_bytes(std::span(text)));
 }
 
 void PictureOutput::close() {

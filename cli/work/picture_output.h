@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cli/options/output.h"
 #include "cli/signals.h"
@@ -10,7 +11,7 @@
 
 namespace vvr {
 
-/// Writes the pictures of a render: to one file, to a file each, to one that is animated, or nowhere.
+/// Writes the pictures of a render: to one file, to a file each, to one that is animated, to a page, or nowhere.
 class PictureOutput {
   public:
     /// What can fail without a picture fails here.
@@ -18,6 +19,9 @@ class PictureOutput {
     PictureOutput(const OutputOptions& options, Signals& signals);
 
     void add(int number, const Picture& picture, const Metadata& metadata);
+
+    /// Instead of a picture, where the name is a page's.
+    void add_page(const std::string& text);
 
     /// After the last picture.
     void close();

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/image/film_encoder.h"
 #include "core/image/picture.h"
 
 namespace vvr {
@@ -36,11 +37,10 @@ class AnimationFile {
     void close();
 
   private:
-    struct Encoder;
-
     std::filesystem::path path_;
     int rate_;
-    std::unique_ptr<Encoder> encoder_;  ///< from the first picture on
+    std::unique_ptr<FilmEncoder> encoder_;  ///< from the first picture on
+    std::int64_t pictures_ = 0;
 };
 
 }  // namespace vvr

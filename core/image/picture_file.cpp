@@ -40,8 +40,8 @@ constexpr std::array formats{
     Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true, true},
     Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false, false},
     Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false, false},
-    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false, false},
-    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg:95", false, false, false},
+    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg", false, false, false},
+    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg", false, false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -130,7 +130,7 @@ void check_picture_path(const std::filesystem::path& path) {
 }
 
 std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
-                                          const Metadata& metadata) {
+                                          const Metadata& metadata, int jpeg_quality) {
     const Format& format = format_of(path);
     const auto pixels = picture.pixels.pixels();
     const bool opaque = std::ranges::all_of(pixels, [](const Rgba& pixel) { return pixel[3] >= 1; });
@@ -143,7 +143,8 @@ std::vector<unsigned char> encode_picture(const std::filesystem::path& path, con
         add_layer_channels(spec);
     }
     const bool linear = picture.encoding == Encoding::linear && format.type == OIIO::TypeDesc::HALF;
-    spec.attribute("Compression", format.compression);
+    const bool jpeg = format.compression == "jpeg";
+    spec.attribute("Compression", jpeg ? fmt::format("jpeg:{}", jpeg_quality) : std::string(format.compression));
     // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
     if (format.settings) spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     add_attributes(spec, format, metadata);

@@ -24,9 +24,10 @@ void check_picture_path(const std::filesystem::path& path);
 bool holds_layers(const std::filesystem::path& path);
 
 /// The bytes of a picture file, of the format that the ending of `path` names.
+/// \param jpeg_quality 1..100
 /// \throws Error usage for an ending that is not in the table of formats
 std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
-                                          const Metadata& metadata = {});
+                                          const Metadata& metadata = {}, int jpeg_quality = 95);
 
 /// Writes `picture` with its settings, and its layers where the format holds them: channels `Z`, `time` and `frame`.
 /// Same picture and settings, same bytes: no date goes into the file. The target

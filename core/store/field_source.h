@@ -33,6 +33,9 @@ class FieldSource {
     /// The nearest interval to `asked`, not below it, at which there can be seeds and flow.
     virtual std::int64_t interval(std::int64_t asked) const { return asked; }
 
+    /// Whether every frame can come with its picture.
+    virtual bool has_pictures() const { return true; }
+
     /// Gives every field from the first on, in order, whenever it is called. Frames between the first and the last
     /// may come without a picture.
     virtual FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) = 0;

@@ -24,6 +24,7 @@ class ListedSeeds final : public FieldSource {
 
     /// A few lists have been chosen by someone, so all of them count; of many only those at the interval asked for.
     std::int64_t interval(std::int64_t asked) const override;
+    bool has_pictures() const override { return fields_->has_pictures(); }
 
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 

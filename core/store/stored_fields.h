@@ -24,6 +24,7 @@ class StoredFields final : public FieldSource {
     /// What the clip itself would have given, so that both make the same picture.
     std::int64_t expected_frames() const override;
     std::int64_t interval(std::int64_t asked) const override;
+    bool has_pictures() const override { return parts_.front().manifest.colour; }
 
     /// \throws Error io for a file that is missing or isn't what the manifest says, usage when flow or seeds are
     ///         needed and were not extracted

@@ -10,6 +10,10 @@ from dataclasses import dataclass
 CASES = {}
 
 
+class Skip(Exception):
+    """What a test needs is not on this machine."""
+
+
 def case(function):
     """Registers a test; its name is the function's."""
     assert function.__name__ not in CASES, function.__name__

@@ -1,5 +1,6 @@
 """Runs one test of the command line, or lists their names: run.py --list | run.py VVR SOURCE CASE."""
 
+import os
 import sys
 
 import cases_backend  # noqa: F401
@@ -13,10 +14,14 @@ import cases_input  # noqa: F401
 import cases_look  # noqa: F401
 import cases_options  # noqa: F401
 import cases_output  # noqa: F401
+import cases_page  # noqa: F401
 import cases_process  # noqa: F401
 import cases_report  # noqa: F401
 import cases_series  # noqa: F401
-from harness import CASES, Bench
+from harness import CASES, Bench, Skip
+
+
+SKIPPED = 77  # what ctest takes for a test that was skipped
 
 
 def main():
@@ -29,6 +34,9 @@ def main():
         CASES[name](bench)
     except AssertionError as failure:
         sys.exit(f"{name}: {failure}")
+    except Skip as reason:
+        print(f"{name} was skipped: {reason}")
+        sys.exit(1 if os.environ.get("VVR_BROWSER_REQUIRED") == "1" else SKIPPED)
     finally:
         bench.close()
 

@@ -1,0 +1,250 @@
+#include "core/image/film_encoder.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/dict.h>
+#include <libswscale/swscale.h>
+}
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/image/palette.h"
+
+namespace vvr {
+
+namespace {
+
+struct Free {
+    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
+    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+    void operator()(SwsContext* context) const { sws_freeContext(context); }
+    void operator()(AVIOContext* context) const {
+        av_freep(&context->buffer);
+        avio_context_free(&context);
+    }
+};
+template <class T>
+using Ptr = std::unique_ptr<T, Free>;
+
+/// A file in memory, as libav's muxers want one.
+struct MemoryFile {
+    std::vector<std::byte> bytes;
+    std::size_t at = 0;
+
+    static int write(void* opaque, std::uint8_t* from, int size) {
+        auto& file = *static_cast<MemoryFile*>(opaque);
+        const auto count = static_cast<std::size_t>(size);
+        file.bytes.resize(std::max(file.bytes.size(), file.at + count));
+        std::memcpy(file.bytes.data() + file.at, from, count);
+        file.at += count;
+        return size;
+    }
+
+    static std::int64_t seek(void* opaque, std::int64_t offset, int whence) {
+        auto& file = *static_cast<MemoryFile*>(opaque);
+        const auto size = static_cast<std::int64_t>(file.bytes.size());
+        if (whence == AVSEEK_SIZE) return size;
+        const std::int64_t base = whence == SEEK_SET   ? 0
+                                  : whence == SEEK_CUR ? static_cast<std::int64_t>(file.at)
+                                                       : size;
+        if (base + offset < 0 || base + offset > size) return AVERROR(EINVAL);
+        file.at = static_cast<std::size_t>(base + offset);
+        return base + offset;
+    }
+};
+
+}  // namespace
+
+struct FilmEncoder::Parts {
+    Parts(const FilmFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames)
+        : name(std::move(file_name)), size(format.palette ? picture_size : even(picture_size)) {
+        const AVPixelFormat pixels = format.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
+        constexpr int buffer_size = 1 << 16;
+        io.reset(avio_alloc_context(static_cast<unsigned char*>(av_malloc(buffer_size)), buffer_size, 1, &file, nullptr,
+                                    &MemoryFile::write, &MemoryFile::seek));
+        AVFormatContext* made = nullptr;
+        check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
+        container.reset(made);
+        container->pb = io.get();
+        container->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
+
+        const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
+        check(codec ? 0 : AVERROR_ENCODER_NOT_FOUND);
+        context.reset(avcodec_alloc_context3(codec));
+        context->width = size.width;
+        context->height = size.height;
+        context->pix_fmt = pixels;
+        context->time_base = {1, ticks};
+        context->framerate = {rate, 1};
+        context->gop_size = key_frames;
+        context->thread_count = 1;  // encoders give other bytes with other counts
+        context->flags |= AV_CODEC_FLAG_BITEXACT;
+        context->log_level_offset = 1000;  // what encoders tell is not for our stderr
+        if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+        AVDictionary* options = nullptr;
+        av_dict_parse_string(&options, format.options.c_str(), "=", ",", 0);
+        const int opened = avcodec_open2(context.get(), codec, &options);
+        stream = avformat_new_stream(container.get(), nullptr);
+        const int described =
+            stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
+        if (stream) stream->time_base = context->time_base;
+        const int begun = opened < 0 || described < 0 ? 0 : avformat_write_header(container.get(), &options);
+        av_dict_free(&options);
+        for (const int result : {opened, described, begun}) check(result);
+
+        packet.reset(av_packet_alloc());
+        frame.reset(av_frame_alloc());
+        frame->format = pixels;
+        frame->width = size.width;
+        frame->height = size.height;
+        check(av_frame_get_buffer(frame.get(), 0));
+    }
+
+    static Size even(Size size) { return {std::max(2, size.width & ~1), std::max(2, size.height & ~1)}; }
+
+    void check(int result) const {
+        if (result >= 0) return;
+        std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
+        av_strerror(result, words.data(), words.size());
+        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", name, words.data()));
+    }
+
+    void add(const Picture& picture, std::int64_t time) {
+        check(av_frame_make_writable(frame.get()));
+        if (frame->format == AV_PIX_FMT_PAL8) {
+            paint_palette(picture);
+        } else {
+            paint(bytes_of(picture));
+        }
+        encode(time);
+    }
+
+    void encode(std::int64_t time) {
+        duration = frame->pts == AV_NOPTS_VALUE ? 1 : time - frame->pts;
+        frame->pts = time;
+        frame->pict_type = AV_PICTURE_TYPE_NONE;
+        check(avcodec_send_frame(context.get(), frame.get()));
+        drain();
+    }
+
+    void finish() {
+        check(avcodec_send_frame(context.get(), nullptr));
+        drain();
+        check(av_write_trailer(container.get()));
+        avio_flush(io.get());
+    }
+
+    void paint_palette(const Picture& picture) {
+        if (!palette) {
+            palette.emplace(picture);
+            std::array<std::uint32_t, 256> words{};
+            for (std::size_t i = 0; i < palette->colours().size(); ++i) {
+                const auto [red, green, blue] = palette->colours()[i];
+                words[i] = 0xFF000000U | static_cast<std::uint32_t>(red << 16 | green << 8 | blue);
+            }
+            std::memcpy(frame->data[1], words.data(), sizeof(words));
+        }
+        for (int j = 0; j < size.height; ++j) {
+            std::ranges::transform(picture.pixels.row(j), frame->data[0] + std::ptrdiff_t{j} * frame->linesize[0],
+                                   [this](const Rgba& pixel) { return palette->nearest(pixel); });
+        }
+    }
+
+    static Plane<Bgr> bytes_of(const Picture& picture) {
+        Plane<Bgr> bytes(picture.pixels.size());
+        std::ranges::transform(picture.pixels.pixels(), bytes.pixels().begin(), [](const Rgba& pixel) {
+            const auto byte = [&](std::size_t c) {
+                return static_cast<std::uint8_t>(255 * std::clamp(pixel[c], 0.0F, 1.0F) + 0.5F);
+            };
+            return Bgr{byte(2), byte(1), byte(0)};
+        });
+        return bytes;
+    }
+
+    void paint(const Plane<Bgr>& picture) {
+        Plane<Bgr> bgr(size);
+        for (int j = 0; j < size.height; ++j) {
+            for (int i = 0; i < size.width; ++i) {
+                // One row or column of less than two pixels stands twice.
+                bgr.at(i, j) = picture.at(std::min(i, picture.width() - 1), std::min(j, picture.height() - 1));
+            }
+        }
+        if (!scaler) {
+            scaler.reset(sws_getContext(size.width, size.height, AV_PIX_FMT_BGR24, size.width, size.height,
+                                        AV_PIX_FMT_YUV420P, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
+                                        nullptr, nullptr, nullptr));
+            check(scaler ? 0 : AVERROR(ENOMEM));
+        }
+        const std::array<const std::uint8_t*, 1> from = {bgr.pixels().front().data()};
+        const std::array<int, 1> stride = {3 * size.width};
+        sws_scale(scaler.get(), from.data(), stride.data(), 0, size.height, frame->data, frame->linesize);
+    }
+
+    /// Passes on what the encoder has ready.
+    void drain() {
+        for (;;) {
+            const int result = avcodec_receive_packet(context.get(), packet.get());
+            if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+            check(result);
+            av_packet_rescale_ts(packet.get(), context->time_base, stream->time_base);
+            packet->duration = av_rescale_q(duration, context->time_base, stream->time_base);
+            packet->stream_index = stream->index;
+            check(av_interleaved_write_frame(container.get(), packet.get()));
+        }
+    }
+
+    std::string name;
+    Size size;
+    MemoryFile file;
+    Ptr<AVIOContext> io;
+    Ptr<AVFormatContext> container;
+    Ptr<AVCodecContext> context;
+    AVStream* stream = nullptr;  ///< the container's
+    Ptr<AVPacket> packet;
+    Ptr<AVFrame> frame;
+    Ptr<SwsContext> scaler;
+    std::optional<Palette> palette;
+    std::int64_t duration = 1;  ///< ticks, of the picture before the last; taken for the last one
+};
+
+bool has_encoder(const std::string& encoder) {
+    return avcodec_find_encoder_by_name(encoder.c_str()) != nullptr;
+}
+
+FilmEncoder::FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate,
+                         int key_frames)
+    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames)) {}
+
+FilmEncoder::~FilmEncoder() = default;
+
+void FilmEncoder::add(const Picture& picture, std::int64_t time) {
+    parts_->add(picture, time);
+}
+
+void FilmEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
+    parts_->check(av_frame_make_writable(parts_->frame.get()));
+    parts_->paint(picture);
+    parts_->encode(time);
+}
+
+std::size_t FilmEncoder::bytes() const {
+    return parts_->file.bytes.size();
+}
+
+std::vector<std::byte> FilmEncoder::finish() {
+    parts_->finish();
+    return std::move(parts_->file.bytes);
+}
+
+}  // namespace vvr

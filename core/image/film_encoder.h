@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/image/picture.h"
+
+namespace vvr {
+
+/// How libav makes a film.
+struct FilmFormat {
+    std::string muxer;
+    std::string encoder;
+    std::string options;   ///< libav's, of the encoder and the muxer: "crf=17,preset=medium"
+    bool palette = false;  ///< 256 colours, made from the first picture
+};
+
+/// Whether the installed libav has an encoder.
+bool has_encoder(const std::string& encoder);
+
+/// Pictures of one size as a film that is held in memory. Those with a palette keep their size, others have even
+/// sides: a last row or column is left off. Same pictures, same bytes.
+class FilmEncoder {
+  public:
+    /// \param name for messages
+    /// \param ticks parts of a second in which times are counted
+    /// \param rate pictures a second, about; there is a key frame each `key_frames` pictures
+    /// \throws Error io when libav can't
+    FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
+    ~FilmEncoder();
+    FilmEncoder(const FilmEncoder&) = delete;
+    FilmEncoder& operator=(const FilmEncoder&) = delete;
+
+    /// \param time in ticks, later than that of the picture before
+    /// \throws Error io when it can't be encoded
+    void add(const Picture& picture, std::int64_t time);
+
+    /// The same for one without a palette.
+    void add(const Plane<Bgr>& picture, std::int64_t time);
+
+    /// Bytes that are there so far.
+    std::size_t bytes() const;
+
+    /// The whole file. To be called once, after the last picture.
+    /// \throws Error io
+    std::vector<std::byte> finish();
+
+  private:
+    struct Parts;
+
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,92 @@
+#include "core/page/preview.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/page/stills.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int ticks = 1000;  // a second; what WebM counts in
+
+/// Without frames that refer to later ones: their order is that of their times in every player.
+struct Kind {
+    const char* type;
+    const char* muxer;
+    const char* encoder;
+    const char* quality;
+};
+
+/// The first that there is an encoder for is taken.
+constexpr std::array kinds{
+    Kind{"video/mp4", "mp4", "libx264", "crf=27,preset=veryfast,bf=0,x264-params=log=-1"},
+    Kind{"video/webm", "webm", "libvpx-vp9", "crf=34,cpu-used=6,deadline=realtime"},
+    Kind{"video/webm", "webm", "libvpx", "crf=20,cpu-used=8,deadline=realtime"},
+};
+
+std::int64_t step_for(const ExpectedLength& expected) {
+    return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
+}
+
+}  // namespace
+
+Preview::Preview(Size size, const ExpectedLength& expected) : size_(size), expected_(expected) {
+    film_.step = step_for(expected);
+    const double kept = static_cast<double>(expected.frames) / static_cast<double>(film_.step);
+    given_up_ = film_.step > 1 && kept < least_rate * expected.seconds;
+}
+
+void Preview::begin() {
+    const auto kind = std::ranges::find_if(kinds, has_encoder, &Kind::encoder);
+    if (kind == kinds.end()) {
+        given_up_ = true;
+        return;
+    }
+    // The encoder is held to a rate that fills most of the budget; where it takes more nevertheless, `add` sees it.
+    constexpr double highest = 1'500'000;
+    const double seconds = std::max(1.0, expected_.seconds);
+    const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
+    const double rate = static_cast<double>(expected_.frames) / static_cast<double>(film_.step) / seconds;
+    const int pictures = static_cast<int>(std::clamp(std::round(rate), 1.0, 60.0));
+    const bool constrained_by_rate = std::string_view(kind->muxer) == "webm";
+    const std::string limit =
+        constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
+    film_.type = kind->type;
+    encoder_ = std::make_unique<FilmEncoder>(
+        FilmFormat{kind->muxer, kind->encoder, fmt::format("{},{}", kind->quality, limit)}, "preview", size_, ticks,
+        pictures, 2 * pictures);
+}
+
+void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
+    if (given_up_) return;
+    if (taken_ == 0) {
+        begin();
+        if (given_up_) return;
+        first_frame_ = frame;
+        film_.begin = seconds;
+    }
+    if ((frame - first_frame_) % film_.step != 0) return;
+    std::int64_t tick = std::llround((seconds - film_.begin) * ticks);
+    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames at one time
+    last_tick_ = tick;
+    encoder_->add(resized(picture, size_), tick);
+    ++taken_;
+    if (encoder_->bytes() <= most_bytes && taken_ <= 2 * most_frames) return;
+    given_up_ = true;
+    encoder_.reset();
+}
+
+std::optional<Film> Preview::finish() {
+    if (given_up_ || taken_ == 0) return std::nullopt;
+    film_.bytes = encoder_->finish();
+    if (film_.bytes.size() > most_bytes) return std::nullopt;
+    return std::move(film_);
+}
+
+}  // namespace vvr

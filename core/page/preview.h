@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image/film_encoder.h"
+
+namespace vvr {
+
+/// A small film in a file format that browsers play.
+struct Film {
+    std::string type;  ///< "video/mp4"
+    std::vector<std::byte> bytes;
+    double begin = 0;       ///< seconds of the clip at its beginning
+    std::int64_t step = 1;  ///< it shows every so many-th frame
+};
+
+/// What the header says of the length of what becomes a preview; 0 = unknown.
+struct ExpectedLength {
+    std::int64_t frames = 0;
+    double seconds = 0;
+};
+
+/// Makes the preview of a clip frame by frame, and gives it up where it can't be both small and of use.
+class Preview {
+  public:
+    static constexpr std::size_t most_bytes = 8'000'000;
+    static constexpr std::int64_t most_frames = 6000;  ///< of longer clips not every frame is taken
+    static constexpr double least_rate = 2;            ///< below so many pictures a second stills tell as much
+    static constexpr int long_side = 384;
+
+    /// \param size of the film
+    Preview(Size size, const ExpectedLength& expected);
+
+    void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
+
+    /// Nothing where the clip is too long, or libav has no encoder that browsers have a decoder for. To be called once.
+    std::optional<Film> finish();
+
+  private:
+    void begin();
+
+    Size size_;
+    ExpectedLength expected_;
+    std::unique_ptr<FilmEncoder> encoder_;
+    Film film_;
+    std::int64_t taken_ = 0;
+    std::int64_t first_frame_ = 0;
+    std::int64_t last_tick_ = 0;
+    bool given_up_ = false;
+};
+
+}  // namespace vvr

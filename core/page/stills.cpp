@@ -1,0 +1,59 @@
+#include "core/page/stills.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/fields/cv_view.h"
+
+namespace vvr {
+
+Size fit_into(Size shown, int side) {
+    const double scale = std::min(1.0, static_cast<double>(side) / std::max(shown.width, shown.height));
+    return {std::max(1, static_cast<int>(std::lround(shown.width * scale))),
+            std::max(1, static_cast<int>(std::lround(shown.height * scale)))};
+}
+
+Plane<Bgr> resized(const Plane<Bgr>& picture, Size size) {
+    if (picture.size() == size) return picture;
+    Plane<Bgr> result(size);
+    cv::Mat to = cv_view(result);
+    const bool smaller = size.width <= picture.width() && size.height <= picture.height();
+    cv::resize(cv_view(picture), to, to.size(), 0, 0, smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+    return result;
+}
+
+void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
+    if (kept_.empty() || in_last_ == stretch_) {
+        if (kept_.size() == most) join_neighbours();
+        kept_.push_back({{frame, seconds, resized(picture, size_)}, activity});
+        in_last_ = 1;
+        return;
+    }
+    ++in_last_;
+    Kept& last = kept_.back();
+    if (activity > last.activity) last = {{frame, seconds, resized(picture, size_)}, activity};
+}
+
+std::vector<Still> Stills::take() {
+    std::vector<Still> stills;
+    stills.reserve(kept_.size());
+    for (Kept& kept : kept_) stills.push_back(std::move(kept.still));
+    kept_.clear();
+    return stills;
+}
+
+void Stills::join_neighbours() {
+    for (std::size_t k = 0; k < most / 2; ++k) {
+        Kept& a = kept_[2 * k];
+        Kept& b = kept_[2 * k + 1];
+        Kept better = std::move(b.activity > a.activity ? b : a);
+        kept_[k] = std::move(better);
+    }
+    kept_.resize(most / 2);
+    stretch_ *= 2;
+}
+
+}  // namespace vvr

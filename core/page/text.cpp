@@ -1,0 +1,144 @@
+#include "core/page/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+extern "C" {
+#include <libavutil/base64.h>
+#include <libavutil/mem.h>
+#include <libavutil/sha.h>
+}
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+namespace {
+
+struct AvFree {
+    void operator()(AVSHA* sha) const { av_free(sha); }
+};
+
+const std::uint8_t* octets(const void* data) {
+    return static_cast<const std::uint8_t*>(data);
+}
+
+std::string replaced(std::string_view text, std::string_view (*replacement)(char)) {
+    std::string result;
+    result.reserve(text.size());
+    for (const char c : text) {
+        const std::string_view other = replacement(c);
+        if (other.empty()) {
+            result += c;
+        } else {
+            result += other;
+        }
+    }
+    return result;
+}
+
+bool is_plain_in_url(unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.' || c == '~' || c == '/';
+}
+
+}  // namespace
+
+std::string html_text(std::string_view text) {
+    return replaced(text, [](char c) -> std::string_view {
+        switch (c) {
+            case '&':
+                return "&amp;";
+            case '<':
+                return "&lt;";
+            case '>':
+                return "&gt;";
+            case '"':
+                return "&quot;";
+            case '\'':
+                return "&#39;";
+            default:
+                return {};
+        }
+    });
+}
+
+std::string script_json(std::string json) {
+    // In JSON these three stand in strings only, where an escape means the same.
+    return replaced(json, [](char c) -> std::string_view {
+        switch (c) {
+            case '<':
+                return "\\u003c";
+            case '>':
+                return "\\u003e";
+            case '&':
+                return "\\u0026";
+            default:
+                return {};
+        }
+    });
+}
+
+std::string base64(std::span<const std::byte> bytes) {
+    // libav's encoder counts in int and wants room for a zero at the end; threes make fours without a remainder.
+    constexpr std::size_t part = 3 << 20;
+    std::string text;
+    text.reserve(bytes.size() / 3 * 4 + 8);
+    std::vector<char> room(AV_BASE64_SIZE(part));
+    for (; !bytes.empty(); bytes = bytes.subspan(std::min(part, bytes.size()))) {
+        const std::size_t count = std::min(part, bytes.size());
+        av_base64_encode(room.data(), static_cast<int>(room.size()), octets(bytes.data()), static_cast<int>(count));
+        text += room.data();
+    }
+    return text;
+}
+
+std::string data_url(const std::string& type, std::span<const std::byte> bytes) {
+    return fmt::format("data:{};base64,{}", type, base64(bytes));
+}
+
+std::string policy_hash(std::string_view text) {
+    const std::unique_ptr<AVSHA, AvFree> sha(av_sha_alloc());
+    if (!sha) throw std::bad_alloc();
+    std::array<std::byte, 32> digest{};
+    av_sha_init(sha.get(), 256);
+    av_sha_update(sha.get(), octets(text.data()), text.size());
+    av_sha_final(sha.get(), reinterpret_cast<std::uint8_t*>(digest.data()));
+    return "'sha256-" + base64(digest) + "'";
+}
+
+std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file) {
+    // Browsers take `..` off the text of an address, so links on the way are not followed here either.
+    const auto whole = [](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path).lexically_normal();
+    };
+    // A first part with a colon in it would read as a scheme.
+    std::string url = "./";
+    for (const char c : whole(file).lexically_relative(whole(page).parent_path()).string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        url += is_plain_in_url(byte) ? std::string(1, c) : fmt::format("%{:02X}", byte);
+    }
+    return url;
+}
+
+std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values) {
+    std::string filled;
+    for (;;) {
+        const std::size_t open = text.find("{{");
+        filled += text.substr(0, open);
+        if (open == std::string_view::npos) return filled;
+        const std::size_t close = text.find("}}", open);
+        if (close == std::string_view::npos) throw std::out_of_range("a place in a page that has no end");
+        const std::string_view name = text.substr(open + 2, close - open - 2);
+        const auto value = std::ranges::find(values, name, &std::pair<std::string_view, std::string>::first);
+        if (value == values.end()) throw std::out_of_range(fmt::format("a page has no value for '{}'", name));
+        filled += value->second;
+        text.remove_prefix(close + 2);
+    }
+}
+
+}  // namespace vvr

@@ -1,0 +1,45 @@
+#include "core/page/time_line.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vvr {
+
+void TimeLine::add(std::int64_t frame, double seconds) {
+    ++frames_;
+    if (count_ == 0 || frame != first_ + count_) {
+        begin(frame, seconds);
+        return;
+    }
+    const auto steps = static_cast<double>(count_);
+    const double least = std::max(least_, (seconds - tolerance - begin_) / steps);
+    const double most = std::min(most_, (seconds + tolerance - begin_) / steps);
+    if (least > most) {
+        begin(frame, seconds);
+        return;
+    }
+    least_ = least;
+    most_ = most;
+    ++count_;
+}
+
+std::vector<SteadyFrames> TimeLine::stretches() const {
+    std::vector<SteadyFrames> all = done_;
+    if (count_ > 0) all.push_back(current());
+    return all;
+}
+
+void TimeLine::begin(std::int64_t frame, double seconds) {
+    if (count_ > 0) done_.push_back(current());
+    first_ = frame;
+    count_ = 1;
+    begin_ = seconds;
+    least_ = 0;
+    most_ = std::numeric_limits<double>::infinity();
+}
+
+SteadyFrames TimeLine::current() const {
+    return {first_, count_, begin_, count_ > 1 ? (least_ + most_) / 2 : 0};
+}
+
+}  // namespace vvr

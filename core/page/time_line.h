@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace vvr {
+
+/// Consecutive frames at a steady rate.
+struct SteadyFrames {
+    std::int64_t first = 0;  ///< index in the clip
+    std::int64_t count = 1;
+    double begin = 0;  ///< seconds, of the first
+    double step = 0;   ///< seconds from each to the next; 0 where there is only one
+
+    double at(std::int64_t frame) const { return begin + static_cast<double>(frame - first) * step; }
+};
+
+/// The times of a clip's frames in few numbers: a clip at a steady rate is one stretch, however long it is and however
+/// its container rounds; memory grows with the rate's changes alone.
+class TimeLine {
+  public:
+    /// No frame's time is off by more, in seconds: less than the shortest time for which a screen shows one.
+    static constexpr double tolerance = 0.001;
+
+    /// \param frame above the one before, and so is its time, unless the clip says otherwise
+    void add(std::int64_t frame, double seconds);
+
+    std::vector<SteadyFrames> stretches() const;
+
+    std::int64_t frames() const { return frames_; }
+
+  private:
+    void begin(std::int64_t frame, double seconds);
+    SteadyFrames current() const;
+
+    std::vector<SteadyFrames> done_;
+    std::int64_t frames_ = 0;
+    std::int64_t first_ = 0;
+    std::int64_t count_ = 0;
+    double begin_ = 0;
+    double least_ = 0;  ///< steps from here to `most_` keep all frames of the stretch within the tolerance
+    double most_ = 0;
+};
+
+}  // namespace vvr
