@@ -74,6 +74,17 @@ def startup(setting):
     return "## Start-up\n\n" + table(["run", "ms"], rows), {name: [r.seconds for r in of] for name, of in results.items()}
 
 
+def context(setting):
+    """What it costs that a picture explains itself."""
+    bare = ["--show", "volume,arrows,outline,frames"]
+    results = in_turn({"volume, arrows, outline, frames": render(setting, setting.clip, *bare),
+                       "and floor, ruler, legend, title (the default)": render(setting, setting.clip)}, setting.runs)
+    seconds = {name: [r.seconds for r in of] for name, of in results.items()}
+    first = median(next(iter(seconds.values())))
+    rows = [[name, spread(of), f"{median(of) / first:.3f}"] for name, of in seconds.items()]
+    return "## Text, ruler and shadow\n\n" + table(["a picture with", "s", "ratio"], rows), seconds
+
+
 def kernels(setting):
     """The fields' kernels against plain loops, and rates of all fields."""
     report = output_of([f"{BENCH}/bench_fields", "--benchmark_format=json", "--benchmark_min_time=0.2"])
@@ -159,6 +170,7 @@ PARTS = {
     "pipeline": pipeline,
     "memory": memory,
     "startup": startup,
+    "context": context,
     "kernels": kernels,
     "table1": table1,
     "vtk": vtk,

@@ -37,7 +37,7 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
-      slicer_(context.gl(), layout, options.colour),
+      slicer_(context.gl(), layout, options.colour, options.shading),
       flow_geometry_(context.gl()),
       traceline_strips_(context.gl()),
       annotations_(context.gl()) {}

@@ -34,6 +34,7 @@ struct RenderOptions {
     std::int64_t window_layers = 0;  ///< n, the layers of a full window
     glm::vec4 background{1, 1, 1, 1};  ///< multiplied by its opacity
     VolumeColour colour = VolumeColour::transfer;
+    VolumeShading shading = VolumeShading::none;
     GlyphStyle glyphs;
     TraceStyle traces;
 };

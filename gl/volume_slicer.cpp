@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gl/check.h"
+#include "gl/flow_geometry.h"
 #include "gl/layout_shader.h"
 #include "shaders.h"
 
@@ -22,18 +23,33 @@ std::string_view optical_shader(VolumeColour colour) {
     return std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader;
 }
 
+constexpr std::array shadings{
+    VolumeShadingRow{VolumeShading::none, "none", "as mist: where most is, it is darkest", shaders::shading_none_glsl},
+    VolumeShadingRow{VolumeShading::relief, "relief", "as solids with light and dark edges; takes about twice the time",
+                     shaders::shading_relief_glsl},
+};
+
+std::string_view shading_shader(VolumeShading shading) {
+    return std::ranges::find(shadings, shading, &VolumeShadingRow::shading)->shader;
+}
+
 }  // namespace
 
 std::span<const VolumeColourRow> volume_colours() {
     return colours;
 }
 
-VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour)
+std::span<const VolumeShadingRow> volume_shadings() {
+    return shadings;
+}
+
+VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading)
     : gl_(&gl),
       layout_(&layout),
       colour_(colour),
       program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
-               {layout_shader(layout), optical_shader(colour), shaders::volume_sample_glsl, shaders::volume_frag}),
+               {layout_shader(layout), optical_shader(colour), shaders::volume_sample_glsl, shading_shader(shading),
+                shaders::volume_frag}),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
       vertex_array_(gl),
@@ -118,6 +134,7 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
     program.set("forward", glm::vec3(camera.forward));
     program.set("spacing", static_cast<float>(stack.spacing));
     program.set("perspective", camera.perspective ? 1 : 0);
+    program.set("to_light", to_light(camera));
     program.set("brick", 0);
     program.set("transfer", 1);
 

@@ -31,12 +31,25 @@ struct VolumeColourRow {
 /// The sources of colour there are; the first is the default.
 std::span<const VolumeColourRow> volume_colours();
 
+/// How light falls on the volume.
+enum class VolumeShading { none, relief };
+
+struct VolumeShadingRow {
+    VolumeShading shading;
+    std::string_view name;
+    std::string_view help;
+    std::string_view shader;  ///< defines shaded(colour)
+};
+
+/// The ways there are; the first is the default.
+std::span<const VolumeShadingRow> volume_shadings();
+
 /// Draws the window's bricks as view-aligned slices, back to front, with the layout's backward map in the fragment
 /// shader (§5.1, §6.1): one draw call a brick, in visibility order.
 class VolumeSlicer {
   public:
     /// \param colour for VolumeColour::video the bricks are coloured ones
-    VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour);
+    VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading);
 
     void set_transfer(const TransferFunction& transfer);
 

@@ -1,5 +1,7 @@
 uniform sampler2D transfer;  // a texel each quarter of a value: colour, and extinction per unit length times log2(e)
 
+float scalar_of(vec4 voxel) { return voxel.a; }
+
 // The colour is the video's own, the extinction of the scalar beside it the transfer function's.
 vec4 optical_of(vec4 voxel) {
     return vec4(voxel.rgb, texelFetch(transfer, ivec2(voxel.a * 1020.0 + 0.5, 0), 0).a);

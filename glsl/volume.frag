@@ -4,5 +4,5 @@ void main() {
     float inside;
     vec4 optical = optical_of(texture(brick, texture_position(inside)));
     float opacity = opacity_of(optical.a, inside);
-    colour = vec4(optical.rgb * opacity, opacity);
+    colour = vec4(shaded(optical.rgb) * opacity, opacity);
 }

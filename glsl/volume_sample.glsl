@@ -6,11 +6,13 @@ uniform sampler3D brick;
 uniform vec2 brick_from_t;   // texture coordinate of the brick from t_C: scale and offset
 uniform float spacing;       // of the slices
 
+vec3 texture_from_c(vec3 c) { return vec3(c.xy, c.z * brick_from_t.x + brick_from_t.y); }
+
 // Where in the texture the fragment lies; outside of the volume, where straight cells reach a little over, `inside` is 0.
 vec3 texture_position(out float inside) {
     vec3 c = c_from_local(local, t_near);
     inside = step(abs(c.x - 0.5), 0.5);
-    return vec3(c.xy, c.z * brick_from_t.x + brick_from_t.y);
+    return texture_from_c(c);
 }
 
 float opacity_of(float extinction, float inside) { return inside * (1.0 - exp2(-extinction * spacing * length(ray))); }

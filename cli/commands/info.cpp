@@ -9,6 +9,7 @@
 #include "cli/print.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
+#include "core/labels/time_ticks.h"
 
 namespace vvr {
 
@@ -33,6 +34,7 @@ std::string as_text(const FieldSource& source, const Plan& plan) {
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames a second", info.rate)));
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
+    if (info.created) line("recorded", format_clock(*info.created));
     text += "a render of it\n";
     line("fields", text_of(source.field_size()));
     line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
@@ -54,6 +56,7 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
         {"rate", known(info.rate)},
         {"frames", known(info.frames)},
         {"seconds", known(info.duration)},
+        {"recorded", info.created ? nlohmann::ordered_json(format_clock(*info.created)) : nlohmann::ordered_json()},
         {"render",
          {{"field_width", source.field_size().width},
           {"field_height", source.field_size().height},

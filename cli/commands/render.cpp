@@ -100,6 +100,7 @@ RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldS
 /// What the settings ask for, as far as this output needs it.
 RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, const OpenedFields& fields) {
     RenderJob job = job_for(settings);
+    job.clock = clock_of(settings.look.start_time, fields.source->info());
     job.pictures = pictures_of(output);
     job.series = is_series(output);
     const bool page = is_page(output);

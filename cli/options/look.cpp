@@ -32,7 +32,8 @@ glm::vec4 parse_colour(const std::string& text) {
             static_cast<float>(value & 255U) / 255, 1};
 }
 
-WallClock parse_clock(const std::string& text) {
+StartTime parse_start(const std::string& text) {
+    if (text == "recorded") return {true, {}};
     for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
         std::tm parts{};
         std::istringstream stream(text);
@@ -41,12 +42,20 @@ WallClock parse_clock(const std::string& text) {
         const std::tm asked = parts;
         const std::time_t seconds = timegm(&parts);
         // 30 February would become a day in March.
-        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon) return seconds;
+        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon) return {false, seconds};
     }
-    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00", text));
+    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded'", text));
 }
 
 }  // namespace
+
+WallClock clock_of(const StartTime& start, const VideoInfo& info) {
+    if (!start.as_recorded) return start.clock;
+    if (info.created) return info.created;
+    throw Error(ErrorKind::usage, fmt::format("--start-time recorded: '{}' does not say when it was recorded; give the "
+                                              "date and time",
+                                              info.name));
+}
 
 glm::vec4 LookOptions::background_colour() const {
     return background.empty() ? glm::vec4(find_theme(theme).background, 1) : parse_colour(background);
@@ -58,6 +67,10 @@ bool LookOptions::shows(const std::string& part) const {
 
 VolumeColour LookOptions::volume_colour() const {
     return std::ranges::find(volume_colours(), colour, &VolumeColourRow::name)->colour;
+}
+
+VolumeShading LookOptions::volume_shading() const {
+    return std::ranges::find(volume_shadings(), shading, &VolumeShadingRow::name)->shading;
 }
 
 void add_options(CLI::App& app, LookOptions& options) {
@@ -78,9 +91,9 @@ void add_options(CLI::App& app, LookOptions& options) {
     add_text(app, group::look, options.title,
              {"--title", "TEXT", "", "above the picture; the clip's name if not given"});
     add_option(
-        app, group::look, options.clock,
-        {"--start-time", "DATETIME", "", "when the clip began, 2026-11-21 08:00:00: the ruler shows a clock's time"},
-        parse_clock);
+        app, group::look, options.start_time,
+        {"--start-time", "DATETIME", "", "when the clip began, 2026-11-21 08:00:00, or recorded as the container says: the ruler shows a clock's time"},
+        parse_start);
     add_option(app, group::look, options.transfer,
                {"--transfer", "NAME", "the theme's",
                 fmt::format("colour and opacity of the volume's values: {}, or a file of points",
@@ -91,6 +104,7 @@ void add_options(CLI::App& app, LookOptions& options) {
                });
     add_name(app, group::look, options.colour, names_of(volume_colours()),
              {"--color", "NAME", "", "the volume's colour, the transfer function's or the video's own"});
+    add_choice(app, group::look, options.shading, volume_shadings(), {"--shading", "NAME", "", "light on the volume"});
     add_number(app, group::look, options.opacity, {0, 1000},
                {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
     add_number(app, group::look, options.glyph_scale, {0.01, 100},

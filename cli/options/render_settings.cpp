@@ -56,12 +56,12 @@ RenderJob job_for(const RenderSettings& settings) {
 
     job.show = {settings.look.show.begin(), settings.look.show.end()};
     job.picture.colour = settings.look.volume_colour();
+    job.picture.shading = settings.look.volume_shading();
     job.theme = find_theme(settings.look.theme);
     job.picture.background = settings.look.background_colour();
     job.picture.glyphs.slow_colour = job.theme.slow;
     job.picture.glyphs.fast_colour = job.theme.fast;
     job.title = settings.look.title;
-    job.clock = settings.look.clock;
     job.keyframes = settings.look.keyframes;
     const FilterRow& filter = find_filter(settings.fields.filter);
     job.scalar = {std::string(filter.name), std::string(filter.help)};

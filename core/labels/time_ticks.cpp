@@ -65,6 +65,10 @@ std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallC
     return ticks;
 }
 
+std::string format_clock(std::int64_t seconds) {
+    return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
 std::string format_span(double begin, double end, const WallClock& clock) {
     if (!clock) {
         const double step = end - begin < 20 ? 0.1 : 1;

@@ -8,6 +8,7 @@
 
 extern "C" {
 #include <libavutil/display.h>
+#include <libavutil/parseutils.h>
 }
 
 #include "core/error.h"
@@ -45,6 +46,13 @@ double duration_of(const AVFormatContext& format, const AVStream& stream) {
     return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
 }
 
+std::optional<std::int64_t> creation_time(const AVFormatContext& format) {
+    const AVDictionaryEntry* const tag = av_dict_get(format.metadata, "creation_time", nullptr, 0);
+    std::int64_t microseconds = 0;
+    if (tag == nullptr || av_parse_time(&microseconds, tag->value, 0) < 0) return std::nullopt;
+    return microseconds / 1'000'000;
+}
+
 }  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
@@ -74,6 +82,7 @@ void FileSource::describe(const AVFrame& first) {
     info_.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
     info_.duration = duration_of(format, stream);
     info_.frames = stream.nb_frames > 0 ? stream.nb_frames : std::llround(info_.duration * info_.rate);
+    info_.created = creation_time(format);
     field_size_ = field_size_for(info_.size, options_.field_size);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct VideoInfo {
     double rate = 0;          ///< frames a second, the container's average; 0 = unknown
     double duration = 0;      ///< seconds; 0 = unknown
     std::int64_t frames = 0;  ///< estimate of the number of frames; 0 = unknown
+    std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC), where the container tells when it was recorded
 };
 
 struct SourceOptions {

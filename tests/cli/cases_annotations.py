@@ -39,6 +39,18 @@ def labels_with_a_title_and_a_clock(t):
 
 
 @case
+def labels_with_the_clock_of_the_recording(t):
+    t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
+    texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "recorded"))
+    check("120 frames, 2026-11-21 07:30:00 to 07:30:11" in texts, str(texts))
+    told = t.vvr("info", "dated.mp4")
+    check("recorded 2026-11-21 07:30:00" in told.out, str(told))
+    t.clip()
+    t.render("clip.avi", "--start-time", "recorded").expect(
+        1, "--start-time recorded: 'clip.avi' does not say when it was recorded; give the date and time")
+
+
+@case
 def labels_can_be_switched_off(t):
     t.clip()
     check(labels_of(t, "clip.avi", "--show", "volume,arrows,outline,frames") == [], "labels that nobody asked for")

@@ -24,6 +24,7 @@ PICTURES = {
     "print": (*EVERYTHING, "--theme", "print"),
     "transparent": ("--show", "volume,outline", "--background", "none"),
     "keyframes": ("--show", "volume,frames,outline", "--keyframes", "2"),
+    "relief": ("--show", "volume,outline", "--transfer", "solid", "--shading", "relief"),
     "video": ("--show", "volume,outline", "--color", "video"),
 }
 

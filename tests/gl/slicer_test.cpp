@@ -254,6 +254,27 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     EXPECT_EQ(test::max_difference(nothing, Plane<glm::vec4>(small, glm::vec4(1))), 0) << "opacity is the scalar's";
 }
 
+TEST(Slicer, ReliefLightsWhatFacesTheLightAndChangesNoOpacity) {
+    const Volume volume = test::wandering_balls({96, 72}, 96);
+    Shot shot;
+    shot.layout = "horseshoe";
+    shot.options.size = {320, 240};
+    shot.options.background = glm::vec4(0);
+    shot.transfer = TransferFunction({{20, {0.5, 0.5, 0.5}, 0}, {30, {0.5, 0.5, 0.5}, 400}});
+    const Plane<glm::vec4> flat = draw_volume(volume, shot).picture;
+    shot.options.shading = VolumeShading::relief;
+    const Plane<glm::vec4> relief = draw_volume(volume, shot).picture;
+    int brighter = 0;
+    int darker = 0;
+    for (std::size_t i = 0; i < flat.pixels().size(); ++i) {
+        ASSERT_NEAR(relief.pixels()[i].w, flat.pixels()[i].w, 1e-5);
+        brighter += relief.pixels()[i].x > flat.pixels()[i].x + 0.02F ? 1 : 0;
+        darker += relief.pixels()[i].x < flat.pixels()[i].x - 0.02F ? 1 : 0;
+    }
+    EXPECT_GT(brighter, 300) << "there are sides to the light";
+    EXPECT_GT(darker, 300) << "and from it";
+}
+
 /// A slab of volume across the middle of the view, 0.55 thick.
 struct Slab {
     std::string layout;

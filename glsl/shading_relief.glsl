@@ -1,0 +1,20 @@
+in vec3 light;  // towards it, and along the ray, both turned as `local` is
+in vec3 view;
+
+float scalar_at(vec3 at) { return scalar_of(texture(brick, texture_from_c(c_from_local(at, t_near)))); }
+
+// Where the scalar changes there is a surface: light from the side it rises against, dark where the ray only grazes it,
+// so that of two trails that cross one sees which is in front.
+vec3 shaded(vec3 colour) {
+    // Three voxels: less would show the noise of the video.
+    float reach = 3.0 * layout_shape.z / float(textureSize(brick, 0).y);
+    vec3 gradient = vec3(scalar_at(local + vec3(reach, 0.0, 0.0)) - scalar_at(local - vec3(reach, 0.0, 0.0)),
+                         scalar_at(local + vec3(0.0, reach, 0.0)) - scalar_at(local - vec3(0.0, reach, 0.0)),
+                         scalar_at(local + vec3(0.0, 0.0, reach)) - scalar_at(local - vec3(0.0, 0.0, reach)));
+    float steep = length(gradient);
+    vec3 normal = -gradient / max(steep, 1e-4);
+    float surface = clamp(steep * 3.0, 0.0, 1.0);
+    float lit = 0.5 + 0.9 * clamp(0.5 + 0.5 * dot(normal, normalize(light)), 0.0, 1.0);
+    float grazed = smoothstep(0.55, 1.0, 1.0 - abs(dot(normal, normalize(view))));
+    return colour * mix(1.0, lit * (1.0 - 0.45 * grazed), surface);
+}
