@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/options/config_file.h"
 #include "cli/help.h"
+#include "cli/options/config_file.h"
 #include "cli/options/option.h"
 #include "cli/print.h"
 #include "core/error.h"

@@ -12,7 +12,9 @@ namespace vvr {
 
 namespace {
 
-std::vector<Backend> backends() { return {egl_hardware_backend(), egl_software_backend(), osmesa_backend()}; }
+std::vector<Backend> backends() {
+    return {egl_hardware_backend(), egl_software_backend(), osmesa_backend()};
+}
 
 }  // namespace
 
@@ -27,12 +29,12 @@ std::unique_ptr<Context> open_context(std::string_view name, int device) {
         }
     }
     if (tried.empty()) {
-        throw Error(ErrorKind::usage, fmt::format("no backend is called '{}'; there are {}", name,
-                                                  fmt::join(backend_names(), ", ")));
+        throw Error(ErrorKind::usage,
+                    fmt::format("no backend is called '{}'; there are {}", name, fmt::join(backend_names(), ", ")));
     }
     throw Error(ErrorKind::backend,
-                fmt::format("no OpenGL context from --backend {}{}; tried:{}\n`vvr doctor` says what would mend it", name,
-                            device < 0 ? "" : fmt::format(" --device {}", device), tried));
+                fmt::format("no OpenGL context from --backend {}{}; tried:{}\n`vvr doctor` says what would mend it",
+                            name, device < 0 ? "" : fmt::format(" --device {}", device), tried));
 }
 
 std::vector<std::string> backend_names() {

@@ -10,7 +10,8 @@ namespace vvr {
 
 namespace {
 
-void compile(const GladGLContext& gl, GLuint shader, std::string_view name, std::initializer_list<std::string_view> pieces) {
+void compile(const GladGLContext& gl, GLuint shader, std::string_view name,
+             std::initializer_list<std::string_view> pieces) {
     std::vector<const char*> texts = {"#version 330 core\n"};
     std::vector<GLint> lengths = {-1};
     for (const std::string_view piece : pieces) {

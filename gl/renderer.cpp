@@ -32,8 +32,7 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
-      camera_(
-          options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
+      camera_(options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
       tiles_(cut_tiles(options.size, tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),

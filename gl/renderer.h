@@ -27,11 +27,11 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
-    std::optional<Camera> camera;    ///< instead of the one that holds the volume from `view`
-    int slices = 0;                  ///< 0 = one for every two voxels
-    int samples = 4;                 ///< a pixel, for smooth edges; 1 takes about half the time
-    int ring = 8;                    ///< k, the bricks that are visible at a time
-    std::int64_t window_layers = 0;  ///< n, the layers of a full window
+    std::optional<Camera> camera;      ///< instead of the one that holds the volume from `view`
+    int slices = 0;                    ///< 0 = one for every two voxels
+    int samples = 4;                   ///< a pixel, for smooth edges; 1 takes about half the time
+    int ring = 8;                      ///< k, the bricks that are visible at a time
+    std::int64_t window_layers = 0;    ///< n, the layers of a full window
     glm::vec4 background{1, 1, 1, 1};  ///< multiplied by its opacity
     VolumeColour colour = VolumeColour::transfer;
     VolumeShading shading = VolumeShading::none;

@@ -72,7 +72,9 @@ function bytesOf(base64) {
 
 async function readFrames() {
     await picture.decode();
-    pale = colour(...groundOf(picture), 205);
+    const ground = groundOf(picture);
+    pale = colour(...ground, 205);
+    view.style.backgroundColor = `rgb(${ground})`;
     const png = new Blob([bytesOf(data.layers.src.split(',')[1])], {type: 'image/png'});
     const bitmap = await createImageBitmap(png, {premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
     const canvas = document.createElement('canvas');

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands/command.h"
 #include "cli/command_line.h"
+#include "cli/commands/command.h"
 #include "cli/options/run.h"
 #include "cli/print.h"
 #include "cli/versions.h"

@@ -4,15 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands/command.h"
 #include "cli/command_line.h"
-#include "cli/work/open_fields.h"
-#include "cli/options/option.h"
+#include "cli/commands/command.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
+#include "cli/options/option.h"
 #include "cli/options/run.h"
-#include "cli/progress.h"
 #include "cli/options/words.h"
+#include "cli/progress.h"
+#include "cli/work/open_fields.h"
 #include "core/fields/pipeline.h"
 #include "core/store/data_folder.h"
 
@@ -100,7 +100,8 @@ ExitStatus run_extract(const Command& command, Arguments arguments, const Enviro
         folder->close(std::move(manifest), summary.reference);
     }
     if (summary.damaged > 0) {
-        environment.log.warn("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet"));
+        environment.log.warn("'{}': {} of what was read", clip->info().name,
+                             counted(summary.damaged, "damaged packet"));
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {} of {}x{}, {:.1f} s", settings.folder.string(), counted(summary.frames, "frame"),

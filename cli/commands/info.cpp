@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands/command.h"
 #include "cli/command_line.h"
-#include "cli/work/open_fields.h"
+#include "cli/commands/command.h"
 #include "cli/options/option.h"
-#include "cli/work/plan.h"
-#include "cli/print.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
+#include "cli/print.h"
+#include "cli/work/open_fields.h"
+#include "cli/work/plan.h"
 #include "core/labels/time_ticks.h"
 
 namespace vvr {

@@ -44,7 +44,8 @@ StartTime parse_start(const std::string& text) {
         // 30 February would become a day in March.
         if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon) return {false, seconds};
     }
-    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded'", text));
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded'", text));
 }
 
 }  // namespace
@@ -92,7 +93,8 @@ void add_options(CLI::App& app, LookOptions& options) {
              {"--title", "TEXT", "", "above the picture; the clip's name if not given"});
     add_option(
         app, group::look, options.start_time,
-        {"--start-time", "DATETIME", "", "when the clip began, 2026-11-21 08:00:00, or recorded as the container says: the ruler shows a clock's time"},
+        {"--start-time", "DATETIME", "",
+         "when the clip began, 2026-11-21 08:00:00, or recorded as the container says: the ruler shows a clock's time"},
         parse_start);
     add_option(app, group::look, options.transfer,
                {"--transfer", "NAME", "the theme's",

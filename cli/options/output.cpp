@@ -124,7 +124,7 @@ bool is_series(const OutputOptions& options) {
 bool is_page(const OutputOptions& options) {
     std::string ending = options.path.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == page_ending;
+    return ending == page_ending || ending == ".htm";
 }
 
 int pictures_of(const OutputOptions& options) {

@@ -23,16 +23,16 @@ FoundFrame find_frame(FrameSource& clip, const Time& time) {
     clip.rewind();
     // The last frame is on show for as long as the one before it was.
     const double end = found.pts + (found.pts - before);
-    found.is_there = by_number ? time.value <= static_cast<double>(found.index) : time.value <= found.pts || time.value < end;
+    found.is_there =
+        by_number ? time.value <= static_cast<double>(found.index) : time.value <= found.pts || time.value < end;
     return found;
 }
 
 FoundFrame frame_at(FrameSource& clip, const Time& time, const char* option) {
     const FoundFrame found = find_frame(clip, time);
     if (found.is_there) return found;
-    throw Error(ErrorKind::usage,
-                fmt::format("{}: '{}' has {}, the last at {:.3f} s; choose an earlier one", option, clip.info().name,
-                            counted(found.index + 1, "frame"), found.pts));
+    throw Error(ErrorKind::usage, fmt::format("{}: '{}' has {}, the last at {:.3f} s; choose an earlier one", option,
+                                              clip.info().name, counted(found.index + 1, "frame"), found.pts));
 }
 
 }  // namespace vvr

@@ -10,7 +10,7 @@ namespace vvr {
 /// Where a time falls in a clip.
 struct FoundFrame {
     std::int64_t index = 0;
-    double pts = 0;   ///< seconds
+    double pts = 0;        ///< seconds
     bool is_there = true;  ///< false = the clip ends before; then the last frame
 };
 

@@ -9,8 +9,8 @@
 #include <glm/glm.hpp>
 
 #include "cli/options/words.h"
-#include "core/image/text.h"
 #include "core/image/draw.h"
+#include "core/image/text.h"
 
 namespace vvr {
 
@@ -49,7 +49,8 @@ Rgba mix(const Rgba& a, const Rgba& b, float share) {
 }
 
 Rgba colour_of(const Bgr& pixel) {
-    return {static_cast<float>(pixel[2]) / 255, static_cast<float>(pixel[1]) / 255, static_cast<float>(pixel[0]) / 255, 1};
+    return {static_cast<float>(pixel[2]) / 255, static_cast<float>(pixel[1]) / 255, static_cast<float>(pixel[0]) / 255,
+            1};
 }
 
 /// Grey and dark, so that lines stand out.
@@ -142,17 +143,18 @@ Inspection inspect(const Frame& frame, const Field& field) {
     draw_seeds(result.picture, panels[2], field.seeds);
     clear_margins(result.picture);
 
-    const std::array<std::string, 3> captions{
-        "(a) difference object", field.flow.u.empty() ? "(b) no flow" : "(b) flow",
-        fmt::format("(c) {}", counted(std::ssize(field.seeds), "seed"))};
+    const std::array<std::string, 3> captions{"(a) difference object",
+                                              field.flow.u.empty() ? "(b) no flow" : "(b) flow",
+                                              fmt::format("(c) {}", counted(std::ssize(field.seeds), "seed"))};
     const std::array<std::string, 3> notes{fmt::format("frame {}, {:.3f} s", field.index, field.pts),
                                            fmt::format("lines as long as {} frames", frames_ahead),
                                            fmt::format("arrows as long as {} frames", frames_ahead)};
     const int base = gap + height;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const int middle = panels[k].left + panel_width / 2;
-        const bool written = draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
-                             draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
+        const bool written =
+            draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
+            draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
         result.captions = result.captions && written;
     }
     return result;

@@ -27,10 +27,10 @@ OpenedFields open_extracted(const std::vector<std::string>& folders, const Comma
         const auto found = std::ranges::find(source->settings(), option, &Metadata::value_type::first);
         const std::string extracted = found == source->settings().end() ? "" : found->second;
         if (without_folder(option, *given) == extracted) continue;
-        throw Error(ErrorKind::usage, fmt::format("--{} {}: '{}' was extracted with {}; leave the option out, or run "
-                                                  "`vvr extract` with it",
-                                                  option, *given, folders.front(),
-                                                  extracted.empty() ? "none" : extracted));
+        throw Error(ErrorKind::usage,
+                    fmt::format("--{} {}: '{}' was extracted with {}; leave the option out, or run "
+                                "`vvr extract` with it",
+                                option, *given, folders.front(), extracted.empty() ? "none" : extracted));
     }
     Metadata settings = source->settings();
     return {std::move(source), std::move(settings)};
@@ -56,7 +56,8 @@ std::string without_folder(const std::string& option, const std::string& value) 
 
 OpenedFields open_fields(const RenderSettings& settings, const CommandLine& line) {
     OpenedFields opened = open_any(settings, line);
-    if (!settings.seeds.empty()) opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), settings.seeds);
+    if (!settings.seeds.empty())
+        opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), settings.seeds);
     return opened;
 }
 

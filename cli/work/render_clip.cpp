@@ -61,9 +61,8 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 }  // namespace
 
 const std::vector<std::string>& show_words() {
-    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline",
-                                                   "frames", "floor",  "ruler",      "legend",
-                                                   "title",  "boxes",  "slices"};
+    static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "floor",
+                                                   "ruler",  "legend", "title",      "boxes",   "slices"};
     return words;
 }
 
@@ -128,7 +127,8 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.renderer = context->renderer();
     report.gl_version = context->version();
     report.backend = context->backend();
-    Renderer renderer(*context, *layout, options_of(job, framing, static_cast<int>(report.bricks.size()), volume.layers()));
+    Renderer renderer(*context, *layout,
+                      options_of(job, framing, static_cast<int>(report.bricks.size()), volume.layers()));
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
     if (job.show.contains("volume")) {

@@ -58,7 +58,7 @@ struct RenderJob {
     std::string title;  ///< empty = the clip's name
     WallClock clock;    ///< when the clip begins
     ScalarMeaning scalar;
-    int keyframes = 0;  ///< frames that stand in the volume between the first and the last
+    int keyframes = 0;               ///< frames that stand in the volume between the first and the last
     std::optional<View> slice_view;  ///< for which the slices that `show` draws are cut; none = the picture's
     std::set<std::string> show = {standard_show().begin(), standard_show().end()};
 

@@ -13,7 +13,8 @@ struct Brick {
     friend bool operator==(const Brick&, const Brick&) = default;
 };
 
-/// Cuts `layers` layers into `bricks` bricks whose lengths differ by at most one; fewer when there aren't as many layers.
+/// Cuts `layers` layers into `bricks` bricks whose lengths differ by at most one; fewer when there aren't as many
+/// layers.
 std::vector<Brick> cut_into(std::int64_t layers, int bricks);
 
 /// Cuts `layers` layers into bricks of `length`; the last one may be shorter.

@@ -12,7 +12,8 @@
 
 namespace vvr {
 
-/// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it gives.
+/// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it
+/// gives.
 class ClipReader {
   public:
     /// \param source at its first frame

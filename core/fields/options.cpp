@@ -47,7 +47,8 @@ void validate(const FieldOptions& options) {
     check_range("--min-area", options.min_area, 0, 1000000);
     check_range("--threads", options.threads, 0, 4096);
     check_range("--start", options.span.start, 0.0, std::numeric_limits<double>::max());
-    if (options.span.end) check_range("--end", *options.span.end, options.span.start, std::numeric_limits<double>::max());
+    if (options.span.end)
+        check_range("--end", *options.span.end, options.span.start, std::numeric_limits<double>::max());
     constexpr std::int64_t last = std::numeric_limits<std::int64_t>::max();
     check_range<std::int64_t>("--start", options.span.first, 0, last);
     if (options.span.stop) check_range("--end", *options.span.stop, options.span.first, last);

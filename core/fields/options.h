@@ -40,8 +40,8 @@ struct FieldOptions {
     std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};
     SeedOptions seeds{};
-    FrameSpan span{};             ///< frames beside it serve as neighbours, but give no field
-    int threads = 0;              ///< 0 = one for each core
+    FrameSpan span{};  ///< frames beside it serve as neighbours, but give no field
+    int threads = 0;   ///< 0 = one for each core
 };
 
 /// Checks every value and every name; `compute_fields` does so first.

@@ -116,11 +116,12 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     summary.damaged = source.damaged();
     summary.reference = std::move(scene.reference);
     if (summary.frames == 0) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change --start or "
-                                                  "--end",
-                                                  source.info().name, text_of(options.span),
-                                                  read.last_index() == 0 ? "1 frame" : fmt::format("{} frames", read.last_index() + 1),
-                                                  read.last_pts()));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change --start or "
+                                "--end",
+                                source.info().name, text_of(options.span),
+                                read.last_index() == 0 ? "1 frame" : fmt::format("{} frames", read.last_index() + 1),
+                                read.last_pts()));
     }
     return summary;
 }

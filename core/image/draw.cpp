@@ -8,7 +8,9 @@ namespace vvr {
 void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, double width, const Rgba& colour) {
     Plane<Rgba>& pixels = picture.pixels;
     const double reach = width / 2 + 1;
-    const auto low = [reach](double a, double b) { return std::max(0, static_cast<int>(std::floor(std::min(a, b) - reach))); };
+    const auto low = [reach](double a, double b) {
+        return std::max(0, static_cast<int>(std::floor(std::min(a, b) - reach)));
+    };
     const auto high = [reach](double a, double b, int side) {
         return std::min(side - 1, static_cast<int>(std::ceil(std::max(a, b) + reach)));
     };

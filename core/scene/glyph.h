@@ -32,8 +32,8 @@ struct Glyph {
 };
 
 struct GlyphOptions {
-    double frames = 8;        ///< the arrow shows the way gone in so many frames
-    double cap = 0.075;       ///< longest arrow in P-space units
+    double frames = 8;         ///< the arrow shows the way gone in so many frames
+    double cap = 0.075;        ///< longest arrow in P-space units
     double time_velocity = 0;  ///< v_t, frames a frame (§5.2)
 };
 

@@ -68,7 +68,8 @@ Tracelines tracelines(const Volume& volume, const Layout& layout, const TraceOpt
         const glm::dvec3 start = {at.seed.x, at.seed.y, static_cast<double>(at.frame)};
         for (const glm::dvec3& point : trace(volume, start, options)) {
             const auto speed = static_cast<float>(glm::length(volume.flow().at(point)));
-            points.push_back({glm::vec3(layout.p_from_c(volume.c_of(point))), 0, 0, speed, static_cast<float>(point.z)});
+            points.push_back(
+                {glm::vec3(layout.p_from_c(volume.c_of(point))), 0, 0, speed, static_cast<float>(point.z)});
         }
         append(lines, points, options.spacing);
     }

@@ -11,10 +11,10 @@ namespace vvr {
 
 /// A point of a traceline as it stands in the vertex buffer.
 struct TraceVertex {
-    glm::vec3 p;   ///< P-space
-    float along;   ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
-    float length;  ///< of the whole line, P-space units
-    float speed;   ///< pixels a frame
+    glm::vec3 p;      ///< P-space
+    float along;      ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
+    float length;     ///< of the whole line, P-space units
+    float speed;      ///< pixels a frame
     float frame = 0;  ///< counted from the volume's first
 };
 

@@ -19,9 +19,8 @@ TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(
                                                       i + 1, point.value, point.extinction));
         }
         if (i > 0 && point.value < points_[i - 1].value) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("the values of a transfer function ascend, but {} follows {}", point.value,
-                                    points_[i - 1].value));
+            throw Error(ErrorKind::usage, fmt::format("the values of a transfer function ascend, but {} follows {}",
+                                                      point.value, points_[i - 1].value));
         }
     }
     // A value counts when the function is above zero there or on the way to the next one.

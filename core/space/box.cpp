@@ -24,9 +24,7 @@ class Box final : public Layout {
         return {p.z / depth(), p.y / shape().y_s, p.x / length_ + 0.5};
     }
 
-    Basis basis(const glm::dvec3&) const override {
-        return {{0, 0, depth()}, {0, shape().y_s, 0}, {length_, 0, 0}};
-    }
+    Basis basis(const glm::dvec3&) const override { return {{0, 0, depth()}, {0, shape().y_s, 0}, {length_, 0, 0}}; }
 
     double straight_t() const override { return 1; }
     double sagitta_x(double) const override { return 0; }
@@ -50,6 +48,8 @@ class Box final : public Layout {
 
 }  // namespace
 
-std::unique_ptr<Layout> make_box(const LayoutShape& shape) { return std::make_unique<Box>(shape); }
+std::unique_ptr<Layout> make_box(const LayoutShape& shape) {
+    return std::make_unique<Box>(shape);
+}
 
 }  // namespace vvr

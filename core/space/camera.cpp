@@ -64,7 +64,8 @@ std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels) {
     std::vector<Tile> tiles;
     for (int row = 0; row < picture.height; row += height) {
         for (int column = 0; column < picture.width; column += width) {
-            tiles.push_back({column, row, {std::min(width, picture.width - column), std::min(height, picture.height - row)}});
+            tiles.push_back(
+                {column, row, {std::min(width, picture.width - column), std::min(height, picture.height - row)}});
         }
     }
     return tiles;

@@ -66,6 +66,8 @@ class Horseshoe final : public Layout {
 
 }  // namespace
 
-std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape) { return std::make_unique<Horseshoe>(shape); }
+std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape) {
+    return std::make_unique<Horseshoe>(shape);
+}
 
 }  // namespace vvr

@@ -28,7 +28,8 @@ std::vector<fs::path> lists_in(const std::string& folder) {
     }
     if (files.empty()) {
         throw Error(ErrorKind::io, fmt::format("--seeds: '{}' holds no list of seeds (000000.txt); `vvr extract` "
-                                               "writes them to a folder 'seeds'", folder));
+                                               "writes them to a folder 'seeds'",
+                                               folder));
     }
     std::ranges::sort(files);
     return files;
@@ -42,8 +43,8 @@ ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string&
         if (list.size != field_size()) {
             throw Error(ErrorKind::io, fmt::format("{}: seeds of a field of {}x{}, and the clip's fields have {}x{}; "
                                                    "change --field-size or the list",
-                                                   file.string(), list.size.width, list.size.height,
-                                                   field_size().width, field_size().height));
+                                                   file.string(), list.size.width, list.size.height, field_size().width,
+                                                   field_size().height));
         }
         const std::int64_t frame = list.frame;
         if (!lists_.emplace(frame, std::move(list)).second) {

@@ -39,7 +39,8 @@ std::string difference(const Manifest& a, const Manifest& b) {
     }
     if (a.colour != b.colour) return "one holds the frames' pictures, the other doesn't";
     if (!same_clip(a.clip, b.clip)) return "they are of different clips";
-    if (a.flow_every != b.flow_every) return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
+    if (a.flow_every != b.flow_every)
+        return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
     for (const Settings* settings : {&a.settings, &b.settings}) {
         for (const auto& [option, value] : *settings) {
             const std::string one = value_of(a.settings, option);
@@ -73,8 +74,9 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
         if (!parts_.empty()) {
             const std::string what = difference(parts_.back().manifest, part.manifest);
             if (!what.empty()) {
-                throw Error(ErrorKind::usage, fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
-                                                          parts_.back().folder.string(), folder, what));
+                throw Error(ErrorKind::usage,
+                            fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
+                                        parts_.back().folder.string(), folder, what));
             }
         }
         parts_.push_back(std::move(part));
@@ -119,7 +121,8 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
     if (needs.seeds) {
         const fs::path file = part.folder / stored::seed_file(frame.index);
         SeedList list = read_seeds(file.string());
-        if (list.frame != frame.index) fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
+        if (list.frame != frame.index)
+            fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
         if (list.size != field_size()) {
             fail(file, fmt::format("seeds of a field of {}x{} where {}x{} is due", list.size.width, list.size.height,
                                    field_size().width, field_size().height));

@@ -20,7 +20,8 @@ struct VideoInfo {
     double rate = 0;          ///< frames a second, the container's average; 0 = unknown
     double duration = 0;      ///< seconds; 0 = unknown
     std::int64_t frames = 0;  ///< estimate of the number of frames; 0 = unknown
-    std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC), where the container tells when it was recorded
+    std::optional<std::int64_t>
+        created{};  ///< seconds since 1970 (UTC), where the container tells when it was recorded
 };
 
 struct SourceOptions {

@@ -10,9 +10,9 @@ namespace vvr {
 
 /// A stretch of a clip: the frames within all four limits.
 struct FrameSpan {
-    double start = 0;                  ///< seconds
-    std::optional<double> end{};       ///< seconds; itself left out
-    std::int64_t first = 0;            ///< a frame's number
+    double start = 0;                    ///< seconds
+    std::optional<double> end{};         ///< seconds; itself left out
+    std::int64_t first = 0;              ///< a frame's number
     std::optional<std::int64_t> stop{};  ///< a frame's number; itself left out
 
     friend bool operator==(const FrameSpan&, const FrameSpan&) = default;

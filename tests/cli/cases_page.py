@@ -347,17 +347,17 @@ def page_of_extracted_fields(t):
 @case
 def page_is_whole_and_the_same(t):
     t.clip("clip.avi", 3, size="96x72")
-    for name in ("a.html", "b.HTML"):
+    for name in ("a.html", "b.HTM"):
         t.render("clip.avi", "--backend", "software", output=name).expect(0, f"'{name}': 30 frames", "event")
     text = t.path("a.html").read_text()
-    check(text == t.path("b.HTML").read_text(), "two pages of one clip differ")
+    check(text == t.path("b.HTM").read_text(), "two pages of one clip differ")
     check(re.search("https?://", text) is None, "the page names an address")
     check(str(t.folder) not in text, "the page names a folder")
     check("vvr:" not in text and text.count("{{") == 0, "a place was left open")
     t.write("old.html", "older")
     t.render("none.avi", output="old.html").expect(2)
     check(t.path("old.html").read_text() == "older", "a failure touched the older page")
-    t.expect_files("a.html", "b.HTML", "clip.avi", "old.html")
+    t.expect_files("a.html", "b.HTM", "clip.avi", "old.html")
 
 
 @case

@@ -1,8 +1,9 @@
+#include "gl/context.h"
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "gl/check.h"
-#include "gl/context.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -64,8 +65,9 @@ TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);
-        EXPECT_STREQ(error.what(), "OpenGL ran out of memory while uploading brick 3; try a smaller --size or "
-                                   "--field-size, or a larger --step");
+        EXPECT_STREQ(error.what(),
+                     "OpenGL ran out of memory while uploading brick 3; try a smaller --size or "
+                     "--field-size, or a larger --step");
     }
     gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
     EXPECT_NO_THROW(check_gl(gl, "drawing"));

@@ -67,8 +67,9 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
         const auto only_ends = [&](int number) {
             BrickTexels ends = texels(number);
             const auto area = static_cast<std::ptrdiff_t>(field.width * field.height);
-            std::replace_if(ends.texels.begin() + area, ends.texels.end() - area, [](auto value) { return value > 150; },
-                            std::uint8_t{255});
+            std::replace_if(
+                ends.texels.begin() + area, ends.texels.end() - area, [](auto value) { return value > 150; },
+                std::uint8_t{255});
             return ends;
         };
         moving.push_brick(newest, texels(newest));

@@ -27,7 +27,8 @@ double interpolate(const Volume& volume, const glm::dvec3& c) {
         const int dx = corner & 1;
         const int dy = corner >> 1 & 1;
         const int dt = corner >> 2;
-        const double weight = (dx ? share.x : 1 - share.x) * (dy ? share.y : 1 - share.y) * (dt ? share.z : 1 - share.z);
+        const double weight =
+            (dx ? share.x : 1 - share.x) * (dy ? share.y : 1 - share.y) * (dt ? share.z : 1 - share.z);
         value += weight * texel(volume, static_cast<std::int64_t>(low.x) + dx, static_cast<std::int64_t>(low.y) + dy,
                                 static_cast<std::int64_t>(low.z) + dt);
     }
@@ -89,6 +90,8 @@ double quantile_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b,
     return differences[static_cast<std::size_t>((1 - share) * static_cast<double>(differences.size() - 1))];
 }
 
-double max_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b) { return sorted_differences(a, b).back(); }
+double max_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b) {
+    return sorted_differences(a, b).back();
+}
 
 }  // namespace vvr::test

@@ -123,7 +123,8 @@ TEST_F(Clip, APartWithoutFramesIsAnError) {
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_NE(std::string(error.what()).find("has no frame from 100 s to its end: it has"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("has no frame from 100 s to its end: it has"), std::string::npos)
+            << error.what();
     }
 }
 

@@ -41,7 +41,8 @@ TEST(FieldOptions, NumbersOutOfRange) {
     EXPECT_EQ(error_of([&](auto& o) { o.seeds.min_magnitude = -infinity; }),
               "--min-magnitude: -inf is not between 0 and 10000");
     EXPECT_NE(error_of([](auto& o) { o.span.start = -1; }).find("--start: -1"), std::string::npos);
-    EXPECT_NE(error_of([](auto& o) { o.span.start = 2, o.span.end = 1; }).find("--end: 1 is not between 2"), std::string::npos);
+    EXPECT_NE(error_of([](auto& o) { o.span.start = 2, o.span.end = 1; }).find("--end: 1 is not between 2"),
+              std::string::npos);
     EXPECT_NE(error_of([](auto& o) { o.flow.every = 0; }).find("flow interval: 0"), std::string::npos);
 }
 

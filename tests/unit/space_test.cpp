@@ -110,7 +110,8 @@ TEST(FitCamera, HoldsEveryPointAndTouchesTheMargins) {
     const auto layout = make_horseshoe({0.45, 1.0, 0.4});
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= 40; ++i) {
-        for (int corner = 0; corner < 4; ++corner) points.push_back(layout->p_from_c({corner & 1, corner >> 1, i / 40.0}));
+        for (int corner = 0; corner < 4; ++corner)
+            points.push_back(layout->p_from_c({corner & 1, corner >> 1, i / 40.0}));
     }
     for (const double fov : {0.0, 20.0, 60.0}) {
         for (const Size size : {Size{1280, 800}, Size{300, 900}, Size{640, 640}}) {
@@ -138,7 +139,7 @@ TEST(FitCamera, ShowsTheFirstFrameUnmirroredOnTheLeft) {
     points.push_back(layout->p_from_c({1, 0, 0.5}));
     const Size size{1280, 800};
     const Camera camera = fit_camera({}, points, size);
-    const glm::dvec2 left_column = camera.pixel(layout->p_from_c({1, 0.5, 0}), size);   // x_C = 1 is column 0
+    const glm::dvec2 left_column = camera.pixel(layout->p_from_c({1, 0.5, 0}), size);  // x_C = 1 is column 0
     const glm::dvec2 right_column = camera.pixel(layout->p_from_c({0, 0.5, 0}), size);
     const glm::dvec2 top_row = camera.pixel(layout->p_from_c({0.5, 1, 0}), size);
     const glm::dvec2 bottom_row = camera.pixel(layout->p_from_c({0.5, 0, 0}), size);

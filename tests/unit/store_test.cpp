@@ -35,7 +35,8 @@ Frame frame_of(std::int64_t index) {
 
 Manifest manifest_of() {
     Manifest manifest;
-    manifest.clip = {.name = {}, .container = "avi", .codec = "ffv1", .size = {90, 50}, .rate = 25, .duration = 0.4, .frames = 10};
+    manifest.clip = {
+        .name = {}, .container = "avi", .codec = "ffv1", .size = {90, 50}, .rate = 25, .duration = 0.4, .frames = 10};
     manifest.field_size = size;
     manifest.settings = {{"filter", "difference"}};
     return manifest;
