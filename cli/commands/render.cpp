@@ -154,7 +154,7 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
         const Metadata description = describe(line, fields.extracted, report, series);
         if (watched != nullptr) {
             pictures.add_page(
-                page_text(output.path, settings.input.names.front(), report, picture, description, watched->take()));
+                page_text(output.path, settings.input.names.front(), settings.look.title, report, picture, description, watched->take()));
         } else {
             pictures.add(number, picture, description);
         }

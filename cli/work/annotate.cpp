@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "cli/options/words.h"
+#include "cli/work/shown_name.h"
 #include "core/labels/legend.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
@@ -82,7 +82,7 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
 }
 
 std::string title_of(const RenderJob& job, const RenderReport& report) {
-    return job.title.empty() ? std::filesystem::path(report.info.name).filename().string() : job.title;
+    return job.title.empty() ? shown_name(report.info.name) : job.title;
 }
 
 }  // namespace

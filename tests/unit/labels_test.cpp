@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/work/annotate.h"
+#include "cli/work/shown_name.h"
 #include "core/error.h"
 #include "core/labels/legend.h"
 #include "core/labels/lettering.h"
@@ -205,6 +206,22 @@ TEST(Lettering, SaysThatNothingMoves) {
     EXPECT_EQ(says_it(), 1);
     report.still = false;
     EXPECT_EQ(says_it(), 0);
+}
+
+TEST(ShownName, TellsNeitherFoldersNorWhoMaySeeIt) {
+    EXPECT_EQ(shown_name("/srv/cctv/Tür 1.avi"), "Tür 1.avi");
+    EXPECT_EQ(shown_name("frames/%05d.png"), "%05d.png");
+    EXPECT_EQ(shown_name("folder/"), "folder");
+    EXPECT_EQ(shown_name("-"), "stdin");
+    EXPECT_EQ(shown_name("rtsp://admin:secret@camera"), "a clip");
+    EXPECT_EQ(shown_name("rtsp://admin:secret@camera/hall?token=abc"), "hall");
+
+    const Volume volume = clip_of(50);
+    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
+    RenderReport report;
+    report.info.name = "rtsp://admin:secret@camera/hall?token=abc";
+    const Lettering lettering = letter({}, report, volume, *layout, frame_volume({}, *layout));
+    EXPECT_EQ(lettering.labels.front().text, "hall");
 }
 
 TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
