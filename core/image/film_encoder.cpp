@@ -102,6 +102,7 @@ struct FilmEncoder::Parts {
         const int begun = opened < 0 || described < 0 ? 0 : avformat_write_header(container.get(), &options);
         av_dict_free(&options);
         for (const int result : {opened, described, begun}) check(result);
+        unfinished = true;
 
         packet.reset(av_packet_alloc());
         frame.reset(av_frame_alloc());
@@ -110,6 +111,13 @@ struct FilmEncoder::Parts {
         frame->height = size.height;
         check(av_frame_get_buffer(frame.get(), 0));
     }
+
+    /// Muxers let go of their last packet only with the trailer, also where nobody wants the film any more.
+    ~Parts() {
+        if (unfinished) av_write_trailer(container.get());
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
 
     static Size even(Size size) { return {std::max(2, size.width & ~1), std::max(2, size.height & ~1)}; }
 
@@ -141,6 +149,7 @@ struct FilmEncoder::Parts {
     void finish() {
         check(avcodec_send_frame(context.get(), nullptr));
         drain();
+        unfinished = false;
         check(av_write_trailer(container.get()));
         avio_flush(io.get());
     }
@@ -204,6 +213,7 @@ struct FilmEncoder::Parts {
         }
     }
 
+    bool unfinished = false;  ///< there is a header and no trailer
     std::string name;
     Size size;
     MemoryFile file;
