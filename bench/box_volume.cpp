@@ -26,14 +26,6 @@ nlohmann::json as_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-Picture to_picture(const Plane<glm::vec4>& drawn) {
-    Picture picture{Plane<Rgba>(drawn.size())};
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
-        return Rgba{p.x, p.y, p.z, p.w};
-    });
-    return picture;
-}
-
 nlohmann::json colours(const TransferFunction& transfer) {
     nlohmann::json table = nlohmann::json::array();
     for (int value = 0; value < 256; ++value) {

@@ -13,6 +13,9 @@ struct PixelBox {
     int width() const { return right - left; }
     int height() const { return bottom - top; }
 
+    PixelBox moved(int x, int y) const { return {left + x, top + y, right + x, bottom + y}; }
+    PixelBox grown(int x, int y) const { return {left - x, top - y, right + x, bottom + y}; }
+
     bool holds(const PixelBox& other) const {
         return other.left >= left && other.right <= right && other.top >= top && other.bottom <= bottom;
     }

@@ -11,10 +11,27 @@ namespace vvr {
 
 namespace {
 
-struct PictureVertex {
-    glm::vec3 p;
-    glm::vec2 at;
-};
+/// A texture of bytes, bound, that is smooth however small it is seen.
+GlTexture upload_texture(const GladGLContext& gl, Size size, GLint internal, GLenum format, const void* bytes) {
+    GlTexture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, internal, size.width, size.height, 0, format, GL_UNSIGNED_BYTE, bytes);
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    return texture;
+}
+
+void blend_over(const GladGLContext& gl, bool writes_depth) {
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(writes_depth ? GL_TRUE : GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
 
 }  // namespace
 
@@ -61,10 +78,7 @@ void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camer
     line_program_.use();
     line_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     line_program_.set("half_width", glm::vec2(width / picture.width, width / picture.height));
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(GL_TRUE);
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    blend_over(gl, true);
     gl.BindVertexArray(line_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
     gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
@@ -80,9 +94,13 @@ void Annotations::upload_frame(const StandingFrame& frame, const Layout& layout)
         const double y = static_cast<double>(i >> 1);
         vertices[i] = {glm::vec3(layout.p_from_c({x, y, frame.t})), glm::vec2(1 - x, 1 - y)};
     }
+    upload_vertices(vertices);
+}
+
+void Annotations::upload_vertices(std::span<const PictureVertex> vertices) {
     gl_->BindVertexArray(picture_array_.id());
     gl_->BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
-    gl_->BufferData(GL_ARRAY_BUFFER, sizeof(vertices), vertices.data(), GL_STREAM_DRAW);
+    gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
 }
 
 void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
@@ -103,26 +121,13 @@ void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layo
 
 void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera) {
     const GladGLContext& gl = *gl_;
-    const GlTexture texture(gl);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, texture.id());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.picture.width(), frame.picture.height(), 0, GL_BGR, GL_UNSIGNED_BYTE,
-                  frame.picture.pixels().data());
-    gl.GenerateMipmap(GL_TEXTURE_2D);
+    const GlTexture texture = upload_texture(gl, frame.picture.size(), GL_RGB8, GL_BGR, frame.picture.pixels().data());
 
     picture_program_.use();
     picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     picture_program_.set("picture", 0);
     picture_program_.set("opacity", frame.opacity);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(frame.opacity < 1 ? GL_FALSE : GL_TRUE);
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    blend_over(gl, frame.opacity >= 1);
     upload_frame(frame, layout);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl.BindVertexArray(0);
@@ -134,18 +139,7 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     constexpr int steps = 128;
     const GladGLContext& gl = *gl_;
     if (!floor_program_) floor_program_ = Program(gl, "the floor", {shaders::picture_vert}, {shaders::floor_frag});
-    const GlTexture texture(gl);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, texture.id());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, floor.darkness.width(), floor.darkness.height(), 0, GL_RED, GL_UNSIGNED_BYTE,
-                  floor.darkness.pixels().data());
-    gl.GenerateMipmap(GL_TEXTURE_2D);
-
+    const GlTexture texture = upload_texture(gl, floor.darkness.size(), GL_R8, GL_RED, floor.darkness.pixels().data());
     std::vector<PictureVertex> vertices;
     for (int i = 0; i <= steps; ++i) {
         const double along = static_cast<double>(i) / steps;
@@ -157,14 +151,8 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     floor_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
     floor_program_->set("darkness", 0);
     floor_program_->set("shadow", floor.colour);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(GL_FALSE);
-    gl.Enable(GL_BLEND);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl.BindVertexArray(picture_array_.id());
-    gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(PictureVertex)), vertices.data(),
-                  GL_STREAM_DRAW);
+    blend_over(gl, false);
+    upload_vertices(vertices);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(vertices.size()));
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the floor");

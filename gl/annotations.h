@@ -29,7 +29,13 @@ class Annotations {
     void draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera);
 
   private:
+    struct PictureVertex {
+        glm::vec3 p;
+        glm::vec2 at;
+    };
+
     void upload_frame(const StandingFrame& frame, const Layout& layout);
+    void upload_vertices(std::span<const PictureVertex> vertices);
 
     const GladGLContext* gl_;
     Program line_program_;

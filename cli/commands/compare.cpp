@@ -5,11 +5,11 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/jobs/show_comparison.h"
 #include "cli/options/comparison.h"
 #include "cli/options/option.h"
 #include "cli/options/run.h"
 #include "cli/print.h"
-#include "cli/work/show_comparison.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
 

@@ -6,13 +6,13 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/jobs/open_fields.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
 #include "cli/options/option.h"
 #include "cli/options/run.h"
 #include "cli/options/words.h"
 #include "cli/progress.h"
-#include "cli/work/open_fields.h"
 #include "core/fields/pipeline.h"
 #include "core/store/data_folder.h"
 

@@ -3,12 +3,12 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/jobs/open_fields.h"
+#include "cli/jobs/plan.h"
 #include "cli/options/option.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
 #include "cli/print.h"
-#include "cli/work/open_fields.h"
-#include "cli/work/plan.h"
 #include "core/labels/time_ticks.h"
 
 namespace vvr {
@@ -34,7 +34,7 @@ std::string as_text(const FieldSource& source, const Plan& plan) {
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames a second", info.rate)));
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
-    if (info.created) line("recorded", format_clock(*info.created));
+    if (info.created) line("recorded", format_clock(*info.created) + " UTC");
     text += "a render of it\n";
     line("fields", text_of(source.field_size()));
     line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),

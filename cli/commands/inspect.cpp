@@ -5,12 +5,12 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/jobs/find_frame.h"
+#include "cli/jobs/inspection.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
 #include "cli/options/option.h"
 #include "cli/options/run.h"
-#include "cli/work/find_frame.h"
-#include "cli/work/inspection.h"
 #include "core/fields/pipeline.h"
 #include "core/image/picture_file.h"
 
@@ -67,10 +67,8 @@ ExitStatus run_inspect(const Command& command, Arguments arguments, const Enviro
         if (field.index == found.index) inspection = inspect(frame, field);
     });
     if (!inspection.captions) {
-        environment.log.warn(
-            "no font for captions, so '{}' has none: install fonts-dejavu-core, or name a folder of "
-            "fonts in OPENIMAGEIO_FONTS",
-            settings.path.string());
+        environment.log.warn("fontconfig finds no font, so '{}' has no captions; install one, fonts-dejavu-core say",
+                             settings.path.string());
     }
     const auto held = environment.signals.hold();
     write_picture(settings.path, inspection.picture);

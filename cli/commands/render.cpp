@@ -8,19 +8,19 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/jobs/golden.h"
+#include "cli/jobs/open_fields.h"
+#include "cli/jobs/page_output.h"
+#include "cli/jobs/picture_output.h"
+#include "cli/jobs/plan.h"
+#include "cli/jobs/render_clip.h"
+#include "cli/jobs/render_series.h"
+#include "cli/jobs/report.h"
 #include "cli/options/option.h"
 #include "cli/options/output.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
 #include "cli/progress.h"
-#include "cli/work/golden.h"
-#include "cli/work/open_fields.h"
-#include "cli/work/page_output.h"
-#include "cli/work/picture_output.h"
-#include "cli/work/plan.h"
-#include "cli/work/render_clip.h"
-#include "cli/work/render_series.h"
-#include "cli/work/report.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
 
@@ -62,7 +62,7 @@ bool marks_objects(const RenderSettings& settings, const Metadata& extracted) {
     return find_filter(found == extracted.end() ? settings.fields.filter : found->second).traits.shows_object;
 }
 
-void log_report(const RenderReport& report, spdlog::logger& log) {
+void log_report(const RenderJob& job, const RenderReport& report, spdlog::logger& log) {
     const std::string& name = report.info.name;
     log.debug("backend {}: {}", report.backend, report.renderer);
     log.debug("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows);
@@ -73,7 +73,13 @@ void log_report(const RenderReport& report, spdlog::logger& log) {
     if (report.frames_missing) {
         log.warn("'{}' holds only the clip's first and last picture; --show frames draws no others", name);
     }
-    if (report.font_missing) {
+    if (const auto asked = static_cast<std::size_t>(job.keyframes); report.keyframes < asked) {
+        log.warn(
+            "'{}': {} of {} stand in the picture; which they are is told by the clip's length, and it does not say "
+            "that or is shorter",
+            name, report.keyframes, counted(job.keyframes, "key frame"));
+    }
+    if (report.lettering.font_missing) {
         log.warn("fontconfig finds no font, so nothing is written on the picture; install one, fonts-dejavu-core say");
     }
     if (report.still) log.warn("'{}': nothing moves, so the volume is empty; --threshold sets what counts", name);
@@ -93,7 +99,7 @@ RenderReport render(const RenderSettings& settings, const RenderJob& job, FieldS
     };
     const RenderReport report =
         job.series ? render_series(job, source, count, write) : render_clip(job, source, count, write);
-    log_report(report, log);
+    log_report(job, report, log);
     return report;
 }
 
@@ -152,13 +158,13 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         const Metadata description = describe(line, fields.extracted, report, series);
-        if (watched != nullptr) {
-            pictures.add_page(
-                page_text(output.path, settings.input.names.front(), settings.look.title, report, picture, description, watched->take()));
-        } else {
+        if (!output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
+        if (watched == nullptr) {
             pictures.add(number, picture, description);
+            return;
         }
-        drawn = {std::move(picture.pixels), picture.encoding, {}};
+        pictures.add_page(page_text(output.path, settings.input.names.front(), settings.look.title, report,
+                                    std::move(picture), description, watched->take()));
     };
     const RenderJob job = job_of(settings, output, fields);
     const RenderReport report = render(settings, job, *fields.source, write, environment.log);

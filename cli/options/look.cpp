@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/jobs/render_clip.h"
 #include "cli/options/option.h"
-#include "cli/work/render_clip.h"
 
 namespace vvr {
 

@@ -25,6 +25,11 @@ void check(const RenderSettings& settings, bool series) {
     if (settings.input.names.size() < 2) only_input(settings.input);
     span_of(settings.input);
     check(settings.bricks, series);
+    if (series && settings.look.keyframes > 0) {
+        throw Error(
+            ErrorKind::usage,
+            "--keyframes is for one picture of a clip; the pictures of a series show their first and last frame");
+    }
     validate(settings.fields);
 }
 

@@ -4,13 +4,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/jobs/render_clip.h"
 #include "cli/options/bricks.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
 #include "cli/options/look.h"
 #include "cli/options/run.h"
 #include "cli/options/view.h"
-#include "cli/work/render_clip.h"
 
 namespace vvr {
 

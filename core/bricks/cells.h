@@ -36,14 +36,18 @@ struct BrickCells {
     int nx() const { return static_cast<int>(x.size()) - 1; }
     int ny() const { return static_cast<int>(y.size()) - 1; }
     int nt() const { return static_cast<int>(t.size()) - 1; }
+
     const ValueRange& range(int ix, int iy, int it) const { return ranges[at(ix, iy, it)]; }
-    /// The whole of a cell.
-    CellBox whole(int ix, int iy) const {
+
+    /// The part of a cell in which something can be seen.
+    /// \param zero_is_empty whether the value 0 is invisible; else it is the whole cell
+    CellBox part(int ix, int iy, int it, bool zero_is_empty) const {
+        if (zero_is_empty) return boxes[at(ix, iy, it)];
         const auto i = static_cast<std::size_t>(ix);
         const auto j = static_cast<std::size_t>(iy);
         return {x[i], x[i + 1], y[j], y[j + 1]};
     }
-    const CellBox& box(int ix, int iy, int it) const { return boxes[at(ix, iy, it)]; }
+
     std::size_t at(int ix, int iy, int it) const { return static_cast<std::size_t>((it * ny() + iy) * nx() + ix); }
 };
 

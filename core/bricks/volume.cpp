@@ -70,6 +70,26 @@ double Volume::t_of_frame(double frame) const {
     return (frame + 0.5) / static_cast<double>(span() * step_);
 }
 
+double Volume::t_of_seconds(double seconds) const {
+    std::int64_t low = 0;
+    std::int64_t high = layers() - 1;  // the last layer that begins at or before the moment
+    while (low < high) {
+        const std::int64_t middle = (low + high + 1) / 2;
+        if (layer(middle).pts <= seconds) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    const Layer& at = layer(low);
+    const auto frames = static_cast<double>(at.frames);
+    // The clip's last layer's own frames tell how long it lasts, else the next layer's beginning.
+    double length = low + 1 < layers() ? layer(low + 1).pts - at.pts : 0;
+    if (length <= 0 && at.frames > 1) length = (at.last_pts - at.pts) * frames / (frames - 1);
+    const double share = length > 0 ? std::clamp((seconds - at.pts) / length, 0.0, 1.0) : 0.5;
+    return t_end() * (static_cast<double>(low) + share) / static_cast<double>(layers());
+}
+
 glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
     return {1 - (point.x + 0.5) / size_.width, 1 - (point.y + 0.5) / size_.height, t_of_frame(point.z)};
 }

@@ -75,6 +75,9 @@ class Volume {
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
     double t_of_frame(double frame) const;
 
+    /// t_C of a moment of the clip, between the times of the layers; of one before or after them, that of their ends.
+    double t_of_seconds(double seconds) const;
+
     /// C-space position of (column, row, frame): field pixels, whose centres are whole numbers, and a frame number
     /// counted from the first frame of the volume.
     glm::dvec3 c_of(const glm::dvec3& point) const;

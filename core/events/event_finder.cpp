@@ -145,14 +145,11 @@ bool EventFinder::rises(std::size_t k, const Blobs& blobs, Choices& choices) {
 /// Who moves beside something that stands.
 std::optional<std::size_t> EventFinder::about(const Track& standing) const {
     const PixelBox& box = standing.patch().box;
-    const PixelBox wide{box.left - box.width(), box.top - box.height(), box.right + box.width(),
-                        box.bottom + box.height()};
+    const PixelBox wide = box.grown(box.width(), box.height());
     for (const Followed& followed : followed_) {
-        const PixelBox& other = followed.track.patch().box;
-        const bool meets =
-            other.left < wide.right && wide.left < other.right && other.top < wide.bottom && wide.top < other.bottom;
         const bool own = followed.from == standing.number();
-        if (meets && !own && !followed.over && !followed.track.stands() && followed.track.is_certain()) {
+        if (wide.meets(followed.track.patch().box) && !own && !followed.over && !followed.track.stands() &&
+            followed.track.is_certain()) {
             return followed.track.number();
         }
     }

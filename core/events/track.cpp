@@ -19,7 +19,7 @@ constexpr double own_lengths = 1.25;
 constexpr double seen_part = 0.6;
 
 Patch moved(Patch patch, const glm::ivec2& by) {
-    patch.box = {patch.box.left + by.x, patch.box.top + by.y, patch.box.right + by.x, patch.box.bottom + by.y};
+    patch.box = patch.box.moved(by.x, by.y);
     patch.centre += by;
     return patch;
 }
@@ -162,11 +162,8 @@ void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_
 }
 
 bool Track::belongs_to(const Track& other, int reach) const {
-    const PixelBox& a = patch_.box;
-    const PixelBox& b = other.patch_.box;
-    const bool beside =
-        a.left - reach < b.right && b.left - reach < a.right && a.top - reach < b.bottom && b.top - reach < a.bottom;
-    return beside && std::abs(still_since_.seconds - other.still_since_.seconds) <= options_.stay;
+    return patch_.box.grown(reach, reach).meets(other.patch_.box) &&
+           std::abs(still_since_.seconds - other.still_since_.seconds) <= options_.stay;
 }
 
 void Track::add_part(const Track& part) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 #include "core/plane.h"
 
 namespace vvr {
@@ -34,6 +36,9 @@ struct Picture {
     Encoding encoding = Encoding::srgb;
     PictureLayers layers{};
 };
+
+/// A drawn picture as it goes to a file, its values as a display wants them.
+Picture to_picture(const Plane<glm::vec4>& drawn);
 
 /// Settings that stand in a picture file: name and value, in the order given. Names carry no prefix here,
 /// `vvr:` in the file.

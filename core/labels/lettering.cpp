@@ -7,14 +7,6 @@ namespace vvr {
 
 namespace {
 
-PixelBox moved(const PixelBox& box, int x, int y) {
-    return {box.left + x, box.top + y, box.right + x, box.bottom + y};
-}
-
-PixelBox grown(const PixelBox& box, int by) {
-    return {box.left - by, box.top - by, box.right + by, box.bottom + by};
-}
-
 bool is_middle_of_character(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
 }
@@ -23,7 +15,7 @@ bool is_middle_of_character(char byte) {
 
 bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
     if (label.text.empty() || !area.holds(label.box)) return false;
-    const PixelBox around = grown(label.box, gap);
+    const PixelBox around = label.box.grown(gap, gap);
     const auto in_the_way = [&](const auto& other) { return around.meets(other.box); };
     if (std::ranges::any_of(labels, in_the_way) || std::ranges::any_of(bars, in_the_way)) return false;
     labels.push_back(label);
@@ -33,7 +25,7 @@ bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
 Label make_label(const std::string& text, int size, int x, int y, const Rgba& colour) {
     const std::optional<PixelBox> box = measure_text(text, size);
     if (!box) return {};
-    return {text, size, x - box->left, y, moved(*box, x - box->left, y), colour};
+    return {text, size, x - box->left, y, box->moved(x - box->left, y), colour};
 }
 
 Label make_label_around(const std::string& text, int size, double x, double y, const Rgba& colour) {
@@ -41,7 +33,7 @@ Label make_label_around(const std::string& text, int size, double x, double y, c
     if (!box) return {};
     const int left = static_cast<int>(std::lround(x - box->width() / 2.0)) - box->left;
     const int base = static_cast<int>(std::lround(y - box->height() / 2.0)) - box->top;
-    return {text, size, left, base, moved(*box, left, base), colour};
+    return {text, size, left, base, box->moved(left, base), colour};
 }
 
 std::string elide(const std::string& text, int size, int width) {

@@ -27,6 +27,7 @@ struct ColourBar {
 struct Lettering {
     std::vector<Label> labels;
     std::vector<ColourBar> bars;
+    bool font_missing = false;  ///< there would be text, and there is no font
 
     /// Adds a label if its box lies in `area` and leaves the others `gap` pixels.
     /// \returns whether it was added

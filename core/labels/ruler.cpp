@@ -51,32 +51,11 @@ std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge) 
     return points;
 }
 
-double t_of_seconds(const Volume& volume, double seconds) {
-    const std::int64_t layers = volume.layers();
-    std::int64_t low = 0;
-    std::int64_t high = layers - 1;  // the last layer that begins at or before the moment
-    while (low < high) {
-        const std::int64_t middle = (low + high + 1) / 2;
-        if (volume.layer(middle).pts <= seconds) {
-            low = middle;
-        } else {
-            high = middle - 1;
-        }
-    }
-    const Layer& layer = volume.layer(low);
-    const auto frames = static_cast<double>(layer.frames);
-    // The last layer's own frames tell how long it lasts, else the next layer's beginning.
-    double length = low + 1 < layers ? volume.layer(low + 1).pts - layer.pts : 0;
-    if (length <= 0 && layer.frames > 1) length = (layer.last_pts - layer.pts) * frames / (frames - 1);
-    const double share = length > 0 ? std::clamp((seconds - layer.pts) / length, 0.0, 1.0) : 0.5;
-    return volume.t_end() * (static_cast<double>(low) + share) / static_cast<double>(layers);
-}
-
 std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
                                  const std::vector<TimeTick>& ticks, const glm::vec4& colour) {
     std::vector<Segment> marks;
     for (const TimeTick& tick : ticks) {
-        const Mark mark = mark_at(layout, edge, t_of_seconds(volume, tick.seconds));
+        const Mark mark = mark_at(layout, edge, volume.t_of_seconds(tick.seconds));
         marks.push_back({glm::vec3(mark.from), glm::vec3(mark.to), colour});
     }
     return marks;
@@ -85,7 +64,7 @@ std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, con
 void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,
                   const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
     const auto write = [&](const TimeTick& tick) {
-        const Mark mark = mark_at(layout, edge, t_of_seconds(volume, tick.seconds));
+        const Mark mark = mark_at(layout, edge, volume.t_of_seconds(tick.seconds));
         const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
         glm::dvec2 way = end - camera.pixel(mark.from, sheet.picture);
         way = glm::length(way) > 1e-6 ? glm::normalize(way) : glm::dvec2(0, -1);

@@ -23,9 +23,6 @@ TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture);
 /// Where marks of a ruler along `edge` end, in P-space: what a camera has to show besides the volume.
 std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge);
 
-/// t_C of a moment of the clip, between the times of the volume's layers.
-double t_of_seconds(const Volume& volume, double seconds);
-
 /// The marks of the ticks in P-space.
 std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
                                  const std::vector<TimeTick>& ticks, const glm::vec4& colour);

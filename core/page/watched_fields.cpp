@@ -9,16 +9,6 @@ namespace {
 
 constexpr int still_side = 240;
 
-/// In colour where there is some.
-Plane<Bgr> picture_of(const Frame& frame) {
-    if (!frame.colour.empty()) return frame.colour;
-    Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
-        return Bgr{grey, grey, grey};
-    });
-    return picture;
-}
-
 }  // namespace
 
 WatchedFields::WatchedFields(std::unique_ptr<FieldSource> fields) : fields_(std::move(fields)) {}

@@ -4,25 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/space/hexahedron.h"
+
 namespace vvr {
 
 namespace {
-
-// Corner i lies at the upper end in x, y, z where bit 0, 1, 2 of i is set.
-constexpr std::array<std::array<int, 2>, 12> edges = {{
-    {0, 1},
-    {2, 3},
-    {4, 5},
-    {6, 7},
-    {0, 2},
-    {1, 3},
-    {4, 6},
-    {5, 7},
-    {0, 4},
-    {1, 5},
-    {2, 6},
-    {3, 7},
-}};
 
 glm::dvec3 corner(const AxisBox& box, int i) {
     return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
@@ -36,7 +22,7 @@ Segment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& c
 std::vector<glm::dvec3> cut_box(const AxisBox& box, const Camera& camera, double depth) {
     std::vector<glm::dvec3> points;
     glm::dvec3 middle(0);
-    for (const auto& [a, b] : edges) {
+    for (const auto& [a, b] : hexahedron_edges) {
         const glm::dvec3 from = corner(box, a);
         const glm::dvec3 to = corner(box, b);
         const double depth_from = glm::dot(from - camera.eye, camera.forward) - depth;
@@ -72,7 +58,7 @@ AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, c
             for (int iy = 0; iy < cells.ny(); ++iy) {
                 for (int ix = 0; ix < cells.nx(); ++ix) {
                     if (!transfer.visible(cells.range(ix, iy, it))) continue;
-                    const CellBox part = zero_is_empty ? cells.box(ix, iy, it) : cells.whole(ix, iy);
+                    const CellBox part = cells.part(ix, iy, it, zero_is_empty);
                     for (int i = 0; i < 8; ++i) {
                         const double x = (i & 1) != 0 ? part.x_high : part.x_low;
                         const double y = (i >> 1 & 1) != 0 ? part.y_high : part.y_low;
@@ -95,7 +81,7 @@ std::vector<glm::dvec3> corners(const AxisBox& box) {
 std::vector<Segment> box_edges(const AxisBox& box, const glm::vec4& colour) {
     std::vector<Segment> segments;
     if (box.empty()) return segments;
-    for (const auto& [a, b] : edges) segments.push_back(segment(corner(box, a), corner(box, b), colour));
+    for (const auto& [a, b] : hexahedron_edges) segments.push_back(segment(corner(box, a), corner(box, b), colour));
     return segments;
 }
 

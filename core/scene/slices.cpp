@@ -6,25 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "core/space/hexahedron.h"
+
 namespace vvr {
 
 namespace {
-
-// Corner i of a cell lies at the upper border in x, y, t where bit 0, 1, 2 of i is set.
-constexpr std::array<std::array<int, 2>, 12> edges = {{
-    {0, 1},
-    {2, 3},
-    {4, 5},
-    {6, 7},
-    {0, 2},
-    {1, 3},
-    {4, 6},
-    {5, 7},
-    {0, 4},
-    {1, 5},
-    {2, 6},
-    {3, 7},
-}};
 
 // The edges around each corner's neighbours by face: which faces (x low, x high, y low …) an edge borders on.
 constexpr std::array<std::array<int, 2>, 12> faces_of_edge = {{
@@ -68,7 +54,8 @@ struct Proxy {
 
   private:
     static std::array<std::size_t, 2> ends(std::size_t edge) {
-        return {static_cast<std::size_t>(edges[edge][0]), static_cast<std::size_t>(edges[edge][1])};
+        return {static_cast<std::size_t>(hexahedron_edges[edge][0]),
+                static_cast<std::size_t>(hexahedron_edges[edge][1])};
     }
 };
 
@@ -93,18 +80,18 @@ int other_face(std::size_t edge, int face) {
 void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
     polygon.clear();
     std::array<bool, 12> crossed{};
-    std::size_t edge = edges.size();
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+    std::size_t edge = hexahedron_edges.size();
+    for (std::size_t e = 0; e < hexahedron_edges.size(); ++e) {
         crossed[e] = proxy.crosses(e, slice);
         if (crossed[e]) edge = e;
     }
-    if (edge == edges.size()) return;
+    if (edge == hexahedron_edges.size()) return;
     for (int face = faces_of_edge[edge][0];; face = other_face(edge, face)) {
         polygon.push_back({proxy.crossing(edge, slice), face});
         crossed[edge] = false;
         std::size_t next = 0;
-        while (next < edges.size() && !(crossed[next] && borders_on(next, face))) ++next;
-        if (next == edges.size()) return;
+        while (next < hexahedron_edges.size() && !(crossed[next] && borders_on(next, face))) ++next;
+        if (next == hexahedron_edges.size()) return;
         edge = next;
     }
 }
@@ -126,7 +113,7 @@ void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>
         std::array<float, 2> places{};
         std::array<glm::vec3, 2> points;
         std::size_t found = 0;
-        for (std::size_t e = 0; e < edges.size() && found < 2; ++e) {
+        for (std::size_t e = 0; e < hexahedron_edges.size() && found < 2; ++e) {
             if (!borders_on(e, from.face ^ 1) || !beyond->crosses(e, slice)) continue;
             points[found] = beyond->crossing(e, slice);
             places[found] = glm::dot(points[found] - from.p, way) / glm::dot(way, way);
@@ -163,7 +150,7 @@ Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int i
     const BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
-    CellBox box = cutting.zero_is_empty ? cells.box(ix, iy, it) : cells.whole(ix, iy);
+    CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
     // Flat outer faces would cut the curved volume short; the fragment shader rejects what is too much.
     if (box.x_high >= 1) box.x_high += 2 * cutting.layout->sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
     const auto t_at = [&](double t_b) { return std::lerp(brick.t_begin, brick.t_end, t_b); };

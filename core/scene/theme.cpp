@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/suggest.h"
 
 namespace vvr {
 
@@ -55,7 +56,10 @@ std::span<const Theme> themes() {
 const Theme& find_theme(std::string_view name) {
     const auto found = std::ranges::find(table, name, &Theme::name);
     if (found != table.end()) return *found;
-    throw Error(ErrorKind::usage, fmt::format("there is no theme '{}'", name));
+    std::vector<std::string> names;
+    for (const Theme& theme : table) names.emplace_back(theme.name);
+    throw Error(ErrorKind::usage, fmt::format("there is no theme '{}'{}; there are {}", name, did_you_mean(name, names),
+                                              fmt::join(names, ", ")));
 }
 
 }  // namespace vvr

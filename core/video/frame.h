@@ -14,4 +14,7 @@ struct Frame {
     Plane<Bgr> colour;         ///< same size as `grey`; empty unless asked for
 };
 
+/// The frame as people see it: in colour where there is some, else in grey.
+Plane<Bgr> picture_of(const Frame& frame);
+
 }  // namespace vvr

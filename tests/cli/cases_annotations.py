@@ -4,6 +4,8 @@ import json
 
 from harness import case, check
 
+NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
+
 
 def labels_of(t, clip, *options, size="640x480"):
     t.vvr("render", clip, "-o", "out.png", "--size", size, "--report", "report.json", "--quiet", *options).expect(0)
@@ -67,11 +69,31 @@ def labels_of_a_still_clip_say_so(t):
 @case
 def labels_need_a_font(t):
     t.clip()
-    t.path("fonts.conf").write_text("<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>")
+    t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
     done = t.vvr("render", "clip.avi", "-o", "out.png", "--size", "640x480", env=environment)
     done.expect(0, "warning: fontconfig finds no font, so nothing is written on the picture; install one")
     t.expect_picture("out.png", (640, 480))
+
+
+@case
+def captions_of_a_frame_need_a_font(t):
+    t.clip()
+    t.path("fonts.conf").write_text(NO_FONTS)
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
+    t.vvr("inspect", "clip.avi", "--frame", "3", "-o", "frame.png", env=environment).expect(
+        0, "fontconfig finds no font, so 'frame.png' has no captions; install one, fonts-dejavu-core say")
+
+
+@case
+def keyframes_need_the_clips_length(t):
+    t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "40")
+    t.render("walkers.y4m", "--keyframes", "3", "--show", "frames").expect(0)
+    told = t.render("walkers.y4m", "--keyframes", "3", "--quiet").expect(0)
+    check("key frames" not in told.err, str(told))
+    with t.path("walkers.y4m").open("rb") as pipe:
+        t.render("-", "--keyframes", "3", "--show", "frames", stdin=pipe).expect(0, "0 of 3 key frames stand in the picture")
+    t.render("walkers.y4m", "--keyframes", "2", output="out.{brick:4}.png").expect(1, "--keyframes is for one picture")
 
 
 @case

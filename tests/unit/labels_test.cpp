@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/work/annotate.h"
-#include "cli/work/shown_name.h"
+#include "cli/jobs/annotate.h"
+#include "cli/jobs/shown_name.h"
 #include "core/error.h"
 #include "core/labels/legend.h"
 #include "core/labels/lettering.h"
@@ -118,14 +118,14 @@ Volume clip_of(int frames) {
 
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
     const Volume volume = clip_of(100);
-    EXPECT_NEAR(t_of_seconds(volume, 0), 0, 1e-9);
-    EXPECT_NEAR(t_of_seconds(volume, 2), 0.5, 1e-9);
-    EXPECT_NEAR(t_of_seconds(volume, 2.02), 0.505, 1e-9);
-    EXPECT_EQ(t_of_seconds(volume, -3), 0);
-    EXPECT_LE(t_of_seconds(volume, 99), 1);
+    EXPECT_NEAR(volume.t_of_seconds(0), 0, 1e-9);
+    EXPECT_NEAR(volume.t_of_seconds(2), 0.5, 1e-9);
+    EXPECT_NEAR(volume.t_of_seconds(2.02), 0.505, 1e-9);
+    EXPECT_EQ(volume.t_of_seconds(-3), 0);
+    EXPECT_LE(volume.t_of_seconds(99), 1);
     const Volume joined = clip_of(2000);
     ASSERT_GT(joined.step(), 1);
-    EXPECT_NEAR(t_of_seconds(joined, 40), 0.5, 1e-3);
+    EXPECT_NEAR(joined.t_of_seconds(40), 0.5, 1e-3);
 }
 
 class OnASheet : public testing::TestWithParam<std::tuple<Size, std::string, std::pair<double, double>, int>> {};
@@ -166,7 +166,7 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
         for (const Label& label : lettering.labels) {
             if (label.text != tick.text) continue;
             ++on_the_ruler;
-            const double t = t_of_seconds(volume, tick.seconds);
+            const double t = volume.t_of_seconds(tick.seconds);
             const glm::dvec2 mark = framing.camera.pixel(layout->p_from_c({framing.edge.x, framing.edge.y, t}), size);
             const glm::dvec2 middle{(label.box.left + label.box.right) / 2.0, (label.box.top + label.box.bottom) / 2.0};
             EXPECT_LT(glm::distance(mark, middle), label.box.width() / 2.0 + 4.5 * framing.sheet.text) << tick.text;

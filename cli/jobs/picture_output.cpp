@@ -1,4 +1,4 @@
-#include "cli/work/picture_output.h"
+#include "cli/jobs/picture_output.h"
 
 #include <span>
 

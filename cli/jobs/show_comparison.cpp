@@ -1,4 +1,4 @@
-#include "cli/work/show_comparison.h"
+#include "cli/jobs/show_comparison.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cli/work/find_frame.h"
+#include "cli/jobs/find_frame.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,13 @@
-#include "cli/work/render_clip.h"
+#include "cli/jobs/render_clip.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "cli/work/annotate.h"
-#include "cli/work/build_scene.h"
+#include "cli/jobs/annotate.h"
+#include "cli/jobs/build_scene.h"
 #include "core/events/event_finder.h"
 #include "gl/context.h"
-#include "gl/framebuffer.h"
 
 namespace vvr {
 
@@ -36,9 +35,10 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
         result.volume.add(field, volume_colour(job, frame));
         if (events) events->add(field.scalar, {field.index, field.pts});
         if (result.volume.frames() == 1) result.first = frame;
+        const std::int64_t number = result.volume.frames() - 1;
         const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
-        if (wanted <= job.keyframes && result.volume.frames() - 1 == wanted * (expected - 1) / (job.keyframes + 1)) {
-            result.keyframes.push_back({frame, result.volume.frames() - 1});
+        if (expected > 0 && wanted <= job.keyframes && number == wanted * (expected - 1) / (job.keyframes + 1)) {
+            result.keyframes.push_back({frame, number});
         }
         result.last = std::move(frame);
         if (progress) progress(result.volume.frames());
@@ -88,9 +88,7 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     RenderReport report;
-    const auto context = open_context(job.backend, job.device);
-    check_samples(context->gl(), job.picture.samples);
-    report.stages.end("context");
+    const auto context = open_drawing(job, source, report);
     const std::int64_t expected = source.expected_frames();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -104,8 +102,6 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
     Volume& volume = fields.volume;
     report.events = std::move(fields.events);
-    report.info = source.info();
-    report.field_size = source.field_size();
     report.frames = fields.summary.frames;
     report.damaged = fields.summary.damaged;
     report.first_frame = fields.first.index;
@@ -119,14 +115,12 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     const Framing framing = frame_volume(job, *layout);
     Scene scene = build_scene(job, volume, {fields.first, fields.last, fields.keyframes}, *layout, framing);
     report.arrows = scene.arrows.size();
+    report.keyframes = fields.keyframes.size();
 
     report.stages.end("scene");
 
     report.still = nothing_visible(volume, job.transfer);
 
-    report.renderer = context->renderer();
-    report.gl_version = context->version();
-    report.backend = context->backend();
     Renderer renderer(*context, *layout,
                       options_of(job, framing, static_cast<int>(report.bricks.size()), volume.layers()));
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
@@ -140,11 +134,9 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     }
     add_overlays(job, renderer, *layout, transfer, scene);
     renderer.set_scene(std::move(scene));
-    const Lettering lettering = letter(job, report, volume, *layout, framing);
-    report.labels = lettering.labels;
-    report.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
+    report.lettering = letter(job, report, volume, *layout, framing);
     for (int i = 0; i < job.pictures; ++i) {
-        Picture picture = draw_picture(job, renderer, volume, lettering, static_cast<double>(i) / job.pictures);
+        Picture picture = draw_picture(job, renderer, volume, report.lettering, static_cast<double>(i) / job.pictures);
         report.stages.end("draw");
         report.pictures = i + 1;
         sink(report, i, std::move(picture));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/work/render_clip.h"
+#include "cli/jobs/render_clip.h"
 #include "core/labels/lettering.h"
 #include "core/labels/ruler.h"
 #include "core/labels/sheet.h"

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "cli/work/render_clip.h"
+#include "cli/jobs/render_clip.h"
 
 namespace vvr {
 

@@ -1,4 +1,4 @@
-#include "cli/work/report.h"
+#include "cli/jobs/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +154,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     for (const auto& [name, value] : settings) json["settings"][name] = value;
     json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
     json["labels"] = Json::array();
-    for (const Label& label : report.labels) json["labels"].push_back(json_of(label));
+    for (const Label& label : report.lettering.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();
     for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);

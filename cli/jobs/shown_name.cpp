@@ -1,4 +1,4 @@
-#include "cli/work/shown_name.h"
+#include "cli/jobs/shown_name.h"
 
 #include <filesystem>
 

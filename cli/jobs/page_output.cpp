@@ -1,9 +1,9 @@
-#include "cli/work/page_output.h"
+#include "cli/jobs/page_output.h"
 
 #include <system_error>
 #include <utility>
 
-#include "cli/work/shown_name.h"
+#include "cli/jobs/shown_name.h"
 #include "core/page/page.h"
 #include "core/page/text.h"
 

@@ -1,4 +1,4 @@
-#include "cli/work/plan.h"
+#include "cli/jobs/plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/work/render_series.h"
+#include "cli/jobs/render_series.h"
 #include "core/error.h"
 
 namespace vvr {
@@ -33,7 +33,8 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
-    constexpr std::int64_t event_bytes = 40;  // a pixel of the field: since when it has its value, and whose it is
+    // A pixel of the field: since when it has its value, and whose it is.
+    const std::int64_t event_bytes = job.find_events ? 40 : 0;
     return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
            voxel_bytes * plan.layers * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/work/render_clip.h"
+#include "cli/jobs/render_clip.h"
 #include "core/image/picture.h"
 
 namespace vvr {

@@ -1,12 +1,12 @@
-#include "cli/work/annotate.h"
+#include "cli/jobs/annotate.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "cli/jobs/shown_name.h"
 #include "cli/options/words.h"
-#include "cli/work/shown_name.h"
 #include "core/labels/legend.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
@@ -116,6 +116,7 @@ std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, con
 Lettering letter(const RenderJob& job, const RenderReport& report, const Volume& volume, const Layout& layout,
                  const Framing& framing) {
     Lettering lettering;
+    lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.theme.ink);
     const Rgba pale = rgba(job.theme.pale_ink);
     letter_title(title_of(job, report), span_of(job, report), framing.sheet, ink, pale, lettering);

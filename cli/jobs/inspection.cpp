@@ -1,4 +1,4 @@
-#include "cli/work/inspection.h"
+#include "cli/jobs/inspection.h"
 
 #include <algorithm>
 #include <array>

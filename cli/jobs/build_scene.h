@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "cli/work/annotate.h"
-#include "cli/work/render_clip.h"
+#include "cli/jobs/annotate.h"
+#include "cli/jobs/render_clip.h"
 #include "core/scene/scene.h"
 #include "core/video/frame.h"
 
@@ -24,6 +24,10 @@ struct WindowFrames {
     const Frame& last;
     std::span<const KeyFrame> between{};
 };
+
+/// A context that can draw what the job asks for; what it is goes into the report.
+/// \throws Error backend, limit
+std::unique_ptr<Context> open_drawing(const RenderJob& job, const FieldSource& source, RenderReport& report);
 
 /// What a picture of `frames` frames needs of the fields.
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames);

@@ -1,4 +1,4 @@
-#include "cli/work/golden.h"
+#include "cli/jobs/golden.h"
 
 #include <algorithm>
 #include <span>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/work/show_comparison.h"
+#include "cli/jobs/show_comparison.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/difference_view.h"

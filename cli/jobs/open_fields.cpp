@@ -1,4 +1,4 @@
-#include "cli/work/open_fields.h"
+#include "cli/jobs/open_fields.h"
 
 #include <algorithm>
 #include <array>

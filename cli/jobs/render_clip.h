@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/work/stages.h"
+#include "cli/jobs/stages.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/labels/lettering.h"
@@ -86,8 +86,8 @@ struct RenderReport {
     std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< where they were looked for
-    std::vector<Label> labels;                 ///< all text in the last picture
-    bool font_missing = false;                 ///< text was to be written, and there is no font
+    Lettering lettering;                       ///< on the last picture
+    std::size_t keyframes = 0;                 ///< that stand between the first and the last frame
     Stages stages;
 };
 

@@ -1,4 +1,4 @@
-#include "cli/work/render_series.h"
+#include "cli/jobs/render_series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/work/build_scene.h"
+#include "cli/jobs/build_scene.h"
 #include "core/error.h"
 #include "core/events/event_finder.h"
-#include "gl/context.h"
 #include "gl/context_loan.h"
-#include "gl/framebuffer.h"
 
 namespace vvr {
 
@@ -40,7 +38,8 @@ double frames_of_brick(const RenderJob& job, const FieldSource& source) {
 /// The window while it slides: its volume, its textures, and what is drawn of it.
 class Series {
   public:
-    Series(const RenderJob& job, const FieldSource& source, Context& context, Stages stages, const PictureSink& sink)
+    Series(const RenderJob& job, const FieldSource& source, Context& context, RenderReport begun,
+           const PictureSink& sink)
         : job_(job),
           window_(sliding_window(job, source)),
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
@@ -50,20 +49,15 @@ class Series {
           context_(context),
           renderer_(context, *layout_, options_of(job, framing_, window_.bricks, window_.layers())),
           transfer_(job.transfer.scaled(job.opacity)),
-          sink_(sink) {
+          sink_(sink),
+          report_(std::move(begun)) {
         volume_.set_span(window_.layers());
         if (job.show.contains("tracelines")) volume_.keep_flow();
         renderer_.set_transfer(transfer_);
-        report_.stages = std::move(stages);
         if (job.find_events) events_.emplace(source.field_size());
-        report_.info = source.info();
-        report_.field_size = source.field_size();
         report_.step = window_.step;
         report_.still = true;
         report_.pictures = 0;
-        report_.renderer = context.renderer();
-        report_.gl_version = context.version();
-        report_.backend = context.backend();
     }
 
     void add(Frame&& frame, const Field& field) {
@@ -138,10 +132,8 @@ class Series {
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));
-        const Lettering lettering = letter(job_, report_, volume_, *layout_, framing_);
-        report_.labels = lettering.labels;
-        report_.font_missing = framing_.sheet.text > 0 && !measure_text("0", framing_.sheet.text);
-        Picture picture = draw_picture(job_, renderer_, volume_, lettering);
+        report_.lettering = letter(job_, report_, volume_, *layout_, framing_);
+        Picture picture = draw_picture(job_, renderer_, volume_, report_.lettering);
         report_.stages.end("draw");
         sink_(report_, static_cast<int>(newest_), std::move(picture));
         report_.stages.end("write");
@@ -181,11 +173,9 @@ SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source) {
 
 RenderReport render_series(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                            const PictureSink& sink) {
-    Stages stages;
-    const auto context = open_context(job.backend, job.device);
-    check_samples(context->gl(), job.picture.samples);
-    stages.end("context");
-    Series series(job, source, *context, std::move(stages), sink);
+    RenderReport begun;
+    const auto context = open_drawing(job, source, begun);
+    Series series(job, source, *context, std::move(begun), sink);
     const FieldNeeds needs = needs_of(job, source, sliding_window(job, source).frames());
     // Fields come from other threads in turn, which draw when a brick is full.
     const ContextForOthers loan(*context);

@@ -1,24 +1,25 @@
-#include "cli/work/build_scene.h"
+#include "cli/jobs/build_scene.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/scene/overlay.h"
+#include "gl/context.h"
+#include "gl/framebuffer.h"
 
 namespace vvr {
 
-namespace {
-
-Plane<Bgr> standing_picture(const Frame& frame) {
-    if (!frame.colour.empty()) return frame.colour;
-    Plane<Bgr> picture(frame.grey.size());
-    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
-        return Bgr{grey, grey, grey};
-    });
-    return picture;
+std::unique_ptr<Context> open_drawing(const RenderJob& job, const FieldSource& source, RenderReport& report) {
+    auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
+    report.info = source.info();
+    report.field_size = source.field_size();
+    report.renderer = context->renderer();
+    report.gl_version = context->version();
+    report.backend = context->backend();
+    report.stages.end("context");
+    return context;
 }
-
-}  // namespace
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
     // Arrows at so many times along the arc leave each other room.
@@ -65,7 +66,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
         constexpr float at_the_ends = 0.5F;
         constexpr float between = 0.3F;  // they stand before what the volume shows
         const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
-            Plane<Bgr> picture = standing_picture(frame);
+            Plane<Bgr> picture = picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
         };
         stand(0, frames.first, 0, at_the_ends);
@@ -104,12 +105,8 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 
 Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
                      double phase) {
-    const Plane<glm::vec4> drawn = renderer.draw(phase);
-    Picture picture{Plane<Rgba>(drawn.size()), Encoding::srgb};
+    Picture picture = to_picture(renderer.draw(phase));
     if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
-    std::ranges::transform(drawn.pixels(), picture.pixels.pixels().begin(), [](const glm::vec4& p) {
-        return Rgba{p.x, p.y, p.z, p.w};
-    });
     draw(picture, lettering);
     return picture;
 }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/work/render_clip.h"
+#include "cli/jobs/render_clip.h"
 #include "core/page/watched_fields.h"
 
 namespace vvr {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+
+namespace vvr {
+
+/// The corners at both ends of each edge of a hexahedron. Corner i lies at the upper end along the first, second, third
+/// axis where bit 0, 1, 2 of i is set.
+inline constexpr std::array<std::array<int, 2>, 12> hexahedron_edges = {
+    {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+}  // namespace vvr
