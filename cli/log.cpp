@@ -1,9 +1,14 @@
 #include "cli/log.h"
 
-#include <string_view>
+#include <algorithm>
+#include <array>
 
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
+
+#include "cli/log_file.h"
 
 namespace vvr {
 
@@ -19,28 +24,71 @@ class WarningFlag : public spdlog::custom_flag_formatter {
     std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<WarningFlag>(); }
 };
 
+/// A line is an object with its time (UTC), level and message.
+class JsonLines : public spdlog::formatter {
+  public:
+    void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
+        const auto time = std::chrono::floor<std::chrono::milliseconds>(message.time);
+        const auto level = spdlog::level::to_string_view(message.level);
+        const nlohmann::ordered_json line{
+            {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
+            {"level", std::string(level.data(), level.size())},
+            {"message", std::string(message.payload.data(), message.payload.size())}};
+        const std::string text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        out.append(text.data(), text.data() + text.size());
+    }
+    std::unique_ptr<formatter> clone() const override { return std::make_unique<JsonLines>(); }
+};
+
+std::unique_ptr<spdlog::formatter> text_lines(bool timed) {
+    auto lines = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
+    lines->add_flag<WarningFlag>('*').set_pattern(timed ? "%Y-%m-%dT%H:%M:%SZ vvr: %*%v" : "vvr: %*%v");
+    return lines;
+}
+
+std::unique_ptr<spdlog::formatter> json_lines(bool) {
+    return std::make_unique<JsonLines>();
+}
+
+constexpr std::array formats{
+    LogFormat{"text", text_lines},
+    LogFormat{"json", json_lines},
+};
+
+std::unique_ptr<spdlog::formatter> make_lines(const std::string& name, bool timed) {
+    return std::ranges::find(formats, name, &LogFormat::name)->make(timed);
+}
+
+constexpr std::size_t on_stderr = 0;  // among the sinks
+
 }  // namespace
 
 std::shared_ptr<spdlog::logger> make_log() {
     auto log = std::make_shared<spdlog::logger>("vvr", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-    auto formatter = std::make_unique<spdlog::pattern_formatter>();
-    formatter->add_flag<WarningFlag>('*').set_pattern("vvr: %*%v");
-    log->set_formatter(std::move(formatter));
+    log->set_level(spdlog::level::debug);
+    set_format(*log, "text");
+    set_talk(*log, Talk::normal);
     return log;
 }
 
 void set_talk(spdlog::logger& log, Talk talk) {
-    switch (talk) {
-        case Talk::quiet:
-            log.set_level(spdlog::level::err);
-            break;
-        case Talk::normal:
-            log.set_level(spdlog::level::info);
-            break;
-        case Talk::verbose:
-            log.set_level(spdlog::level::debug);
-            break;
-    }
+    constexpr std::array levels{spdlog::level::err, spdlog::level::info, spdlog::level::debug};
+    log.sinks()[on_stderr]->set_level(levels[static_cast<std::size_t>(talk)]);
+}
+
+std::span<const LogFormat> log_formats() {
+    return formats;
+}
+
+void set_format(spdlog::logger& log, const std::string& name) {
+    log.sinks()[on_stderr]->set_formatter(make_lines(name, false));
+}
+
+void add_file(spdlog::logger& log, const std::string& path, const std::string& format) {
+    auto file = std::make_shared<LogFile>(path);
+    file->set_formatter(make_lines(format, true));
+    file->set_level(std::min(spdlog::level::info, log.sinks()[on_stderr]->level()));
+    log.sinks().push_back(std::move(file));
 }
 
 }  // namespace vvr

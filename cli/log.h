@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include <spdlog/logger.h>
 
@@ -9,9 +12,27 @@ namespace vvr {
 /// A logger to stderr, each line `vvr: text`, or `vvr: warning: text`.
 std::shared_ptr<spdlog::logger> make_log();
 
-/// How much a logger says.
+/// How much a logger says on stderr.
 enum class Talk { quiet, normal, verbose };
 
 void set_talk(spdlog::logger& log, Talk talk);
+
+/// One row of the table of formats.
+struct LogFormat {
+    std::string_view name;
+    /// \param timed whether a line for people begins with its time
+    std::unique_ptr<spdlog::formatter> (*make)(bool timed);
+};
+
+/// "text", "json"; the first is the default.
+std::span<const LogFormat> log_formats();
+
+/// The form of the lines on stderr, by a name of the table.
+void set_format(spdlog::logger& log, const std::string& name);
+
+/// Sends all lines, however much is said on stderr, to the end of a file too. A file that is moved away or deleted, as
+/// logrotate does, is made anew at the next line.
+/// \throws Error io when it can't be written
+void add_file(spdlog::logger& log, const std::string& path, const std::string& format);
 
 }  // namespace vvr

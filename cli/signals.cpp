@@ -1,6 +1,7 @@
 #include "cli/signals.h"
 
 #include <initializer_list>
+#include <utility>
 
 #include <pthread.h>
 
@@ -38,9 +39,23 @@ Signals::~Signals() {
     }
 }
 
+void Signals::stop_with(std::function<void()> stop) {
+    const std::lock_guard lock(stopping_);
+    stop_ = std::move(stop);
+}
+
+bool Signals::stop_politely() {
+    const std::lock_guard lock(stopping_);
+    if (!stop_) return false;
+    std::exchange(stop_, nullptr)();
+    return true;
+}
+
 void Signals::wait(const std::stop_token& stop) {
     int signal = 0;
-    if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
+    do {
+        if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
+    } while (stop_politely());
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -20,11 +21,17 @@ class Signals {
     /// Signals wait until the lock is gone.
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
+    /// From now on the first signal calls `stop`, on another thread, and the program goes on; the next one ends it.
+    void stop_with(std::function<void()> stop);
+
   private:
+    bool stop_politely();
     void wait(const std::stop_token& stop);
 
     sigset_t set_{};
     std::mutex writing_;
+    std::mutex stopping_;
+    std::function<void()> stop_;
     std::jthread waiter_;
 };
 

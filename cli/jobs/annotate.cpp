@@ -121,6 +121,10 @@ Lettering letter(const RenderJob& job, const RenderReport& report, const Volume&
     const Rgba pale = rgba(job.theme.pale_ink);
     letter_title(title_of(job, report), span_of(job, report), framing.sheet, ink, pale, lettering);
     if (job.show.contains("legend")) letter_legend(legend_of(job), framing.sheet, pale, lettering);
+    if (job.show.contains("ruler") && framing.sheet.text > 0) {
+        letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.theme.fast),
+                    lettering);
+    }
     letter_ruler(volume, layout, framing.edge, ticks_of(job, framing, volume), framing.camera, framing.sheet, ink,
                  lettering);
     if (report.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);

@@ -58,9 +58,13 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.show.contains("tracelines")) scene.tracelines = tracelines(volume, layout, job.traces);
     const glm::vec4 line_colour(job.theme.lines, 1);
     if (job.show.contains("outline")) scene.lines = volume_outline(layout, line_colour);
-    const std::vector<Segment> marks =
-        ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour);
-    scene.lines.insert(scene.lines.end(), marks.begin(), marks.end());
+    const auto add_lines = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    add_lines(ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour));
+    if (job.show.contains("ruler")) {
+        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.theme.fast, 1)));
+    }
     if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
     if (job.show.contains("frames")) {
         constexpr float at_the_ends = 0.5F;

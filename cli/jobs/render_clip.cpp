@@ -105,6 +105,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.frames = fields.summary.frames;
     report.damaged = fields.summary.damaged;
     report.first_frame = fields.first.index;
+    report.last_frame = fields.last.index;
     report.first_pts = fields.first.pts;
     report.last_pts = fields.last.pts;
     report.layers = volume.layers();

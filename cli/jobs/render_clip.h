@@ -75,6 +75,7 @@ struct RenderReport {
     double first_pts = 0;  ///< seconds
     double last_pts = 0;
     std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t last_frame = 0;
     std::int64_t layers = 0;
     std::int64_t step = 1;      ///< frames a layer
     std::vector<Brick> bricks;  ///< in layers

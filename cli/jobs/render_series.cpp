@@ -56,25 +56,26 @@ class Series {
         renderer_.set_transfer(transfer_);
         if (job.find_events) events_.emplace(source.field_size());
         report_.step = window_.step;
-        report_.still = true;
         report_.pictures = 0;
     }
 
     void add(Frame&& frame, const Field& field) {
+        if (begin_) fill_gap(field);
         if (volume_.frames() == window_.frames()) drop_oldest();
         volume_.add(field, volume_colour(job_, frame));
         if (events_) events_->add(field.scalar, {field.index, field.pts});
         if (!begin_) begin_ = {field.index, field.pts};
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = std::move(frame);
-        if (++frames_of_newest_ == window_.brick_frames()) complete_newest();
+        if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
     }
 
     /// After the last frame: the last brick may be shorter than the others. Frames and times are those of the clip, all
     /// else is that of the last window.
     RenderReport finish() {
-        if (frames_of_newest_ > 0) complete_newest();
+        if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
+        report_.still = all_still_;
         if (events_) report_.events = events_->finish();
         if (begin_) {
             report_.first_frame = begin_->frame;
@@ -89,13 +90,29 @@ class Series {
         first_of_bricks_.pop_front();
     }
 
-    void complete_newest() {
+    /// A stream's numbers skip the frames that never came. There is no picture of a brick that ends without one, and
+    /// of a gap longer than the window only its end is to be seen.
+    void fill_gap(const Field& next) {
+        const std::int64_t gap = next.index - last_.index - 1;
+        const std::int64_t shown = std::min(gap, window_.frames());
+        const double length = (next.pts - last_.pts) / static_cast<double>(gap + 1);
+        for (std::int64_t i = shown; i > 0; --i) {
+            if (volume_.frames() == window_.frames()) drop_oldest();
+            volume_.add_missing(next.index - i, next.pts - static_cast<double>(i) * length);
+            if (frames_of_newest_ == 0) first_of_bricks_.push_back({next.index - i, next.pts, {}, {}});
+            if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::no);
+        }
+    }
+
+    enum class Draw { no, yes };
+
+    void complete_newest(Draw wanted) {
         report_.stages.end("fields");
         const BorrowedContext context(context_);
         update_report();
         if (job_.show.contains("volume")) update_ring();
         report_.stages.end("draw");
-        draw();
+        if (wanted == Draw::yes) draw();
         ++newest_;
         frames_of_newest_ = 0;
     }
@@ -106,10 +123,11 @@ class Series {
         report_.first_frame = first.index;
         report_.first_pts = first.pts;
         report_.last_pts = last_.pts;
+        report_.last_frame = last_.index;
         report_.layers = volume_.layers();
         report_.bricks = cut_by(volume_.layers(), window_.brick_layers);
-        report_.still = report_.still && nothing_visible(volume_, transfer_);
-        ++report_.pictures;
+        report_.still = nothing_visible(volume_, transfer_);
+        all_still_ = all_still_ && report_.still;
     }
 
     /// Only the newest brick is uploaded, and single layers of the two that have got another neighbour, or none.
@@ -128,6 +146,7 @@ class Series {
         const bool shows_frames = job_.show.contains("frames");
         Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_, framing_);
         report_.arrows = scene.arrows.size();
+        ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, renderer_, *layout_, transfer_, scene);
@@ -151,6 +170,7 @@ class Series {
     RenderReport report_;
     std::optional<EventFinder> events_;
     std::optional<Moment> begin_;        ///< of the clip
+    bool all_still_ = true;              ///< nothing was visible in any window
     std::deque<Frame> first_of_bricks_;  ///< of the bricks in the window
     Frame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled

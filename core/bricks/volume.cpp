@@ -51,7 +51,7 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
         if (layers() == capacity_) join_pairs();
     }
     if (layers_.empty() || layers_.back().frames == step_) {
-        layers_.push_back({field.index, 1, field.pts, field.pts, field.scalar, colour});
+        layers_.push_back({field.index, 1, field.pts, field.pts, 0, field.scalar, colour});
     } else {
         Layer& layer = layers_.back();
         keep_stronger(layer, field.scalar, colour);
@@ -63,6 +63,15 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
         if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
+}
+
+void Volume::add_missing(std::int64_t index, double pts) {
+    Field nothing;
+    nothing.index = index;
+    nothing.pts = pts;
+    nothing.scalar = Plane<std::uint8_t>(size_);
+    add(nothing, coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{});
+    ++layers_.back().missing;
 }
 
 double Volume::t_of_frame(double frame) const {
@@ -129,6 +138,7 @@ void Volume::join_pairs() {
         if (i + 1 < layers_.size()) {
             keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour);
             layer.frames += layers_[i + 1].frames;
+            layer.missing += layers_[i + 1].missing;
             layer.last_pts = layers_[i + 1].last_pts;
         }
         joined.push_back(std::move(layer));

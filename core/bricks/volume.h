@@ -20,6 +20,7 @@ struct Layer {
     std::int64_t frames = 0;
     double pts = 0;       ///< seconds, of its first frame
     double last_pts = 0;  ///< seconds, of its last frame
+    std::int64_t missing = 0;  ///< of the frames, those that never came
     Plane<std::uint8_t> scalar;
     Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
 };
@@ -54,6 +55,9 @@ class Volume {
     /// Adds the next frame's field, whose scalar has this volume's size.
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
     void add(const Field& field, const Plane<Bgr>& colour = {});
+
+    /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
+    void add_missing(std::int64_t index, double pts);
 
     Size size() const { return size_; }
     std::int64_t step() const { return step_; }  ///< frames a layer takes now

@@ -1,6 +1,7 @@
 #include "core/fields/frame_work.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -33,13 +34,18 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
     }
 }
 
-/// Without what lies beyond a jump of the light: flow methods take it that things keep their brightness.
-Neighbourhood in_one_light(Neighbourhood about, int reach) {
+/// Whether two frames are of one time and one light.
+bool continuous(const Shot& a, const Shot& b) {
+    return std::abs(a.frame.index - b.frame.index) == 1 && !light_jumps(a.levels, b.levels);
+}
+
+/// Without what lies beyond a gap or a jump of the light: flow methods take it that things keep their brightness.
+Neighbourhood continuous_part(Neighbourhood about, int reach) {
     for (const int step : {-1, 1}) {
         const Shot* inner = about[static_cast<std::size_t>(reach)].get();
         for (int k = 1; k <= reach; ++k) {
             std::shared_ptr<Shot>& shot = about[static_cast<std::size_t>(reach + step * k)];
-            if (shot == nullptr || inner == nullptr || light_jumps(shot->levels, inner->levels)) shot = nullptr;
+            if (shot == nullptr || inner == nullptr || !continuous(*shot, *inner)) shot = nullptr;
             inner = shot.get();
         }
     }
@@ -109,7 +115,7 @@ Field FrameWork::finish(const Neighbourhood& about) const {
     const bool asked = here.frame.index % options_.flow.every == 0;
     if (!flow_ || (!asked && !traits.flow)) return field;
 
-    const Neighbourhood alike = in_one_light(about, reach_);
+    const Neighbourhood alike = continuous_part(about, reach_);
     const Plane<std::uint8_t> moves = moving(alike, traits.shows_object ? field.scalar : here.object);
     field.flow = flow_of(alike, moves);
     if (asked) field.seeds = make_seeds({here.frame.index, field.flow, moves, here.age}, options_.seeds);

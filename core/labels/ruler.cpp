@@ -23,6 +23,19 @@ Mark mark_at(const Layout& layout, const TimeEdge& edge, double t) {
     return {layout.p_from_c(on_edge(edge, t, 0)), layout.p_from_c(on_edge(edge, t, mark_length))};
 }
 
+/// Writes a text at the end of the mark at `t`, on the side away from the volume.
+void write_beside(const std::string& text, double t, const Layout& layout, const TimeEdge& edge, const Camera& camera,
+                  const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+    const Mark mark = mark_at(layout, edge, t);
+    const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
+    glm::dvec2 way = end - camera.pixel(mark.from, sheet.picture);
+    way = glm::length(way) > 1e-6 ? glm::normalize(way) : glm::dvec2(0, -1);
+    const Label size = make_label(text, sheet.text, 0, 0, colour);
+    const double half = (std::abs(way.x) * size.box.width() + std::abs(way.y) * size.box.height()) / 2;
+    const glm::dvec2 middle = end + way * (half + sheet.text / 3.0);
+    lettering.add(make_label_around(text, sheet.text, middle.x, middle.y, colour), sheet.between, sheet.text / 2);
+}
+
 }  // namespace
 
 TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture) {
@@ -61,18 +74,47 @@ std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, con
     return marks;
 }
 
+std::vector<TimeGap> time_gaps(const Volume& volume) {
+    std::vector<TimeGap> gaps;
+    bool within = false;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        const Layer& layer = volume.layer(i);
+        const bool empty = layer.missing == layer.frames;
+        const double share = volume.t_end() / static_cast<double>(volume.layers());
+        if (empty && !within) gaps.push_back({share * static_cast<double>(i), 0});
+        if (empty) gaps.back().t_end = share * static_cast<double>(i + 1);
+        within = empty;
+    }
+    return gaps;
+}
+
+std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
+                               const glm::vec4& colour) {
+    constexpr double between = 0.006;  // t_C from one stroke to the next
+    std::vector<Segment> strokes;
+    for (const TimeGap& gap : gaps) {
+        const int count = std::max(1, static_cast<int>((gap.t_end - gap.t_begin) / between));
+        for (int i = 0; i <= count; ++i) {
+            const double t = std::lerp(gap.t_begin, gap.t_end, static_cast<double>(i) / count);
+            const double leaning = std::clamp(t + between, gap.t_begin, gap.t_end);
+            strokes.push_back({glm::vec3(layout.p_from_c(on_edge(edge, t, 0.1 * mark_length))),
+                               glm::vec3(layout.p_from_c(on_edge(edge, leaning, 0.9 * mark_length))), colour});
+        }
+    }
+    return strokes;
+}
+
+void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
+                 const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+    for (const TimeGap& gap : gaps) {
+        write_beside("no signal", (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
+    }
+}
+
 void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,
                   const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
     const auto write = [&](const TimeTick& tick) {
-        const Mark mark = mark_at(layout, edge, volume.t_of_seconds(tick.seconds));
-        const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
-        glm::dvec2 way = end - camera.pixel(mark.from, sheet.picture);
-        way = glm::length(way) > 1e-6 ? glm::normalize(way) : glm::dvec2(0, -1);
-        const Label size = make_label(tick.text, sheet.text, 0, 0, colour);
-        const double half = (std::abs(way.x) * size.box.width() + std::abs(way.y) * size.box.height()) / 2;
-        const glm::dvec2 middle = end + way * (half + sheet.text / 3.0);
-        lettering.add(make_label_around(tick.text, sheet.text, middle.x, middle.y, colour), sheet.between,
-                      sheet.text / 2);
+        write_beside(tick.text, volume.t_of_seconds(tick.seconds), layout, edge, camera, sheet, colour, lettering);
     };
     if (ticks.empty()) return;
     write(ticks.front());

@@ -27,6 +27,22 @@ std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge);
 std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
                                  const std::vector<TimeTick>& ticks, const glm::vec4& colour);
 
+/// A stretch of the volume in which no frame came.
+struct TimeGap {
+    double t_begin = 0;  ///< t_C
+    double t_end = 0;
+};
+
+std::vector<TimeGap> time_gaps(const Volume& volume);
+
+/// Hatching along the edge where frames are missing, in P-space.
+std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
+                               const glm::vec4& colour);
+
+/// Writes beside the hatching what it means, where there is room.
+void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
+                 const Sheet& sheet, const Rgba& colour, Lettering& lettering);
+
 /// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
 /// between the first and the last.
 void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,

@@ -11,6 +11,7 @@ extern "C" {
 #include <libavutil/error.h>
 #include <libavutil/frame.h>
 #include <libavutil/log.h>
+#include <libavutil/mem.h>
 }
 
 #include "core/error.h"
@@ -24,11 +25,8 @@ void AvFrameFree::operator()(AVFrame* frame) const {
 namespace av {
 namespace {
 
-// Their addresses mark a context as ours, so that the log callback, which libav calls for every context of the
+// Its address, as that of Log::interrupted, marks a context as ours, so that the log callback, which libav calls for every context of the
 // process, never takes another library's opaque pointer for a Log. Decoders have no use for an encoder's callback.
-int never_interrupt(void*) {
-    return 0;
-}
 int never_encode(AVCodecContext*, AVPacket*, int) {
     return AVERROR(ENOSYS);
 }
@@ -56,9 +54,28 @@ AvFrame make_frame() {
     return frame;
 }
 
-void Log::attach(AVFormatContext& context) {
+Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
+                             std::int64_t (*seek)(void*, std::int64_t, int)) {
+    constexpr int buffer_size = 1 << 16;
+    Ptr<AVIOContext> context;
+    auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
+    if (buffer) context.reset(avio_alloc_context(buffer, buffer_size, 0, self, read, nullptr, seek));
+    if (!context) {
+        av_free(buffer);
+        throw Error(ErrorKind::limit, "out of memory for reading a video");
+    }
+    return context;
+}
+
+void Log::attach(AVFormatContext& context, const Watchdog* watchdog) {
     av_log_set_callback(&Log::receive);
-    context.interrupt_callback = {&never_interrupt, this};
+    watchdog_ = watchdog;
+    context.interrupt_callback = {&Log::interrupted, this};
+}
+
+int Log::interrupted(void* self) {
+    const Watchdog* const watchdog = static_cast<const Log*>(self)->watchdog_;
+    return watchdog != nullptr && watchdog->bites() ? 1 : 0;
 }
 
 void Log::attach(AVCodecContext& context) {
@@ -77,7 +94,7 @@ void Log::receive(void* context, int level, const char* format, va_list argument
     Log* log = nullptr;
     if (kind == avformat_get_class()) {
         const auto* owner = static_cast<const AVFormatContext*>(context);
-        if (owner->interrupt_callback.callback == &never_interrupt)
+        if (owner->interrupt_callback.callback == &Log::interrupted)
             log = static_cast<Log*>(owner->interrupt_callback.opaque);
     } else if (kind == avcodec_get_class()) {
         const auto* owner = static_cast<const AVCodecContext*>(context);

@@ -13,6 +13,7 @@ extern "C" {
 }
 
 #include "core/video/decoded_frame.h"
+#include "core/video/watchdog.h"
 
 // Owners of libav's objects, and what libav says of its errors.
 namespace vvr::av {
@@ -47,11 +48,17 @@ class Dictionary {
 Ptr<AVPacket> make_packet();
 AvFrame make_frame();
 
+/// What calls `read` for bytes, and `seek` where there is one, with `self`.
+/// \throws Error limit when there is no memory
+Ptr<AVIOContext> make_reader(void* self, int (*read)(void*, std::uint8_t*, int),
+                             std::int64_t (*seek)(void*, std::int64_t, int) = nullptr);
+
 /// The last error that libav logged on the contexts that carry this log. Nothing of libav's reaches stderr.
 /// A context finds its log through its own fields, so decoders in other threads don't mix.
 class Log {
   public:
-    void attach(AVFormatContext& context);
+    /// \param watchdog ends the context's reads; none = nothing does. Has to outlive the context.
+    void attach(AVFormatContext& context, const Watchdog* watchdog = nullptr);
     void attach(AVCodecContext& context);
 
     /// The logged text where there is one, else the words for `code`.
@@ -61,9 +68,11 @@ class Log {
     std::int64_t errors() const;
 
   private:
+    static int interrupted(void* self);
     static void receive(void* context, int level, const char* format, va_list arguments);
     void keep(const std::string& line);
 
+    const Watchdog* watchdog_ = nullptr;
     mutable std::mutex mutex_;
     std::string last_;
     std::int64_t errors_ = 0;

@@ -18,6 +18,9 @@ constexpr int max_read_errors = 100;  // in a row
     const std::string words = log.text(code);
     if (code == AVERROR(ENOMEM))
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
+    if (code == AVERROR_EXIT)
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
     const bool is_io = code == AVERROR(EIO) || code == AVERROR(ENOENT) || code == AVERROR(EACCES) ||
                        code == AVERROR_PROTOCOL_NOT_FOUND || (is_url(input.url) && code != AVERROR_INVALIDDATA);
     if (is_io) throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
@@ -64,28 +67,44 @@ int probe_streams(AVFormatContext& format) {
     return code;
 }
 
+/// What is here already is to be seen now, and what UDP lost is lost.
+void set_live(av::Dictionary& options) {
+    options.set("fflags", "nobuffer");
+    options.set("analyzeduration", "2000000");
+    options.set("rtsp_flags", "prefer_tcp");
+    options.set("overrun_nonfatal", "1");
+}
+
 }  // namespace
 
-Demuxer::Demuxer(const Input& input, Kind kind, double rate) : format_(avformat_alloc_context()) {
+Demuxer::Demuxer(const Input& input, Kind kind, double rate)
+    : watchdog_(input.watchdog), format_(avformat_alloc_context()) {
     if (!format_) throw Error(ErrorKind::limit, "out of memory for reading a video");
-    log_.attach(*format_);
+    log_.attach(*format_, watchdog_.get());
     if (input.file) {
         reader_ = std::make_unique<FileReader>(input.file);
         format_->pb = reader_->context();
+    }
+    if (input.pipe) {
+        pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
+        format_->pb = pipe_->context();
     }
     av::Dictionary options;
     options.set("framerate", fmt::format("{:.6f}", rate));
     options.set("pattern_type", "none");
     options.set("max_pixels", std::to_string(av::max_pixels));
-    if (is_url(input.url)) {
+    if (is_url(input.url) && watchdog_) {
+        set_live(options);
+    } else if (is_url(input.url)) {
         options.set("rw_timeout", "30000000");
     } else {
         options.set("protocol_whitelist", "file,crypto,data");
     }
+    const AVInputFormat* const format = input.format.empty() ? nullptr : av_find_input_format(input.format.c_str());
 
     // libav frees the context itself when it can't open it.
     AVFormatContext* opened = format_.release();
-    int code = avformat_open_input(&opened, input.url.c_str(), nullptr, options.get());
+    int code = avformat_open_input(&opened, input.url.c_str(), format, options.get());
     format_.reset(opened);
     if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
     if (code < 0) throw_unreadable(input, log_, code);
@@ -116,10 +135,11 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
 }
 
 bool Demuxer::read(AVPacket& packet) {
+    if (watchdog_) watchdog_->feed();
     for (int errors = 0; errors < max_read_errors;) {
         av_packet_unref(&packet);
         const int code = av_read_frame(format_.get(), &packet);
-        if (code == AVERROR_EOF) return false;
+        if (code == AVERROR_EOF || code == AVERROR_EXIT) return false;
         if (code == AVERROR(ENOMEM)) throw Error(ErrorKind::limit, "out of memory while reading the video");
         if (code < 0) {
             ++damaged_;

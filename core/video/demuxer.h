@@ -6,6 +6,7 @@
 
 #include "core/video/av.h"
 #include "core/video/input.h"
+#include "core/video/pipe_reader.h"
 
 namespace vvr {
 
@@ -43,6 +44,8 @@ class Demuxer {
 
     av::Log log_;
     std::unique_ptr<FileReader> reader_;
+    std::unique_ptr<PipeReader> pipe_;
+    std::shared_ptr<Watchdog> watchdog_;  ///< of a live stream
     av::Ptr<AVFormatContext> format_;
     AVStream* stream_ = nullptr;
     std::int64_t damaged_ = 0;

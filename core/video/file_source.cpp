@@ -1,59 +1,15 @@
 #include "core/video/file_source.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
 
-extern "C" {
-#include <libavutil/display.h>
-#include <libavutil/parseutils.h>
-}
-
 #include "core/error.h"
 #include "core/video/scaler.h"
+#include "core/video/stream_info.h"
 
 namespace vvr {
-namespace {
-
-/// The nearest quarter turn, mirrored or not, to the container's display matrix.
-Orientation orientation_of(const AVStream& stream) {
-    std::size_t bytes = 0;
-    const auto* data = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
-    if (!data || bytes < 9 * sizeof(std::int32_t)) return {};
-    const auto* matrix = reinterpret_cast<const std::int32_t*>(data);
-    // A pixel (x, y) is shown at (a·x + c·y, b·x + d·y).
-    const std::int64_t a = matrix[0], b = matrix[1], c = matrix[3], d = matrix[4];
-    if (std::abs(c) > std::abs(a)) return {true, c < 0, b < 0};
-    return {false, a < 0, d < 0};
-}
-
-/// Pixels are made square by widening the narrower way, so that no detail is lost.
-Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation) {
-    double width = frame.width;
-    double height = frame.height;
-    const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 1;
-    constexpr double plausible = 8;
-    if (ratio > 1 && ratio < plausible) width *= ratio;
-    if (ratio < 1 && ratio > 1 / plausible) height /= ratio;
-    const Size size{static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
-    return orientation.transpose ? Size{size.height, size.width} : size;
-}
-
-double duration_of(const AVFormatContext& format, const AVStream& stream) {
-    if (stream.duration > 0) return static_cast<double>(stream.duration) * av_q2d(stream.time_base);
-    return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
-}
-
-std::optional<std::int64_t> creation_time(const AVFormatContext& format) {
-    const AVDictionaryEntry* const tag = av_dict_get(format.metadata, "creation_time", nullptr, 0);
-    std::int64_t microseconds = 0;
-    if (tag == nullptr || av_parse_time(&microseconds, tag->value, 0) < 0) return std::nullopt;
-    return microseconds / 1'000'000;
-}
-
-}  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
     : options_(options), reader_(std::move(input), options.rate, options.threads) {
@@ -66,24 +22,11 @@ FileSource::FileSource(Input input, const SourceOptions& options)
                 "'{}' has video ({}), but no frame of it decodes: {} damaged packets, {}; `ffprobe` on it may say more",
                 name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
                 reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
-    describe(*first.image);
-    ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
-}
-
-void FileSource::describe(const AVFrame& first) {
-    auto& format = reader_.demuxer().format();
-    auto& stream = reader_.demuxer().stream();
-    orientation_ = orientation_of(stream);
-    const std::string formats = format.iformat->name;
-    info_.name = reader_.input().name;
-    info_.container = formats.substr(0, formats.find(','));
-    info_.codec = avcodec_get_name(stream.codecpar->codec_id);
-    info_.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_);
-    info_.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
-    info_.duration = duration_of(format, stream);
-    info_.frames = stream.nb_frames > 0 ? stream.nb_frames : std::llround(info_.duration * info_.rate);
-    info_.created = creation_time(format);
+    const Demuxer& demuxer = reader_.demuxer();
+    orientation_ = orientation_of(demuxer.stream());
+    info_ = describe(demuxer, name, *first.image);
     field_size_ = field_size_for(info_.size, options_.field_size);
+    ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }
 
 void FileSource::rewind() {

@@ -26,7 +26,6 @@ class FileSource final : public FrameSource {
     std::vector<Frame> sample(int count) override;
 
   private:
-    void describe(const AVFrame& first);
     std::vector<Frame> sample_key_frames(int count) const;
 
     SourceOptions options_;

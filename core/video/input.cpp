@@ -11,10 +11,6 @@
 
 #include <fmt/format.h>
 
-extern "C" {
-#include <libavutil/mem.h>
-}
-
 #include "core/error.h"
 #include "core/video/spool.h"
 
@@ -95,16 +91,8 @@ Input open_file(const std::string& path) {
     return input;
 }
 
-FileReader::FileReader(std::shared_ptr<const Descriptor> file) : file_(std::move(file)) {
-    constexpr int buffer_size = 1 << 16;
-    auto* buffer = static_cast<unsigned char*>(av_malloc(buffer_size));
-    if (buffer)
-        context_.reset(avio_alloc_context(buffer, buffer_size, 0, this, &FileReader::read, nullptr, &FileReader::seek));
-    if (!context_) {
-        av_free(buffer);
-        throw Error(ErrorKind::limit, "out of memory for reading a video");
-    }
-}
+FileReader::FileReader(std::shared_ptr<const Descriptor> file)
+    : file_(std::move(file)), context_(av::make_reader(this, &FileReader::read, &FileReader::seek)) {}
 
 int FileReader::read(void* self, std::uint8_t* buffer, int size) {
     auto& reader = *static_cast<FileReader*>(self);

@@ -27,6 +27,11 @@ struct Input {
     std::string name;                        ///< as the user gave it, for messages
     std::string url;                         ///< what libav opens, where there is no descriptor
     std::shared_ptr<const Descriptor> file;  ///< a regular file
+
+    // Of a live stream only:
+    std::shared_ptr<const Descriptor> pipe{};  ///< to be read once, as it comes
+    std::string format{};                      ///< libav's name of a device's; empty = found out
+    std::shared_ptr<Watchdog> watchdog{};      ///< ends reads
 };
 
 /// Finds out what `name` is: `-` for stdin, a file, a named pipe or a URL. What can't be read twice is spooled.

@@ -1,0 +1,28 @@
+#include "core/video/live_clock.h"
+
+#include <algorithm>
+
+namespace vvr {
+namespace {
+
+// A camera that sets its clock leaps. Further ahead of what has really passed than this, in seconds, is a leap; a
+// stream that comes faster than it was taken never gets there from one frame to the next.
+constexpr double leap = 10;
+
+}  // namespace
+
+double LiveClock::operator()(std::optional<double> stamp, double arrival) {
+    time_ = time_ ? *time_ + step(stamp, arrival) : 0;
+    stamp_ = stamp;
+    arrival_ = arrival;
+    return *time_;
+}
+
+double LiveClock::step(const std::optional<double>& stamp, double arrival) const {
+    const double passed = std::max(duration_, arrival - arrival_);
+    if (!stamp) return duration_;
+    if (!stamp_ || *stamp < *stamp_ || *stamp > *stamp_ + passed + leap) return passed;
+    return *stamp - *stamp_;
+}
+
+}  // namespace vvr

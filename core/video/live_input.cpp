@@ -1,0 +1,86 @@
+#include "core/video/live_input.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+extern "C" {
+#include <libavformat/avformat.h>
+}
+
+#include "core/error.h"
+
+namespace vvr {
+namespace {
+
+// libavdevice brings some hundred libraries with it, of windows and sound; so it is loaded only for a device, and is
+// none of what vvr needs to start. Its number is libavformat's.
+void load_devices(const std::string& name) {
+    const std::string library = fmt::format("libavdevice.so.{}", LIBAVFORMAT_VERSION_MAJOR);
+    void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, "avdevice_register_all");
+    if (found == nullptr)
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is a device, which takes {}, and it is not there: {}; install Debian's "
+                                "libavdevice{}, or pipe the camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
+                                name, library, ::dlerror(), LIBAVFORMAT_VERSION_MAJOR, name));
+    reinterpret_cast<void (*)()>(found)();
+}
+
+Input open_pipe(const std::string& name, int fd) {
+    if (fd < 0)
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the name and its permissions", name,
+                                               std::strerror(errno)));
+    return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
+}
+
+Input open_any(const std::string& name) {
+    if (name == "-") {
+        if (::isatty(STDIN_FILENO))
+            throw Error(ErrorKind::usage,
+                        "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+        return open_pipe("-", ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0));
+    }
+    struct stat status {};
+    if (::stat(name.c_str(), &status) != 0) {
+        if (is_url(name)) return {without_secrets(name), name, nullptr};
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot read '{}': {}; give a URL such as rtsp://camera/stream, a device, a pipe or a "
+                                "file",
+                                name, std::strerror(errno)));
+    }
+    if (S_ISREG(status.st_mode)) return open_input(name);
+    if (S_ISDIR(status.st_mode))
+        throw Error(ErrorKind::usage, fmt::format("'{}' is a folder, not a stream; `vvr render` takes pictures", name));
+    if (S_ISCHR(status.st_mode)) {
+        load_devices(name);
+        return {name, name, nullptr, nullptr, "video4linux2"};
+    }
+    return open_pipe(name, ::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+}
+
+}  // namespace
+
+std::string without_secrets(const std::string& url) {
+    const auto host = url.find("://") + 3;
+    const auto path = std::min(url.find_first_of("/?#", host), url.size());
+    const auto at = url.rfind('@', path);
+    const auto query = std::min(url.find_first_of("?#", path), url.size());
+    const auto begin = at == std::string::npos || at < host ? host : at + 1;
+    return url.substr(0, host) + url.substr(begin, query - begin);
+}
+
+Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog) {
+    Input input = open_any(name);
+    input.watchdog = std::move(watchdog);
+    return input;
+}
+
+}  // namespace vvr

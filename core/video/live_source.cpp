@@ -1,0 +1,219 @@
+#include "core/video/live_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/video/live_input.h"
+#include "core/video/stream_info.h"
+
+namespace vvr {
+namespace {
+
+constexpr double gap = 1;                    // seconds from one frame to the next that are a gap
+constexpr double first_pause = 0.5;          // seconds before a connection is tried again
+constexpr double longest_pause = 30;         // and at most
+constexpr std::size_t frames_of_a_pipe = 8;  // that are decoded ahead
+constexpr std::size_t arrivals_kept = 512;
+constexpr std::int64_t pixels_waiting = 500'000'000;  // at most, in decoded frames
+
+double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+/// What a stream says of its rate is often nonsense; no camera is faster.
+double plausible_rate(const Demuxer& demuxer, double told) {
+    constexpr double fastest = 240;
+    const double rate = told > 0 && told <= fastest ? told : 1 / demuxer.frame_duration();
+    return rate > 0 && rate <= fastest ? rate : 25;
+}
+
+}  // namespace
+
+LiveSource::LiveSource(const std::string& name, LiveOptions options)
+    : options_(std::move(options)),
+      watchdog_(std::make_shared<Watchdog>(std::chrono::duration<double>(options_.patience))),
+      input_(open_live_input(name, watchdog_)),
+      comes_again_(is_url(input_.url) || !input_.format.empty()),
+      waits_(!comes_again_) {
+    connect();
+    info_ = describe(*demuxer_, input_.name, *first_);
+    info_.rate = plausible_rate(*demuxer_, info_.rate);
+    info_.frames = 0;
+    info_.duration = 0;
+    field_size_ = field_size_for(info_.size, options_.source.field_size);
+    clock_ = LiveClock(1 / info_.rate);
+    begin_ = Clock::now();
+    reader_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void LiveSource::connect() {
+    decoder_.reset();
+    watchdog_->feed();
+    demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, options_.source.rate);
+    // One thread gives a frame as soon as its packet is there; each more would hold one back.
+    decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, 1);
+    first_ = decoder_->next();
+    if (!first_) {
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' gives no frame that decodes: {} damaged packets, {}; `ffplay` on it may say more",
+                                input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
+    }
+    orientation_ = orientation_of(demuxer_->stream());
+    clock_.begin_anew();
+}
+
+void LiveSource::run(const std::stop_token& stop) {
+    try {
+        do {
+            AvFrame image = std::move(first_);
+            const std::int64_t damaged_before = damaged();
+            while (image && add(std::move(image), stop)) {
+                {
+                    const std::lock_guard lock(mutex_);
+                    damaged_ = damaged_before + decoder_->damaged();
+                }
+                image = decoder_->next();
+            }
+        } while (connect_again(stop));
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    changed_.notify_all();
+}
+
+bool LiveSource::is_over() const {
+    if (watchdog_->stopped()) return true;
+    if (!options_.duration) return false;
+    // A stream that is read faster than it was taken is over by its own time.
+    const double passed = comes_again_ ? seconds_between(begin_, Clock::now()) : 0;
+    return std::max(time_, passed) >= *options_.duration;
+}
+
+/// \returns whether the stream goes on
+bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
+    const Clock::time_point now = Clock::now();
+    const double before = time_;
+    time_ = clock_(demuxer_->seconds(image->best_effort_timestamp), seconds_between(begin_, now));
+    if (is_over()) return false;
+    const bool after_gap = index_ >= 0 && time_ - before >= gap;
+    index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time_ - before) * info_.rate)) : 1;
+    auto frame = std::make_unique<DecodedFrame>(DecodedFrame{index_, time_, orientation_, std::move(image)});
+
+    std::unique_lock lock(mutex_);
+    if (waits_) {
+        changed_.wait(lock, stop, [&] { return waiting_.size() < frames_of_a_pipe || watchdog_->stopped(); });
+    } else {
+        const std::int64_t pixels = std::max<std::int64_t>(1, std::int64_t{info_.size.width} * info_.size.height);
+        const auto most = static_cast<std::size_t>(std::max<std::int64_t>(2, pixels_waiting / pixels));
+        if (waiting_.size() >= most) {
+            waiting_.pop_front();
+            ++dropped_;
+        }
+    }
+    waiting_.push_back({std::move(frame), now});
+    arrivals_.push_back({index_, now});
+    if (arrivals_.size() > arrivals_kept) arrivals_.pop_front();
+    changed_.notify_all();
+    return !stop.stop_requested();
+}
+
+/// \returns false when the time is up, or somebody asked for an end
+bool LiveSource::pause(const std::stop_token& stop, double seconds) {
+    const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                       std::chrono::duration<double>(seconds));
+    std::unique_lock lock(mutex_);
+    while (Clock::now() < until && !stop.stop_requested() && !is_over()) {
+        constexpr std::chrono::milliseconds tick(100);  // a duration may end in the middle of the pause
+        changed_.wait_for(lock, tick);
+    }
+    return !stop.stop_requested() && !is_over();
+}
+
+bool LiveSource::connect_again(const std::stop_token& stop) {
+    if (!comes_again_ || is_over() || stop.stop_requested()) return false;
+    const Clock::time_point lost = Clock::now();
+    options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_,
+                              demuxer_->log().text(AVERROR_EOF)));
+    std::string told;
+    for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
+        try {
+            connect();
+        } catch (const Error& error) {
+            // The same again and again would only fill the log.
+            if (error.what() != told) options_.tell(fmt::format("{}; trying again", error.what()));
+            told = error.what();
+            continue;
+        }
+        options_.tell(
+            fmt::format("'{}': connected again after {:.1f} s", input_.name, seconds_between(lost, Clock::now())));
+        const std::lock_guard lock(mutex_);
+        ++reconnections_;
+        return true;
+    }
+    return false;
+}
+
+/// With the mutex held.
+void LiveSource::drop_the_late() {
+    const Clock::time_point now = Clock::now();
+    while (waiting_.size() > 1 && seconds_between(waiting_.front().since, now) > options_.lag) {
+        waiting_.pop_front();
+        ++dropped_;
+    }
+}
+
+std::unique_ptr<DecodedFrame> LiveSource::next() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !waiting_.empty() || ended_; });
+    if (waiting_.empty()) {
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+        return nullptr;
+    }
+    if (!waits_) drop_the_late();
+    std::unique_ptr<DecodedFrame> frame = std::move(waiting_.front().frame);
+    waiting_.pop_front();
+    changed_.notify_all();
+    return frame;
+}
+
+std::vector<Frame> LiveSource::sample(int) {
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}': a stream that goes on has no median; take --reference running, first or a picture",
+                            input_.name));
+}
+
+void LiveSource::stop() {
+    watchdog_->stop();
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+}
+
+std::int64_t LiveSource::damaged() const {
+    const std::lock_guard lock(mutex_);
+    return damaged_;
+}
+
+std::int64_t LiveSource::dropped() const {
+    const std::lock_guard lock(mutex_);
+    return dropped_;
+}
+
+std::int64_t LiveSource::reconnections() const {
+    const std::lock_guard lock(mutex_);
+    return reconnections_;
+}
+
+std::optional<LiveSource::Clock::time_point> LiveSource::arrival(std::int64_t index) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(arrivals_, index, &Arrival::index);
+    return found == arrivals_.end() ? std::nullopt : std::optional(found->when);
+}
+
+}  // namespace vvr
