@@ -1,9 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace vvr {
 
@@ -21,10 +23,10 @@ class Signals {
     /// Signals wait until the lock is gone.
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
-    /// From now on the first signal calls `stop`, on another thread, and the program goes on; the next one ends it.
-    void stop_with(std::function<void()> stop);
-
   private:
+    friend class PoliteStop;
+
+    void stop_with(std::function<void()> stop);
     bool stop_politely();
     void wait(const std::stop_token& stop);
 
@@ -33,6 +35,27 @@ class Signals {
     std::mutex stopping_;
     std::function<void()> stop_;
     std::jthread waiter_;
+};
+
+/// While it lives, the first signal calls `stop`, on another thread, and the program goes on; the next one ends it.
+class PoliteStop {
+  public:
+    PoliteStop(Signals& signals, std::function<void()> stop) : signals_(signals) {
+        signals_.stop_with([this, stop = std::move(stop)] {
+            asked_ = true;
+            stop();
+        });
+    }
+    ~PoliteStop() { signals_.stop_with({}); }
+    PoliteStop(const PoliteStop&) = delete;
+    PoliteStop& operator=(const PoliteStop&) = delete;
+
+    /// Whether there was a signal.
+    bool asked() const { return asked_; }
+
+  private:
+    Signals& signals_;
+    std::atomic<bool> asked_ = false;
 };
 
 }  // namespace vvr

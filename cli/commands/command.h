@@ -25,6 +25,7 @@ const std::vector<Command>& commands();
 ExitStatus run_command(Arguments arguments, const Environment& environment);
 
 ExitStatus run_render(const Command& command, Arguments arguments, const Environment& environment);
+ExitStatus run_watch(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_extract(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_inspect(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_compare(const Command& command, Arguments arguments, const Environment& environment);

@@ -24,6 +24,7 @@ std::string help() {
 const std::vector<Command>& commands() {
     static const std::vector<Command> table{
         {"render", "a video as a picture", run_render},
+        {"watch", "a live stream as a picture that is drawn anew after each brick", run_watch},
         {"extract", "the data files of a video: scalar fields, flow, seeds", run_extract},
         {"inspect", "one frame's object, flow and seeds side by side", run_inspect},
         {"compare", "whether two pictures are the same but for what a tolerance allows", run_compare},

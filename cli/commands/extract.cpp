@@ -1,12 +1,14 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
 #include "cli/jobs/open_fields.h"
+#include "cli/jobs/shown_name.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
 #include "cli/options/option.h"
@@ -27,6 +29,7 @@ struct ExtractSettings {
     std::filesystem::path folder;
     int flow_every = 1;
     bool colour = false;
+    std::optional<std::pair<int, int>> part;  ///< the first of the second; none = what --start and --end say
 };
 
 void add_options(CLI::App& app, ExtractSettings& settings) {
@@ -38,6 +41,10 @@ void add_options(CLI::App& app, ExtractSettings& settings) {
                 {"--flow-every", "FRAMES", "", "keep flow and seeds of frames whose number is a multiple of it"});
     app.add_flag("--with-color", settings.colour, "keep every frame's picture, for renders with --color video")
         ->group(group::output);
+    // What part it is stands in the settings as --start and --end.
+    add_option(app, group::output, settings.part,
+               {"--part", "I/N", "", "only the I-th of N parts of the clip, 1/N to N/N, as of one extraction of all"},
+               [](const std::string& given) { return parse_share(given); });
     add_options(app, settings.input);
     add_options(app, settings.fields);
     add_options(app, settings.run);
@@ -51,10 +58,33 @@ FieldOptions options_for(const ExtractSettings& settings) {
     return options;
 }
 
-Metadata settings_of(const CommandLine& line) {
+/// Where the part begins and ends, for one who has asked for it by number. The last has no end: headers lie.
+void choose_part(ExtractSettings& settings, const VideoInfo& clip) {
+    if (!settings.part) return;
+    if (settings.input.start || settings.input.end) {
+        throw Error(ErrorKind::usage, "--part says where to begin and to end; leave out --start and --end");
+    }
+    const auto [part, count] = *settings.part;
+    if (clip.frames < count) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("--part {}/{}: '{}' tells of {}; ask for fewer parts, or take --start and --end", part,
+                                count, clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "no length"));
+    }
+    const auto begin = [&, count = count](int number) {
+        return Time{static_cast<double>(clip.frames * number / count), Time::Unit::frames};
+    };
+    if (part > 1) settings.input.start = begin(part - 1);
+    if (part < count) settings.input.end = begin(part);
+}
+
+/// The options that decide on the fields, and where the part of a clip begins and ends.
+Metadata settings_of(const CommandLine& line, const InputOptions& input) {
+    Metadata part;
+    if (!line.given("start") && input.start) part.emplace_back("start", fmt::format("{}", input.start->value));
+    if (!line.given("end") && input.end) part.emplace_back("end", fmt::format("{}", input.end->value));
     Metadata settings;
     for (const char* name : {group::input, group::fields}) {
-        for (const auto& [option, value] : line.settings(name)) {
+        for (const auto& [option, value] : line.settings(name, part)) {
             settings.emplace_back(option, without_folder(option, value));
         }
     }
@@ -74,9 +104,10 @@ ExitStatus run_extract(const Command& command, Arguments arguments, const Enviro
     check_data_folder(settings.folder);
     const auto begin = std::chrono::steady_clock::now();
 
-    const FieldOptions options = options_for(settings);
     constexpr bool colour = true;
     const auto clip = open_clip(settings.input, colour, settings.run.threads);
+    choose_part(settings, clip->info());
+    const FieldOptions options = options_for(settings);
     const bool flow = options.flow.method != "none";
     Progress progress("frames", expected_frames(clip->info(), options.span),
                       !settings.run.quiet && stderr_is_terminal());
@@ -91,10 +122,11 @@ ExitStatus run_extract(const Command& command, Arguments arguments, const Enviro
     progress.clear();
     Manifest manifest;
     manifest.clip = clip->info();
+    manifest.clip.title = shown_name(clip->info().name);
     manifest.span = options.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
-    manifest.settings = settings_of(line);
+    manifest.settings = settings_of(line, settings.input);
     {
         const auto held = environment.signals.hold();
         folder->close(std::move(manifest), summary.reference);

@@ -12,11 +12,11 @@
 #include "cli/jobs/open_fields.h"
 #include "cli/jobs/page_output.h"
 #include "cli/jobs/picture_output.h"
+#include "cli/jobs/picture_settings.h"
 #include "cli/jobs/plan.h"
 #include "cli/jobs/render_clip.h"
 #include "cli/jobs/render_series.h"
 #include "cli/jobs/report.h"
-#include "cli/options/option.h"
 #include "cli/options/output.h"
 #include "cli/options/render_settings.h"
 #include "cli/options/words.h"
@@ -27,34 +27,6 @@
 namespace vvr {
 
 namespace {
-
-/// The settings that made the picture.
-Metadata settings_of(const CommandLine& line, const Metadata& extracted) {
-    Metadata metadata;
-    for (const char* name : {group::input, group::fields, group::bricks, group::view, group::look}) {
-        for (const auto& [option, value] : line.settings(name, extracted)) {
-            metadata.emplace_back(option, without_folder(option, value));
-        }
-    }
-    return metadata;
-}
-
-/// The same, and what they made of this clip.
-Metadata describe(const CommandLine& line, const Metadata& extracted, const RenderReport& report, bool series) {
-    Metadata metadata = settings_of(line, extracted);
-    metadata.emplace_back("frames", fmt::to_string(report.frames));
-    if (series) {
-        // Damage is only known at the end of the clip.
-        metadata.emplace_back("first-frame", fmt::to_string(report.first_frame));
-        metadata.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", report.first_pts, report.last_pts));
-    } else {
-        metadata.emplace_back("damaged", fmt::to_string(report.damaged));
-    }
-    metadata.emplace_back("frames-a-layer", fmt::to_string(report.step));
-    metadata.emplace_back("layers", fmt::to_string(report.layers));
-    metadata.emplace_back("renderer", report.renderer);
-    return metadata;
-}
 
 /// Whether the fields' filter marks objects, among which there are events to be found.
 bool marks_objects(const RenderSettings& settings, const Metadata& extracted) {

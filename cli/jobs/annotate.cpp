@@ -82,7 +82,8 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
 }
 
 std::string title_of(const RenderJob& job, const RenderReport& report) {
-    return job.title.empty() ? shown_name(report.info.name) : job.title;
+    if (!job.title.empty()) return job.title;
+    return report.info.title.empty() ? shown_name(report.info.name) : report.info.title;
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ class Series {
 
     void update_report() {
         const Frame& first = first_of_bricks_.front();
-        report_.frames = volume_.frames();
+        report_.frames = volume_.frames() - volume_.missing();
         report_.first_frame = first.index;
         report_.first_pts = first.pts;
         report_.last_pts = last_.pts;

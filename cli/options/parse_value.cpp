@@ -92,6 +92,16 @@ std::string parse_name(std::string_view text, std::span<const std::string> names
     refuse(text, fmt::format("one of {}{}", fmt::join(names, ", "), did_you_mean(text, names)));
 }
 
+std::pair<int, int> parse_share(std::string_view text) {
+    constexpr int most = 100'000;
+    const auto slash = text.find('/');
+    const auto share = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(0, slash));
+    const auto count = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(slash + 1));
+    if (!share || !count || *share < 1 || *share > *count || *count > most)
+        refuse(text, "a share such as 2/8, the second of eight");
+    return {*share, *count};
+}
+
 Time parse_time(std::string_view text) {
     constexpr std::string_view wanted = "a time like 250 (a frame), 12.5s or 00:00:12.5";
     const auto parts = split(text, ':');

@@ -29,6 +29,9 @@ std::pair<double, double> parse_pair(std::string_view text, char separator, Rang
 /// One of `names`.
 std::string parse_name(std::string_view text, std::span<const std::string> names);
 
+/// `2/8`: one of so many shares, counted from 1.
+std::pair<int, int> parse_share(std::string_view text);
+
 /// A place in a clip.
 struct Time {
     enum class Unit { frames, seconds };

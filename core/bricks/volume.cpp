@@ -74,6 +74,12 @@ void Volume::add_missing(std::int64_t index, double pts) {
     ++layers_.back().missing;
 }
 
+std::int64_t Volume::missing() const {
+    std::int64_t missing = 0;
+    for (const Layer& layer : layers_) missing += layer.missing;
+    return missing;
+}
+
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
     return (frame + 0.5) / static_cast<double>(span() * step_);

@@ -18,8 +18,8 @@ namespace vvr {
 struct Layer {
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t frames = 0;
-    double pts = 0;       ///< seconds, of its first frame
-    double last_pts = 0;  ///< seconds, of its last frame
+    double pts = 0;            ///< seconds, of its first frame
+    double last_pts = 0;       ///< seconds, of its last frame
     std::int64_t missing = 0;  ///< of the frames, those that never came
     Plane<std::uint8_t> scalar;
     Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
@@ -62,6 +62,7 @@ class Volume {
     Size size() const { return size_; }
     std::int64_t step() const { return step_; }  ///< frames a layer takes now
     std::int64_t frames() const { return frames_; }
+    std::int64_t missing() const;  ///< of the frames, those that never came
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
     const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }

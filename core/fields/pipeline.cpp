@@ -115,7 +115,8 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     summary.frames = run([&] { return read(); }, work, options, sink);
     summary.damaged = source.damaged();
     summary.reference = std::move(scene.reference);
-    if (summary.frames == 0) {
+    // A stream may end with nothing but the frames that the reference took.
+    if (summary.frames == 0 && options.span != FrameSpan{}) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change --start or "
                                 "--end",

@@ -83,6 +83,7 @@ Size read_size(const Reader& reader, const char* width, const char* height) {
 
 VideoInfo read_clip(const Reader& reader) {
     VideoInfo info;
+    if (reader.has("name")) info.title = reader.text("name");  // older extractions have none
     info.container = reader.text("container");
     info.codec = reader.text("codec");
     info.size = read_size(reader, "width", "height");
@@ -165,7 +166,8 @@ std::string format_manifest(const Manifest& manifest) {
                     {"complete", true},
                     {"vvr", version()},
                     {"clip",
-                     {{"container", clip.container},
+                     {{"name", clip.title},
+                      {"container", clip.container},
                       {"codec", clip.codec},
                       {"width", clip.size.width},
                       {"height", clip.size.height},

@@ -25,7 +25,7 @@ struct StoredFrame {
 
 /// What a directory of data files says of itself (`manifest.json`, in docs/formats.md).
 struct Manifest {
-    VideoInfo clip;  ///< of the whole clip, however little of it is here; its name is not stored
+    VideoInfo clip;  ///< of the whole clip, however little of it is here; of its name only the title
     FrameSpan span;  ///< that was asked for
     Size field_size;
     std::int64_t flow_every = 1;

@@ -71,44 +71,45 @@ int probe_streams(AVFormatContext& format) {
 void set_live(av::Dictionary& options) {
     options.set("fflags", "nobuffer");
     options.set("analyzeduration", "2000000");
-    options.set("rtsp_flags", "prefer_tcp");
     options.set("overrun_nonfatal", "1");
 }
 
 }  // namespace
 
-Demuxer::Demuxer(const Input& input, Kind kind, double rate)
-    : watchdog_(input.watchdog), format_(avformat_alloc_context()) {
-    if (!format_) throw Error(ErrorKind::limit, "out of memory for reading a video");
-    log_.attach(*format_, watchdog_.get());
-    if (input.file) {
-        reader_ = std::make_unique<FileReader>(input.file);
-        format_->pb = reader_->context();
-    }
-    if (input.pipe) {
-        pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
-        format_->pb = pipe_->context();
-    }
+Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.watchdog) {
+    if (input.file) reader_ = std::make_unique<FileReader>(input.file);
+    if (input.pipe) pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
+    int code = open(input, rate, "prefer_tcp");
+    // Some RTSP servers know no RTP within TCP, and say so in a way that libav takes for a refusal.
+    if (code == AVERROR_HTTP_BAD_REQUEST && input.url.starts_with("rtsp")) code = open(input, rate, "");
+    if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
+    if (code < 0) throw_unreadable(input, log_, code);
+    choose_stream(input, kind);
+}
+
+int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags) {
+    AVFormatContext* opened = avformat_alloc_context();
+    if (!opened) throw Error(ErrorKind::limit, "out of memory for reading a video");
+    log_.attach(*opened, watchdog_.get());
+    if (reader_) opened->pb = reader_->context();
+    if (pipe_) opened->pb = pipe_->context();
     av::Dictionary options;
     options.set("framerate", fmt::format("{:.6f}", rate));
     options.set("pattern_type", "none");
     options.set("max_pixels", std::to_string(av::max_pixels));
     if (is_url(input.url) && watchdog_) {
         set_live(options);
+        if (!rtsp_flags.empty()) options.set("rtsp_flags", rtsp_flags);
     } else if (is_url(input.url)) {
         options.set("rw_timeout", "30000000");
     } else {
         options.set("protocol_whitelist", "file,crypto,data");
     }
     const AVInputFormat* const format = input.format.empty() ? nullptr : av_find_input_format(input.format.c_str());
-
     // libav frees the context itself when it can't open it.
-    AVFormatContext* opened = format_.release();
-    int code = avformat_open_input(&opened, input.url.c_str(), format, options.get());
+    const int code = avformat_open_input(&opened, input.url.c_str(), format, options.get());
     format_.reset(opened);
-    if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
-    if (code < 0) throw_unreadable(input, log_, code);
-    choose_stream(input, kind);
+    return code;
 }
 
 void Demuxer::choose_stream(const Input& input, Kind kind) {

@@ -40,6 +40,7 @@ class Demuxer {
     double frame_duration() const;
 
   private:
+    int open(const Input& input, double rate, const std::string& rtsp_flags);
     void choose_stream(const Input& input, Kind kind);
 
     av::Log log_;

@@ -21,7 +21,8 @@ struct VideoInfo {
     double duration = 0;      ///< seconds; 0 = unknown
     std::int64_t frames = 0;  ///< estimate of the number of frames; 0 = unknown
     std::optional<std::int64_t>
-        created{};  ///< seconds since 1970 (UTC), where the container tells when it was recorded
+        created{};        ///< seconds since 1970 (UTC), where the container tells when it was recorded
+    std::string title{};  ///< of the clip that data files were extracted from; empty = what the name tells
 };
 
 struct SourceOptions {

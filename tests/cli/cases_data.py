@@ -27,6 +27,26 @@ def manifest(t, folder):
 
 
 @case
+def parts_by_number_make_the_picture_of_the_whole(t):
+    moving_clip(t, frames=41)
+    t.render("clip.mkv", output="whole.png").expect(0)
+    for i in (1, 2, 3):
+        t.vvr("extract", "clip.mkv", "-o", f"part{i}", "--part", f"{i}/3").expect(0, "frames of 96x64")
+    t.render("part1", "part2", "part3", output="parts.png").expect(0, "41 frames")
+    check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
+    for part, *texts in [
+        ("4/3", "--part: '4/3' is not a share such as 2/8"),
+        ("0/3", "'0/3' is not a share"),
+        ("1", "'1' is not a share"),
+        ("1/x", "'1/x' is not a share"),
+        ("2/42", "--part 2/42: 'clip.mkv' tells of 41 frames; ask for fewer parts"),
+    ]:
+        t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
+    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out --start and --end")
+    check(not t.path("none").exists(), "a folder was made")
+
+
+@case
 def extract_writes_the_data_files(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "4").expect(0, "'data': 40 frames of 96x64")
     told = manifest(t, "data")

@@ -54,6 +54,11 @@ def page_commands(t):
 
 
 @case
+def watch_commands(t):
+    run_commands(t, "docs/watch.md")
+
+
+@case
 def cli_page_is_up_to_date(t):
     page = subprocess.run([t.source / "scripts" / "cli-page", t.vvr_path], stdout=subprocess.PIPE, check=True).stdout
     check(page == (t.source / "docs" / "cli.md").read_bytes(), "docs/cli.md is old; make it with scripts/cli-page")

@@ -8,6 +8,7 @@ import tempfile
 from dataclasses import dataclass
 
 CASES = {}
+SLOW = set()  # names of those that ctest labels slow, and runs alone
 
 
 class Skip(Exception):
@@ -19,6 +20,12 @@ def case(function):
     assert function.__name__ not in CASES, function.__name__
     CASES[function.__name__] = function
     return function
+
+
+def slow_case(function):
+    """The same for a test that takes more than seconds, or that measures."""
+    SLOW.add(function.__name__)
+    return case(function)
 
 
 def check(condition, text):

@@ -1,4 +1,4 @@
-"""Runs one test of the command line, or lists their names: run.py --list | run.py VVR SOURCE CASE."""
+"""Runs one test of the command line, or lists their names: run.py --list | --list-slow | run.py VVR SOURCE CASE."""
 
 import os
 import sys
@@ -18,7 +18,8 @@ import cases_page  # noqa: F401
 import cases_process  # noqa: F401
 import cases_report  # noqa: F401
 import cases_series  # noqa: F401
-from harness import CASES, Bench, Skip
+import cases_watch  # noqa: F401
+from harness import CASES, SLOW, Bench, Skip
 
 
 SKIPPED = 77  # what ctest takes for a test that was skipped
@@ -28,6 +29,9 @@ def main():
     if sys.argv[1:] == ["--list"]:
         print("\n".join(CASES))
         return
+    if sys.argv[1:] == ["--list-slow"]:
+        print("\n".join(SLOW))
+        return
     vvr, source, name = sys.argv[1:]
     bench = Bench(vvr, source)
     try:
@@ -36,7 +40,7 @@ def main():
         sys.exit(f"{name}: {failure}")
     except Skip as reason:
         print(f"{name} was skipped: {reason}")
-        sys.exit(1 if os.environ.get("VVR_BROWSER_REQUIRED") == "1" else SKIPPED)
+        sys.exit(1 if os.environ.get("VVR_ALL_REQUIRED") == "1" else SKIPPED)
     finally:
         bench.close()
 

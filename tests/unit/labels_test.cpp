@@ -116,6 +116,69 @@ Volume clip_of(int frames) {
     return volume;
 }
 
+Volume clip_with_gap() {
+    Volume volume({32, 24}, 800);
+    for (int i = 0; i < 100; ++i) {
+        Field field;
+        field.index = i;
+        field.pts = 0.04 * i;
+        field.scalar = Plane<std::uint8_t>({32, 24}, 200);
+        if (i < 30 || i >= 60) {
+            volume.add(field);
+        } else {
+            volume.add_missing(i, field.pts);
+        }
+    }
+    return volume;
+}
+
+TEST(Gaps, AreWhereNoFrameCame) {
+    const Volume volume = clip_with_gap();
+    EXPECT_EQ(volume.missing(), 30);
+    const std::vector<TimeGap> gaps = time_gaps(volume);
+    ASSERT_EQ(gaps.size(), 1U);
+    EXPECT_DOUBLE_EQ(gaps[0].t_begin, 0.3);
+    EXPECT_DOUBLE_EQ(gaps[0].t_end, 0.6);
+    EXPECT_TRUE(time_gaps(clip_of(100)).empty());
+
+    // Layers that hold a frame are none of a gap.
+    Volume joined({32, 24}, 50);
+    for (int i = 0; i < 100; ++i) {
+        Field field;
+        field.index = i;
+        field.scalar = Plane<std::uint8_t>({32, 24}, 200);
+        if (i < 31 || i >= 61) {
+            joined.add(field);
+        } else {
+            joined.add_missing(i, 0);
+        }
+    }
+    ASSERT_EQ(time_gaps(joined).size(), 1U);
+    EXPECT_NEAR(time_gaps(joined)[0].t_begin, 0.32, 1e-12);
+    EXPECT_NEAR(time_gaps(joined)[0].t_end, 0.6, 1e-12);
+    EXPECT_EQ(joined.missing(), 30);
+    joined.drop_front(25);
+    EXPECT_EQ(joined.missing(), 11);
+}
+
+TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
+    const Volume volume = clip_with_gap();
+    RenderJob job;
+    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    const Framing framing = frame_volume(job, *layout);
+    RenderReport report;
+    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &Label::text), 1);
+    const auto strokes = gap_marks(time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
+    EXPECT_GT(strokes.size(), 20U);
+    for (const Segment& stroke : strokes) {
+        const double t = layout->c_from_p(stroke.from).z;
+        EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
+    }
+    job.show.erase("ruler");
+    EXPECT_EQ(std::ranges::count(letter(job, report, volume, *layout, framing).labels, "no signal", &Label::text), 0);
+}
+
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
     const Volume volume = clip_of(100);
     EXPECT_NEAR(volume.t_of_seconds(0), 0, 1e-9);
