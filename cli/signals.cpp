@@ -1,6 +1,7 @@
 #include "cli/signals.h"
 
 #include <initializer_list>
+#include <utility>
 
 #include <pthread.h>
 
@@ -38,9 +39,18 @@ Signals::~Signals() {
     }
 }
 
+void Signals::before_end(std::function<void()> last_words) {
+    const std::scoped_lock alone(ending_);
+    last_words_ = std::move(last_words);
+}
+
 void Signals::wait(const std::stop_token& stop) {
     int signal = 0;
     if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
+    {
+        const std::scoped_lock alone(ending_);
+        if (last_words_) last_words_();
+    }
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -20,11 +21,16 @@ class Signals {
     /// Signals wait until the lock is gone.
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
+    /// What a signal calls before it ends the program, on a thread of its own; an empty function takes it back.
+    void before_end(std::function<void()> last_words);
+
   private:
     void wait(const std::stop_token& stop);
 
     sigset_t set_{};
     std::mutex writing_;
+    std::mutex ending_;
+    std::function<void()> last_words_;
     std::jthread waiter_;
 };
 
