@@ -87,11 +87,13 @@ function factsOf(clip) {
     if (!clip.failed) {
         first.append(clip.events === null ? '' : clip.events ? element('span', 'badge', many(clip.events, 'event'))
                                                              : element('span', 'badge none', 'no events'));
-        first.append(element('small', '', lengthOf(clip.seconds)));
     }
+    const second = element('span', 'second');
     const name = element('bdi', 'name', clip.name);
     name.title = clip.name;
-    facts.append(first, name);
+    second.append(name);
+    if (!clip.failed) second.append(element('small', '', lengthOf(clip.seconds)));
+    facts.append(first, second);
     return facts;
 }
 
@@ -149,7 +151,7 @@ function show() {
             const block = element('section', 'camera');
             const cards = element('div', 'cards');
             cards.clips = ofCamera;
-            cards.style.minHeight = Math.ceil(ofCamera.length / columns) * 208 + 'px';
+            cards.style.minHeight = Math.ceil(ofCamera.length / columns) * 182 + 'px';
             block.append(element('h3', '', `${cameraName(camera)} · ${ofCamera.length}`), cards);
             section.append(block);
             nearby.observe(cards);
