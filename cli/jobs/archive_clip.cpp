@@ -27,36 +27,29 @@ constexpr std::size_t longest_reason = 600;
 constexpr int killed = 128;  // and the signal's number, as a shell shows it
 constexpr int not_started = 127;
 
-/// Statuses that another clip would end with as well.
-constexpr std::array faults_of_the_machine{
-    std::pair{static_cast<int>(ExitStatus::backend), ErrorKind::backend},
-    std::pair{not_started, ErrorKind::limit},
-};
-
-/// The last thing that was said, in one line. vvr's own words are better than those of the libraries below it.
+/// What vvr said last, an error of several lines as one; where it said nothing, what was said at all.
 std::string last_words(const std::string& said) {
     constexpr std::string_view own = "vvr: ";
-    std::string last, last_own;
-    for (std::size_t begin = 0; begin < said.size();) {
-        const std::size_t end = std::min(said.find('\n', begin), said.size());
-        const std::string line = said.substr(begin, end - begin);
-        if (!line.empty()) last = line;
-        if (line.starts_with(own)) last_own = line.substr(own.size());
-        begin = end + 1;
-    }
-    std::string words = (last_own.empty() ? last : last_own).substr(0, longest_reason);
+    std::size_t begin = said.starts_with(own) ? 0 : std::string::npos;
+    if (const auto later = said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
+    std::string words = begin == std::string::npos ? said : said.substr(begin + own.size());
     std::ranges::replace_if(
         words, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-    return words;
+    words.erase(words.find_last_not_of(' ') + 1);
+    return words.substr(0, longest_reason);
 }
 
 std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
     const std::string words = last_words(end.said);
-    if (end.timed_out) return fmt::format("took longer than {} s, which is what --timeout allows", limits.time.count());
+    if (end.timed_out) {
+        return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
+    }
     if (end.status > killed) {
         const int signal = end.status - killed;
-        return fmt::format("the worker was ended by signal {} ({}){}{}", signal, ::strsignal(signal),
-                           words.empty() ? "" : ": ", words);
+        return fmt::format(
+            "the worker was ended by signal {} ({}), for a bug or for more memory than --max-memory "
+            "allows, {} MB{}{}",
+            signal, ::strsignal(signal), limits.memory / 1'000'000, words.empty() ? "" : ": ", words);
     }
     return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
 }
@@ -65,9 +58,8 @@ void throw_if_not_the_clips_fault(const std::string& clip, const WorkerEnd& end)
     if (end.timed_out) return;
     const std::string words = last_words(end.said);
     if (end.status == static_cast<int>(ExitStatus::io) && is_disk_full(words)) throw Error(ErrorKind::io, words);
-    const auto fault = std::ranges::find(faults_of_the_machine, end.status, [](const auto& row) { return row.first; });
-    if (fault == faults_of_the_machine.end()) return;
-    throw Error(fault->second,
+    if (end.status != not_started) return;
+    throw Error(ErrorKind::limit,
                 words.empty()
                     ? fmt::format("the worker for '{}' could not be started; is vvr's own file still there?", clip)
                     : words);
@@ -82,6 +74,10 @@ void remove_files(const fs::path& out, const std::string& clip, const std::vecto
 }
 
 }  // namespace
+
+bool could_not_draw(const WorkerEnd& end) {
+    return end.status == static_cast<int>(ExitStatus::backend);
+}
 
 bool is_disk_full(const std::string& text) {
     return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG}, [&](int error) {
@@ -141,7 +137,7 @@ std::unique_ptr<Worker> ClipTurn::start() const {
     return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor());
 }
 
-Sidecar ClipTurn::finish(const WorkerEnd& end) {
+Sidecar ClipTurn::finish(const WorkerEnd& end, bool counts) {
     throw_if_not_the_clips_fault(clip_.path, end);
     if (end.status >= killed) remove_leftovers(folder(), written_names(file_name()));
     Sidecar sidecar;
@@ -157,7 +153,7 @@ Sidecar ClipTurn::finish(const WorkerEnd& end) {
                            before_->settings == sidecar.settings && before_->clip.size == clip_.size &&
                            before_->clip.modified == clip_.modified;
         sidecar.state = Sidecar::State::failed;
-        sidecar.tries = again ? before_->tries + 1 : 1;
+        sidecar.tries = (again ? before_->tries : 0) + (counts ? 1 : 0);
         sidecar.status = end.timed_out ? static_cast<int>(ExitStatus::limit) : end.status;
         sidecar.reason = reason_of(end, job_->limits);
         remove_files(job_->out, clip_.path, job_->rules.files, {});

@@ -37,8 +37,9 @@ class ClipTurn {
     std::unique_ptr<Worker> start() const;
 
     /// Writes down what came of it, and removes what is no longer true.
+    /// \param counts whether a failure counts as a try; not when it may be the machine's
     /// \throws Error when it was not the clip's fault, and the next clip would fare no better
-    Sidecar finish(const WorkerEnd& end);
+    Sidecar finish(const WorkerEnd& end, bool counts);
 
   private:
     ClipTurn(const ArchiveJob& job, Clip clip, std::optional<Sidecar> before, Claim claim);
@@ -52,6 +53,9 @@ class ClipTurn {
     Claim claim_;
     bool finished_ = false;
 };
+
+/// Whether a worker ended because it could not draw, which is no clip's fault unless others can be drawn.
+bool could_not_draw(const WorkerEnd& end);
 
 /// Whether an error is that of a full disk, by its text.
 bool is_disk_full(const std::string& text);

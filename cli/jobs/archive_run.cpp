@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// So many clips that can't be drawn, and none that can, are the machine's fault.
+constexpr std::size_t enough_undrawn = 3;
+
 /// Says what becomes of the clips of a run, one after another.
 class Account {
   public:
@@ -97,6 +100,7 @@ std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const Arch
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
                           const Environment& environment) {
     Account account(clips.size(), environment.log);
+    std::size_t undrawn = 0;
     WorkerPool pool(workers, environment.signals);
     for (const PlannedClip& planned : clips) {
         pool.wait_for_room();
@@ -105,7 +109,12 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
         std::unique_ptr<Worker> worker = turn->start();
         pool.add(std::move(worker), [&, held = std::make_shared<ClipTurn>(std::move(*turn))](const WorkerEnd& end) {
             const auto lock = environment.signals.hold();
-            account.add(held->finish(end));
+            const bool nothing_drawn = account.outcome().drawn == 0;
+            const Sidecar sidecar = held->finish(end, !(could_not_draw(end) && nothing_drawn));
+            account.add(sidecar);
+            if (!could_not_draw(end) || !nothing_drawn || ++undrawn < std::min(enough_undrawn, clips.size())) return;
+            throw Error(ErrorKind::backend,
+                        fmt::format("no clip could be drawn, so this run ends here: {}", sidecar.reason));
         });
     }
     pool.wait_for_all();

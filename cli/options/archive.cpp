@@ -48,8 +48,8 @@ void add_options(CLI::App& app, ArchiveOptions& options) {
     add_flag(app, clips, options.no_pages, "--no-pages", "pictures only, which is quicker");
     add_integer(app, group::workers, options.jobs, 1, 1024,
                 {"--jobs", "COUNT", "as many as cores and memory allow", "clips at a time, a process each"});
-    add_option(app, group::workers, options.timeout, {"--timeout", "TIME", "2h", "the longest that a clip may take"},
-               parse_duration);
+    add_option(app, group::workers, options.timeout,
+               {"--timeout", "TIME", "2h", "the longest that a clip may take; 0 = any"}, parse_duration);
     add_option(app, group::workers, options.max_memory,
                {"--max-memory", "BYTES", "its share of the machine's", "the most memory that a clip may take, 2G say"},
                parse_bytes);

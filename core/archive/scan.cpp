@@ -51,9 +51,9 @@ class Walk {
 
     Scan run() {
         list("");
-        if (!scan_.problems.empty()) {
+        if (!scan_.problems.empty() && scan_.problems.back().path.empty()) {
             throw Error(ErrorKind::io, fmt::format("cannot read the archive '{}': {}; check its permissions",
-                                                   in_.string(), scan_.problems.front().reason));
+                                                   in_.string(), scan_.problems.back().reason));
         }
         for (; !folders_.empty() || !links_.empty();) {
             std::deque<std::string>& from = folders_.empty() ? links_ : folders_;
@@ -85,9 +85,9 @@ class Walk {
             std::error_code none;
             if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
         }
-        if (error) scan_.problems.push_back({folder, error.message()});
         std::ranges::sort(entries);  // so that of several links to a folder the same one is taken each time
         for (const auto& [name, type] : entries) add(folder.empty() ? name : folder + '/' + name, type);
+        if (error) scan_.problems.push_back({folder, error.message()});
     }
 
     void add(const std::string& path, fs::file_type type) {

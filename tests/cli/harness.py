@@ -8,6 +8,7 @@ import tempfile
 from dataclasses import dataclass
 
 CASES = {}
+SLOW = set()
 
 
 class Skip(Exception):
@@ -18,6 +19,12 @@ def case(function):
     """Registers a test; its name is the function's."""
     assert function.__name__ not in CASES, function.__name__
     CASES[function.__name__] = function
+    return function
+
+
+def slow(function):
+    """Marks a test that takes minutes; stands above @case."""
+    SLOW.add(function.__name__)
     return function
 
 

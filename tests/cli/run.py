@@ -1,10 +1,12 @@
-"""Runs one test of the command line, or lists their names: run.py --list | run.py VVR SOURCE CASE."""
+"""Runs one test of the command line, or lists them, slow or quick: run.py --list | run.py VVR SOURCE CASE."""
 
 import os
 import sys
 
 import cases_backend  # noqa: F401
 import cases_annotations  # noqa: F401
+import cases_archive  # noqa: F401
+import cases_archive_index  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
@@ -18,7 +20,7 @@ import cases_page  # noqa: F401
 import cases_process  # noqa: F401
 import cases_report  # noqa: F401
 import cases_series  # noqa: F401
-from harness import CASES, Bench, Skip
+from harness import CASES, SLOW, Bench, Skip
 
 
 SKIPPED = 77  # what ctest takes for a test that was skipped
@@ -26,7 +28,7 @@ SKIPPED = 77  # what ctest takes for a test that was skipped
 
 def main():
     if sys.argv[1:] == ["--list"]:
-        print("\n".join(CASES))
+        print("\n".join(f"{name} {'slow' if name in SLOW else 'quick'}" for name in CASES))
         return
     vvr, source, name = sys.argv[1:]
     bench = Bench(vvr, source)
