@@ -95,7 +95,7 @@ def index_lists_by_day_and_camera(t):
 @case
 def index_of_names_that_mean_harm(t):
     evil = ["</script><script>document.title='evil'</script>", "<img src=x onerror=document.title='evil'>", "javascript:alert(1)",
-            "a\" onmouseover=\"document.title='evil'", "{{script}}", "&lt;b&gt;", "#text=x?y", "..%2Fup"]
+            "a\" onmouseover=\"document.title='evil'", "{{script}}", "&lt;b&gt;", "#text=x?y", "up..%2F.."]
     for number, name in enumerate(evil):
         name = name.replace("/", "∕")
         known(t, f"{name if number < 3 else 'cam'}/{name}.avi".replace("%", "%25"), NOW - number, events=1)
