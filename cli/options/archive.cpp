@@ -38,8 +38,8 @@ void add_options(CLI::App& app, ArchiveOptions& options) {
                 {"--tries", "COUNT", "", "how often, run after run, a clip that fails is tried"});
     add_option(app, clips, options.shard, {"--shard", "I/N", "", "only this share of the clips, 1/N to N/N"},
                [](const std::string& given) {
-                   const auto [index, count] = parse_share(given);
-                   return Shard{index, count};
+                   const auto [share, count] = parse_share(given);
+                   return Shard{static_cast<std::uint64_t>(share - 1), static_cast<std::uint64_t>(count)};
                });
     add_flag(app, clips, options.dry_run, "--dry-run", "print what would be done, and why, and do nothing");
     add_flag(app, clips, options.prune, "--prune", "remove the pictures of clips that have gone");

@@ -92,6 +92,16 @@ std::string parse_name(std::string_view text, std::span<const std::string> names
     refuse(text, fmt::format("one of {}{}", fmt::join(names, ", "), did_you_mean(text, names)));
 }
 
+std::pair<int, int> parse_share(std::string_view text) {
+    constexpr int most = 100'000;
+    const auto slash = text.find('/');
+    const auto share = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(0, slash));
+    const auto count = slash == std::string_view::npos ? std::nullopt : number<int>(text.substr(slash + 1));
+    if (!share || !count || *share < 1 || *share > *count || *count > most)
+        refuse(text, "a share such as 2/8, the second of eight");
+    return {*share, *count};
+}
+
 std::chrono::seconds parse_duration(std::string_view text) {
     constexpr std::string_view wanted = "a length of time like 90s, 10m, 2h or 1d";
     constexpr std::int64_t longest = 10'000'000;
@@ -123,14 +133,6 @@ std::int64_t parse_bytes(std::string_view text) {
     const auto value = number<std::int64_t>(digits);
     if (!value || *value < 1 || *value > 1'000'000'000) refuse(text, wanted);
     return *value * bytes;
-}
-
-std::pair<std::uint64_t, std::uint64_t> parse_share(std::string_view text) {
-    const auto parts = split(text, '/');
-    const auto part = number<std::uint64_t>(parts[0]);
-    const auto count = parts.size() == 2 ? number<std::uint64_t>(parts[1]) : std::nullopt;
-    if (!part || !count || *part < 1 || *part > *count) refuse(text, "a share like 3/8, from 1/8 to 8/8");
-    return {*part - 1, *count};
 }
 
 Time parse_time(std::string_view text) {

@@ -36,8 +36,8 @@ std::chrono::seconds parse_duration(std::string_view text);
 /// A number of bytes: `500M`, `2G`, `2GB`, decimal.
 std::int64_t parse_bytes(std::string_view text);
 
-/// A part of the work, `3/8`, from 1 on. Returns 2 and 8.
-std::pair<std::uint64_t, std::uint64_t> parse_share(std::string_view text);
+/// `2/8`: one of so many shares, counted from 1.
+std::pair<int, int> parse_share(std::string_view text);
 
 /// A place in a clip.
 struct Time {

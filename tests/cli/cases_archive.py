@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from harness import case, check, slow
+from harness import case, check, slow_case
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 ENDINGS = (".png", ".html", ".jpg", ".report.json", ".json")
@@ -138,8 +138,7 @@ def archive_of_ten_kinds_of_clips(t):
     archive_of_ten_kinds(t, 1)
 
 
-@slow
-@case
+@slow_case
 def archive_of_200_clips_of_ten_kinds(t):
     good = archive_of_ten_kinds(t, 20)
     check(len(good) == 80, f"{len(good)}")
@@ -305,7 +304,7 @@ def archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "file").expect(2, "cannot make the folder 'file'")
     t.vvr("archive", "in", "-o", "file/out").expect(2, "cannot make the folder 'file/out'")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "cannot make the folder '/proc/out'")
-    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share like 3/8")
+    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share such as 2/8, the second of eight")
     t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 10m, 2h or 1d")
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
@@ -482,8 +481,7 @@ def archive_that_is_killed(t):
     killed_at_random(t, 5, 1)
 
 
-@slow
-@case
+@slow_case
 def archive_that_is_killed_at_20_moments(t):
     killed_at_random(t, 20, 2)
 

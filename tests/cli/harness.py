@@ -8,7 +8,7 @@ import tempfile
 from dataclasses import dataclass
 
 CASES = {}
-SLOW = set()
+SLOW = set()  # names of those that ctest labels slow, and runs alone
 
 
 class Skip(Exception):
@@ -22,10 +22,10 @@ def case(function):
     return function
 
 
-def slow(function):
-    """Marks a test that takes minutes; stands above @case."""
+def slow_case(function):
+    """The same for a test that takes more than seconds, or that measures."""
     SLOW.add(function.__name__)
-    return function
+    return case(function)
 
 
 def check(condition, text):

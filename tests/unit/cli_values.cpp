@@ -43,8 +43,8 @@ TEST(ParseBytes, TakesUnits) {
 }
 
 TEST(ParseShare, CountsFromOne) {
-    EXPECT_EQ(parse_share("1/1"), (std::pair<std::uint64_t, std::uint64_t>(0, 1)));
-    EXPECT_EQ(parse_share("3/8"), (std::pair<std::uint64_t, std::uint64_t>(2, 8)));
+    EXPECT_EQ(parse_share("1/1"), (std::pair(1, 1)));
+    EXPECT_EQ(parse_share("3/8"), (std::pair(3, 8)));
     for (const char* text : {"", "/", "1", "0/2", "3/2", "1/0", "-1/2", "1/2/3", "a/b"})
         EXPECT_THROW(parse_share(text), Error) << text;
 }
