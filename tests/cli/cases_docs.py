@@ -59,6 +59,11 @@ def watch_commands(t):
 
 
 @case
+def cluster_commands(t):
+    run_commands(t, "docs/cluster.md")
+
+
+@case
 def cli_page_is_up_to_date(t):
     page = subprocess.run([t.source / "scripts" / "cli-page", t.vvr_path], stdout=subprocess.PIPE, check=True).stdout
     check(page == (t.source / "docs" / "cli.md").read_bytes(), "docs/cli.md is old; make it with scripts/cli-page")
@@ -86,6 +91,7 @@ def links_lead_somewhere(t):
 
 @case
 def scripts_are_sound(t):
-    for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh"):
-        done = t.run(["bash", "-n", str(t.source / "scripts" / name)])
+    jobs = sorted((t.source / "scripts" / "cluster").iterdir())
+    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh")] + jobs:
+        done = t.run(["bash", "-n", str(script)])
         check(done.status == 0, str(done))

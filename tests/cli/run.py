@@ -7,6 +7,7 @@ import cases_backend  # noqa: F401
 import cases_annotations  # noqa: F401
 import cases_archive  # noqa: F401
 import cases_archive_index  # noqa: F401
+import cases_cluster  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_docs  # noqa: F401
