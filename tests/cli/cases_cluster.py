@@ -1,7 +1,9 @@
 """The jobs of scripts/cluster with a Slurm of a few lines, which runs a job where it is submitted; scripts/cluster/test
 has a real one."""
 
+import fcntl
 import os
+import threading
 
 from harness import case, check
 
@@ -80,6 +82,32 @@ def cluster_requeues_what_may_be_the_nodes_fault(t):
     check(tried(SLURM_RESTART_COUNT="5", RESTARTS="5", VVR_RESTARTS="6"), "VVR_RESTARTS has no effect")
     check(not tried(STATE="COMPLETED"), "a job that has ended is started again by a run that was lost")
     check(not tried(RESTARTS="1"), "the run that was lost puts back the one that took its place")
+
+
+@case
+def cluster_waits_for_the_run_that_slurm_lost(t):
+    t.path("in").mkdir()
+    t.path("out").mkdir()
+    t.clip("in/a.avi", seconds=1)
+    number = 0xcbf29ce484222325
+    for byte in b"a.avi":
+        number = (number ^ byte) * 0x100000001b3 % 2**64
+
+    def started_again(**environment):
+        return submit(t, "submit-archive", "in", "out", "--shards", "1", "--", "--settle", "0s", "--size", "160x100",
+                      SLURM_RESTART_COUNT="1", RESTARTS="1", **environment).expect(0, out=None)
+
+    with open(t.path(f"out/.vvr-{number:016x}.lock"), "w") as lock:
+        lock.write("a.avi")
+        lock.flush()
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        started_again(VVR_PATIENCE="1")
+        check("after 5 s 1 clip(s) are still in the hands of another run" in text_of(t, "out/.logs/*"), text_of(t, "out/.logs/*"))
+        check(t.path("ended").read_text() == "task 1: status 6\n", "the task is content")
+        t.path("ended").unlink()
+        threading.Timer(4, lambda: fcntl.flock(lock, fcntl.LOCK_UN)).start()
+        started_again()
+        check(t.path("out/a.avi.png").exists() and not t.path("ended").exists(), text_of(t, "out/.logs/*"))
 
 
 @case
