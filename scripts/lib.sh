@@ -54,13 +54,14 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >&2
 }
 
+# All of it, or one target.
 build() {
     if [ ! -e build/release/build.ninja ]; then
         say "configuring build/release"
         cmake --preset release >&2
     fi
-    say "building build/release"
-    cmake --build --preset release >&2
+    say "building build/release${1:+ ($1)}"
+    cmake --build --preset release ${1:+--target "$1"} >&2
 }
 
 # One file out of Debian's opencv-doc, kept in .cache. Fails when the package can't be had.

@@ -122,6 +122,30 @@ def cluster_draws_a_clip_in_parts(t):
 
 
 @case
+def cluster_makes_the_parts_that_are_missing(t):
+    t.clip("clip.avi", seconds=2)
+    t.write("vvr", f"""#!/bin/bash
+[[ $* != *--part* ]] || echo "$*" >>extracted
+[[ $* != *--part\ 2/3* || -e mended ]] || exit 3
+exec '{t.vvr_path}' "$@"
+""")
+    t.path("vvr").chmod(0o755)
+
+    def once():
+        t.path("extracted").unlink(missing_ok=True)
+        submit(t, "submit-clip", "clip.avi", "out.png", "--parts", "3", "--", "--size", "160x100", VVR=str(t.path("vvr"))).expect(0, out=None)
+        return len(t.path("extracted").read_text().splitlines())
+
+    check(once() == 3, "not every part was tried")
+    logs = text_of(t, "out.png.parts-*/logs/*")
+    check("there are 2 of 3 parts in 'out.png.parts-" in logs and "run submit-clip again" in logs, logs)
+    check(not t.path("out.png").exists() and not list(t.folder.glob("out.png.parts-*/try.*")), str(t.files()))
+    t.write("mended", "")
+    check(once() == 1, "parts that are whole were made again")
+    t.expect_picture("out.png")
+
+
+@case
 def cluster_refuses_what_cannot_be(t):
     t.clip("clip.avi", seconds=1)
     t.path("in").mkdir()
