@@ -49,6 +49,10 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
 
 std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     const Volume& volume = fields.volume;
+    // Where parts are left out, only the clock tells how long a brick is.
+    if (job.brick_seconds > 0 && volume.left_out() > 0) {
+        return cut_by_clock(volume, job.brick_seconds, static_cast<double>(job.clock.value_or(0)));
+    }
     const double frames = static_cast<double>(volume.frames());
     double brick_frames = static_cast<double>(job.brick_frames);
     const double seconds = fields.last.pts - fields.first.pts;
@@ -62,7 +66,7 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 
 const std::vector<std::string>& show_words() {
     static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "floor",
-                                                   "ruler",  "legend", "title",      "boxes",   "slices"};
+                                                   "ruler",  "legend", "title",      "bricks",  "boxes",  "slices"};
     return words;
 }
 

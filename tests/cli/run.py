@@ -7,6 +7,7 @@ import cases_backend  # noqa: F401
 import cases_annotations  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
+import cases_day  # noqa: F401
 import cases_docs  # noqa: F401
 import cases_examples  # noqa: F401
 import cases_golden  # noqa: F401
