@@ -51,11 +51,20 @@ bool Signals::stop_politely() {
     return true;
 }
 
+void Signals::before_end(std::function<void()> last_words) {
+    const std::scoped_lock alone(ending_);
+    last_words_ = std::move(last_words);
+}
+
 void Signals::wait(const std::stop_token& stop) {
     int signal = 0;
     do {
         if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
     } while (stop_politely());
+    {
+        const std::scoped_lock alone(ending_);
+        if (last_words_) last_words_();
+    }
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);

@@ -23,6 +23,9 @@ class Signals {
     /// Signals wait until the lock is gone.
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
+    /// What a signal calls before it ends the program, on a thread of its own; an empty function takes it back.
+    void before_end(std::function<void()> last_words);
+
   private:
     friend class PoliteStop;
 
@@ -34,6 +37,8 @@ class Signals {
     std::mutex writing_;
     std::mutex stopping_;
     std::function<void()> stop_;
+    std::mutex ending_;
+    std::function<void()> last_words_;
     std::jthread waiter_;
 };
 

@@ -28,6 +28,7 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
 ExitStatus run_watch(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_extract(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_inspect(const Command& command, Arguments arguments, const Environment& environment);
+ExitStatus run_archive(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_compare(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_info(const Command& command, Arguments arguments, const Environment& environment);
 ExitStatus run_doctor(const Command& command, Arguments arguments, const Environment& environment);

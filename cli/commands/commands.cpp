@@ -27,6 +27,7 @@ const std::vector<Command>& commands() {
         {"watch", "a live stream as a picture that is drawn anew after each brick", run_watch},
         {"extract", "the data files of a video: scalar fields, flow, seeds", run_extract},
         {"inspect", "one frame's object, flow and seeds side by side", run_inspect},
+        {"archive", "every new clip of a folder as a picture and a page, with an index", run_archive},
         {"compare", "whether two pictures are the same but for what a tolerance allows", run_compare},
         {"info", "what a video is, and what a render of it would do and need", run_info},
         {"doctor", "what this machine can do, and what would mend what it can't", run_doctor},

@@ -81,7 +81,7 @@ RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, co
     job.clock = clock_of(settings.look.start_time, fields.source->info());
     job.pictures = pictures_of(output);
     job.series = is_series(output);
-    const bool page = is_page(output);
+    const bool page = !page_of(output).empty();
     job.layers = page || (!output.path.empty() && !is_animation(output.path) && holds_layers(output.path));
     job.find_events = (page || !output.report.empty()) && marks_objects(settings, fields.extracted);
     return job;
@@ -126,16 +126,15 @@ ExitStatus run_render(const Command& command, Arguments arguments, const Environ
     PictureOutput pictures(output, environment.signals);
     const auto begin = std::chrono::steady_clock::now();
     OpenedFields fields = open_fields(settings, line);
-    WatchedFields* const watched = is_page(output) ? watch(fields) : nullptr;
+    WatchedFields* const watched = page_of(output).empty() ? nullptr : watch(fields);
     Picture drawn;
     const auto write = [&](const RenderReport& report, int number, Picture&& picture) {
         const Metadata description = describe(line, fields.extracted, report, series);
         if (!output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
-        if (watched == nullptr) {
-            pictures.add(number, picture, description);
-            return;
-        }
-        pictures.add_page(page_text(output.path, settings.input.names.front(), settings.look.title, report,
+        if (!is_page(output)) pictures.add(number, picture, description);
+        pictures.add_thumbnail(picture);
+        if (watched == nullptr) return;
+        pictures.add_page(page_text(page_of(output), settings.input.names.front(), settings.look.title, report,
                                     std::move(picture), description, watched->take()));
     };
     const RenderJob job = job_of(settings, output, fields);

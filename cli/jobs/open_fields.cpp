@@ -49,8 +49,12 @@ OpenedFields open_any(const RenderSettings& settings, const CommandLine& line) {
 
 }  // namespace
 
+bool may_name_file(const std::string& option) {
+    return std::ranges::find(options_with_files, option) != options_with_files.end();
+}
+
 std::string without_folder(const std::string& option, const std::string& value) {
-    if (std::ranges::find(options_with_files, option) == options_with_files.end()) return value;
+    if (!may_name_file(option)) return value;
     const std::filesystem::path path(value);
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }

@@ -19,6 +19,9 @@ struct OpenedFields {
 /// \throws Error usage as well where options contradict those of the extraction
 OpenedFields open_fields(const RenderSettings& settings, const CommandLine& line);
 
+/// Whether the value of an option may be the name of a file, in which a part of the settings stands.
+bool may_name_file(const std::string& option);
+
 /// The value of an option without the folder, where it may be a file's name: what is passed on should not tell where
 /// its maker keeps files.
 std::string without_folder(const std::string& option, const std::string& value);

@@ -3,16 +3,20 @@
 #include <span>
 
 #include "core/image/atomic_file.h"
+#include "core/image/smaller.h"
 
 namespace vvr {
 
 namespace {
 
 constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths of a second each
+constexpr int thumbnail_side = 400;
+constexpr int thumbnail_quality = 80;
 
 }  // namespace
 
-PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals) : signals_(signals), name_(options.path) {
+PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals)
+    : signals_(signals), name_(name_of(options)), page_(page_of(options)), thumbnail_(options.thumbnail) {
     if (options.path.empty()) return;
     const auto held = signals.hold();
     if (is_animation(options.path) || is_page(options)) {
@@ -33,9 +37,17 @@ void PictureOutput::add(int number, const Picture& picture, const Metadata& meta
     write_picture(name_.at(number), picture, metadata);
 }
 
+void PictureOutput::add_thumbnail(const Picture& picture) {
+    if (thumbnail_.empty()) return;
+    const std::vector<unsigned char> encoded =
+        encode_picture(thumbnail_, smaller(picture, thumbnail_side), {}, thumbnail_quality);
+    const auto held = signals_.hold();
+    replace_file(thumbnail_, std::as_bytes(std::span(encoded)));
+}
+
 void PictureOutput::add_page(const std::string& text) {
     const auto held = signals_.hold();
-    replace_file(name_.path(), std::as_bytes(std::span(text)));
+    replace_file(page_, std::as_bytes(std::span(text)));
 }
 
 void PictureOutput::close() {

@@ -20,7 +20,10 @@ class PictureOutput {
 
     void add(int number, const Picture& picture, const Metadata& metadata);
 
-    /// Instead of a picture, where the name is a page's.
+    /// The picture once more, small, where that is asked for.
+    void add_thumbnail(const Picture& picture);
+
+    /// Instead of the picture, or beside it.
     void add_page(const std::string& text);
 
     /// After the last picture.
@@ -29,6 +32,8 @@ class PictureOutput {
   private:
     Signals& signals_;
     NamePattern name_;
+    std::filesystem::path page_;
+    std::filesystem::path thumbnail_;
     std::optional<AnimationFile> animation_;
 };
 

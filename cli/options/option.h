@@ -21,6 +21,8 @@ inline constexpr const char* bricks = "Bricks";
 inline constexpr const char* view = "Layout and view";
 inline constexpr const char* look = "Look";
 inline constexpr const char* output = "Output";
+inline constexpr const char* archive = "Archive";
+inline constexpr const char* workers = "Workers";
 inline constexpr const char* comparison = "Comparison";
 inline constexpr const char* run = "Run";
 }  // namespace group

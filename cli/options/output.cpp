@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -11,7 +12,6 @@
 #include "cli/options/option.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
-#include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
 
 namespace vvr {
@@ -31,6 +31,60 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return !a.empty() && !b.empty() && whole(a) == whole(b);
 }
 
+bool ends_as_page(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == page_ending || ending == ".htm";
+}
+
+/// The outputs that an option of their own names.
+struct Named {
+    const char* option;
+    const std::filesystem::path& path;
+    const char* better;  ///< a name to take instead
+};
+
+void check_names(const OutputOptions& options) {
+    const Named outputs[] = {
+        {"--report", options.report, "report.json"},     {"--page", options.page, "page.html"},
+        {"--thumbnail", options.thumbnail, "small.jpg"}, {"-o", options.path, "picture.png"},
+        {"--golden", options.golden.path, "golden.png"}, {"--diff", options.golden.comparison.diff, "diff.png"}};
+    for (const Named& a : outputs) {
+        for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
+            // What a golden picture is compared with, and where the difference goes, is for that group to check.
+            if (&a - outputs > 2 || !same_file(a.path, b.path)) continue;
+            throw Error(ErrorKind::usage,
+                        fmt::format("{} and {} both name '{}'; give the {} a name of its own, such as {}", a.option,
+                                    b.option, b.path.string(), a.option + 2, a.better));
+        }
+    }
+}
+
+/// The page and the thumbnail that come beside a picture.
+void check_companions(const OutputOptions& options) {
+    if (!options.page.empty() && !ends_as_page(options.page)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("--page '{}': a page's name ends in {}", options.page.string(), page_ending));
+    }
+    if (!options.page.empty() && is_page(options)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
+                                options.path.string()));
+    }
+    const std::pair<const char*, const std::filesystem::path&> companions[] = {{"--page", options.page},
+                                                                               {"--thumbnail", options.thumbnail}};
+    for (const auto& [option, path] : companions) {
+        if (path.empty()) continue;
+        if (options.path.empty() || pictures_of(options) > 1 || is_series(options)) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("{} goes with one picture; {}", option,
+                                    options.path.empty() ? "say where that goes with -o FILE" : "make those apart"));
+        }
+        check_file_path(path);
+    }
+    if (!options.thumbnail.empty()) check_picture_ending(options.thumbnail);
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, OutputOptions& options) {
@@ -41,6 +95,8 @@ void add_options(CLI::App& app, OutputOptions& options) {
                             "name: {{brick:4}}, #### or %04d",
                             fmt::join(picture_endings(), " "), page_ending, fmt::join(animation_endings(), " "))},
                [](const std::string& given) { return std::filesystem::path(given); });
+    app.add_flag("--plain-name", options.plain_name, "FILE has no field, whatever stands in its name")
+        ->group(group::output);
     add_option(
         app, group::output, options.animate,
         {"--animate", "COUNT", "",
@@ -48,6 +104,12 @@ void add_options(CLI::App& app, OutputOptions& options) {
                      "if not given) or has a field: {{frame:4}}, #### or %04d",
                      standard_animation)},
         [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
+    add_option(app, group::output, options.page,
+               {"--page", "FILE", "", "a page to watch the clip from it, beside the picture: .html"},
+               [](const std::string& given) { return std::filesystem::path(given); });
+    add_option(app, group::output, options.thumbnail,
+               {"--thumbnail", "FILE", "", "the picture once more, small: .jpg .png"},
+               [](const std::string& given) { return std::filesystem::path(given); });
     add_option(app, group::output, options.report,
                {"--report", "FILE", "", "a JSON file of the input, the settings, the events and the run; needs no -o"},
                [](const std::string& given) { return std::filesystem::path(given); });
@@ -57,14 +119,8 @@ void add_options(CLI::App& app, OutputOptions& options) {
 void check(const OutputOptions& options) {
     check(options.golden);
     if (!options.report.empty()) check_file_path(options.report);
-    const std::pair<std::string, std::filesystem::path> others[] = {
-        {"-o", options.path}, {"--golden", options.golden.path}, {"--diff", options.golden.comparison.diff}};
-    for (const auto& [name, path] : others) {
-        if (!same_file(options.report, path)) continue;
-        throw Error(ErrorKind::usage, fmt::format("--report and {} both name '{}'; give the report a name of its own, "
-                                                  "such as report.json",
-                                                  name, path.string()));
-    }
+    check_names(options);
+    check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
         throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
     }
@@ -75,7 +131,7 @@ void check(const OutputOptions& options) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
     }
     if (options.path.empty()) return;
-    const NamePattern name(options.path);
+    const NamePattern name = name_of(options);
     const std::string text = options.path.string();
     if (is_page(options)) {
         if (!name.has_field() && !options.animate) return;
@@ -117,14 +173,20 @@ void check_report(const OutputOptions& options, const std::vector<std::string>& 
     }
 }
 
+NamePattern name_of(const OutputOptions& options) {
+    return options.plain_name ? NamePattern::literal(options.path) : NamePattern(options.path);
+}
+
 bool is_series(const OutputOptions& options) {
-    return !options.animate && NamePattern(options.path).has_field();
+    return !options.animate && name_of(options).has_field();
 }
 
 bool is_page(const OutputOptions& options) {
-    std::string ending = options.path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == page_ending || ending == ".htm";
+    return ends_as_page(options.path);
+}
+
+const std::filesystem::path& page_of(const OutputOptions& options) {
+    return is_page(options) ? options.path : options.page;
 }
 
 int pictures_of(const OutputOptions& options) {

@@ -102,6 +102,39 @@ std::pair<int, int> parse_share(std::string_view text) {
     return {*share, *count};
 }
 
+std::chrono::seconds parse_duration(std::string_view text) {
+    constexpr std::string_view wanted = "a length of time like 90s, 10m, 2h or 1d";
+    constexpr std::int64_t longest = 10'000'000;
+    constexpr std::pair<char, std::int64_t> units[] = {{'s', 1}, {'m', 60}, {'h', 3600}, {'d', 86400}};
+    std::string_view digits = text;
+    std::int64_t seconds = 1;
+    for (const auto& [letter, length] : units) {
+        if (!text.ends_with(letter)) continue;
+        digits.remove_suffix(1);
+        seconds = length;
+    }
+    const auto value = number<std::int64_t>(digits);
+    if (!value || *value < 0 || *value > longest) refuse(text, wanted);
+    return std::chrono::seconds(*value * seconds);
+}
+
+std::int64_t parse_bytes(std::string_view text) {
+    constexpr std::string_view wanted = "a number of bytes like 500M or 2G";
+    constexpr std::pair<char, std::int64_t> units[] = {{'K', 1'000}, {'M', 1'000'000}, {'G', 1'000'000'000}};
+    std::string_view digits = text;
+    if (digits.ends_with('B')) digits.remove_suffix(1);
+    std::int64_t bytes = 1;
+    for (const auto& [letter, size] : units) {
+        if (!digits.ends_with(letter)) continue;
+        digits.remove_suffix(1);
+        bytes = size;
+        break;
+    }
+    const auto value = number<std::int64_t>(digits);
+    if (!value || *value < 1 || *value > 1'000'000'000) refuse(text, wanted);
+    return *value * bytes;
+}
+
 Time parse_time(std::string_view text) {
     constexpr std::string_view wanted = "a time like 250 (a frame), 12.5s or 00:00:12.5";
     const auto parts = split(text, ':');

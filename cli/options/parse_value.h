@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -28,6 +29,12 @@ std::pair<double, double> parse_pair(std::string_view text, char separator, Rang
 
 /// One of `names`.
 std::string parse_name(std::string_view text, std::span<const std::string> names);
+
+/// A length of time: `90s`, `10m`, `2h`, `1d`; seconds where no unit is given.
+std::chrono::seconds parse_duration(std::string_view text);
+
+/// A number of bytes: `500M`, `2G`, `2GB`, decimal.
+std::int64_t parse_bytes(std::string_view text);
 
 /// `2/8`: one of so many shares, counted from 1.
 std::pair<int, int> parse_share(std::string_view text);

@@ -13,19 +13,10 @@
 
 namespace vvr {
 
-namespace {
-
-double parse_duration(const std::string& text) {
-    const Time time = parse_time(text);
-    if (time.unit == Time::Unit::seconds && time.value > 0) return time.value;
-    throw Error(ErrorKind::usage, fmt::format("'{}': a time is written 90s or 01:30:00", text));
-}
-
-}  // namespace
-
 void add_options(CLI::App& app, WatchOptions& options) {
     add_option(app, group::input, options.duration,
-               {"--duration", "TIME", "", "ends after it: 90s, 01:30:00; else SIGTERM or SIGINT does"}, parse_duration);
+               {"--duration", "TIME", "", "ends after it: 90s, 10m, 2h, 1d; else SIGTERM or SIGINT does"},
+               [](const std::string& text) { return static_cast<double>(parse_duration(text).count()); });
     add_number(app, group::input, options.lag, {0.1, 60},
                {"--lag", "SECONDS", "", "a frame that has waited longer for its turn is dropped; pipes wait instead"});
     add_number(app, group::input, options.patience, {0.5, 3600},

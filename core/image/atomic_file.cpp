@@ -1,9 +1,11 @@
 #include "core/image/atomic_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/fnv.h"
 
 namespace vvr {
 
@@ -27,12 +30,21 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+/// How the hidden files of a target begin. A hash, as the target's name may be as long as a name can be.
+std::string hidden_prefix(const std::string& name) {
+    return fmt::format(".vvr-{:016x}-", fnv1a(name));
+}
+
+constexpr std::string_view hidden_ending = ".part";
+
 /// A new file with a hidden name, gone again unless it was renamed.
 class TemporaryFile {
   public:
-    explicit TemporaryFile(const fs::path& folder) {
+    explicit TemporaryFile(const fs::path& target) {
+        const fs::path folder = folder_of(target);
         for (int i = 0; file_ < 0; ++i) {
-            path_ = folder / fmt::format(".vvr-{}-{}.part", ::getpid(), i);
+            path_ = folder /
+                    fmt::format("{}{}-{}{}", hidden_prefix(target.filename().string()), ::getpid(), i, hidden_ending);
             file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (file_ < 0 && errno != EEXIST) throw_error("make a file in", folder, errno);
         }
@@ -111,14 +123,30 @@ void check_file_path(const fs::path& path) {
                                                path.string(), reason(errno)));
     }
     // Asking for permissions is not enough: a server or a full disk has its own opinion. So try.
-    const TemporaryFile probe(folder);
+    const TemporaryFile probe(target);
 }
 
 void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
     const fs::path target = target_of(path);
-    TemporaryFile file(folder_of(target));
+    TemporaryFile file(target);
     file.write(bytes, path);
     file.rename_to(target);
+}
+
+void remove_leftovers(const fs::path& folder, std::span<const std::string> names) {
+    std::vector<std::string> prefixes;
+    for (const std::string& name : names) prefixes.push_back(hidden_prefix(name));
+    std::error_code none;
+    std::vector<fs::path> left;
+    for (fs::directory_iterator entry(folder, none); !none && entry != fs::directory_iterator();
+         entry.increment(none)) {
+        const std::string name = entry->path().filename().string();
+        const bool ours =
+            name.ends_with(hidden_ending) &&
+            std::ranges::any_of(prefixes, [&](const std::string& prefix) { return name.starts_with(prefix); });
+        if (ours) left.push_back(entry->path());
+    }
+    for (const fs::path& path : left) fs::remove(path, none);
 }
 
 }  // namespace vvr

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 
 namespace vvr {
 
@@ -15,5 +16,9 @@ void check_file_path(const std::filesystem::path& path);
 /// them, or what it held before. A link is followed, so that it stays a link.
 /// \throws Error io
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. Only for who
+/// knows that nobody is replacing them now.
+void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);
 
 }  // namespace vvr

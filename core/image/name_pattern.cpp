@@ -58,6 +58,12 @@ NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     }
 }
 
+NamePattern NamePattern::literal(const std::filesystem::path& path) {
+    NamePattern name;
+    name.path_ = path;
+    return name;
+}
+
 std::filesystem::path NamePattern::at(std::int64_t number) const {
     if (!has_field_) return path_;
     return path_.parent_path() / fmt::format("{}{:0{}}{}", before_, number, digits_, after_);

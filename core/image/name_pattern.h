@@ -16,6 +16,9 @@ class NamePattern {
     /// \throws Error usage when there are two fields, or braces around anything else
     explicit NamePattern(const std::filesystem::path& path);
 
+    /// A name that is none but itself, whatever stands in it.
+    static NamePattern literal(const std::filesystem::path& path);
+
     bool has_field() const { return has_field_; }
 
     /// What the numbers count: "frame", "brick", or nothing where the field doesn't say.

@@ -1,27 +1,20 @@
 #include "core/page/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <stdexcept>
 
 extern "C" {
 #include <libavutil/base64.h>
-#include <libavutil/mem.h>
-#include <libavutil/sha.h>
 }
 
 #include <fmt/format.h>
 
+#include "core/sha256.h"
+
 namespace vvr {
 
 namespace {
-
-struct AvFree {
-    void operator()(AVSHA* sha) const { av_free(sha); }
-};
 
 const std::uint8_t* octets(const void* data) {
     return static_cast<const std::uint8_t*>(data);
@@ -102,13 +95,17 @@ std::string data_url(const std::string& type, std::span<const std::byte> bytes) 
 }
 
 std::string policy_hash(std::string_view text) {
-    const std::unique_ptr<AVSHA, AvFree> sha(av_sha_alloc());
-    if (!sha) throw std::bad_alloc();
-    std::array<std::byte, 32> digest{};
-    av_sha_init(sha.get(), 256);
-    av_sha_update(sha.get(), octets(text.data()), text.size());
-    av_sha_final(sha.get(), reinterpret_cast<std::uint8_t*>(digest.data()));
-    return "'sha256-" + base64(digest) + "'";
+    return "'sha256-" + base64(sha256(text)) + "'";
+}
+
+std::string url_of_path(std::string_view path) {
+    // A first part with a colon in it would read as a scheme.
+    std::string url = "./";
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        url += is_plain_in_url(byte) ? std::string(1, c) : fmt::format("%{:02X}", byte);
+    }
+    return url;
 }
 
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file) {
@@ -116,13 +113,7 @@ std::string relative_url(const std::filesystem::path& page, const std::filesyste
     const auto whole = [](const std::filesystem::path& path) {
         return std::filesystem::absolute(path).lexically_normal();
     };
-    // A first part with a colon in it would read as a scheme.
-    std::string url = "./";
-    for (const char c : whole(file).lexically_relative(whole(page).parent_path()).string()) {
-        const auto byte = static_cast<unsigned char>(c);
-        url += is_plain_in_url(byte) ? std::string(1, c) : fmt::format("%{:02X}", byte);
-    }
-    return url;
+    return url_of_path(whole(file).lexically_relative(whole(page).parent_path()).string());
 }
 
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values) {

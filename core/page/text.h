@@ -29,6 +29,9 @@ std::string policy_hash(std::string_view text);
 /// mean something in a URL are escaped, whatever encoding they are of.
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file);
 
+/// A path below the folder of the page as a relative URL.
+std::string url_of_path(std::string_view path);
+
 /// Puts values in the places `{{name}}` of a text. What a value holds is not looked at again.
 /// \throws std::out_of_range for a name that has no value
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values);

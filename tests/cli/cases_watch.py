@@ -124,7 +124,7 @@ def watch_over_tcp(t):
 @case
 def watch_over_udp(t):
     source(t)
-    said = watched(t, "udp://127.0.0.1:{port}", "--duration", "4.5s", "--patience", "3", loop=True)
+    said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
     check(figures(said)["pictures"] >= 1, said)
 
 
@@ -279,7 +279,7 @@ def watch_refuses(t):
         (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "--reference median: it takes the whole clip"),
         (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "a stream is not recorded"),
         (("clip.avi", "-o", "out.png", "--keyframes", "3"), 1, "--keyframes is for one picture"),
-        (("clip.avi", "-o", "out.png", "--duration", "30"), 1, "--duration: '30': a time is written 90s or 01:30:00"),
+        (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "--duration: '30x' is not a length of time like 90s"),
         (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "--lag"),
         (("missing.ts", "-o", "out.png"), 2, "cannot read 'missing.ts': No such file", "give a URL such as rtsp://camera/stream"),
         (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "cannot read 'tcp://127.0.0.1:1': Connection refused"),

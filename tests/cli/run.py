@@ -5,6 +5,8 @@ import sys
 
 import cases_backend  # noqa: F401
 import cases_annotations  # noqa: F401
+import cases_archive  # noqa: F401
+import cases_archive_index  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
 import cases_day  # noqa: F401

@@ -23,6 +23,32 @@ TEST(ParseTime, RefusesEverythingElse) {
     }
 }
 
+TEST(ParseDuration, TakesUnits) {
+    EXPECT_EQ(parse_duration("90"), std::chrono::seconds(90));
+    EXPECT_EQ(parse_duration("60s"), std::chrono::seconds(60));
+    EXPECT_EQ(parse_duration("10m"), std::chrono::minutes(10));
+    EXPECT_EQ(parse_duration("2h"), std::chrono::hours(2));
+    EXPECT_EQ(parse_duration("1d"), std::chrono::hours(24));
+    for (const char* text : {"", "s", "-1s", "1.5h", "1 h", "2w", "1hs", "99999999999999999999"}) {
+        EXPECT_THROW(parse_duration(text), Error) << text;
+    }
+}
+
+TEST(ParseBytes, TakesUnits) {
+    EXPECT_EQ(parse_bytes("5"), 5);
+    EXPECT_EQ(parse_bytes("500M"), 500'000'000);
+    EXPECT_EQ(parse_bytes("2GB"), 2'000'000'000);
+    for (const char* text : {"", "G", "0", "-1G", "1.5G", "1T", "1 G", "1GG"})
+        EXPECT_THROW(parse_bytes(text), Error) << text;
+}
+
+TEST(ParseShare, CountsFromOne) {
+    EXPECT_EQ(parse_share("1/1"), (std::pair(1, 1)));
+    EXPECT_EQ(parse_share("3/8"), (std::pair(3, 8)));
+    for (const char* text : {"", "/", "1", "0/2", "3/2", "1/0", "-1/2", "1/2/3", "a/b"})
+        EXPECT_THROW(parse_share(text), Error) << text;
+}
+
 TEST(ParseSize, TakesWhatATextureCanHold) {
     EXPECT_EQ(parse_size("1280x800"), (Size{1280, 800}));
     EXPECT_EQ(parse_size("1x16384"), (Size{1, 16384}));

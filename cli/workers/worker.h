@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace vvr {
+
+/// What a worker may take. 0 = as much as it likes.
+struct WorkerLimits {
+    std::chrono::seconds time{0};
+    std::int64_t memory = 0;  ///< bytes
+};
+
+/// How a worker ended.
+struct WorkerEnd {
+    int status = 0;          ///< exit status, or 128 + the signal, as a shell shows it
+    bool timed_out = false;  ///< and was killed for it
+    std::string said;        ///< the end of what it wrote to stderr
+    double seconds = 0;
+};
+
+/// A child that runs this very program with other arguments, in a process group of its own. It ends when this process
+/// does, however that comes about.
+class Worker {
+  public:
+    /// \param threads for libraries that can't be told on the command line
+    /// \param inherited a descriptor that it keeps open as long as it lives; -1 = none
+    /// \throws Error limit when the system can't start a process
+    Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited);
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    /// To wait on: it can be read when the worker has said something, or has ended.
+    int descriptor() const { return output_; }
+
+    /// Takes in what there is to be read, and kills the worker if its time is over.
+    /// \returns whether it has ended
+    bool update();
+
+    /// Asks the worker to end.
+    void interrupt();
+
+    const WorkerEnd& end() const { return end_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void read_output();
+    void reap(bool wait);
+
+    pid_t process_ = -1;
+    int output_ = -1;
+    bool ended_ = false;
+    Clock::time_point began_ = Clock::now();
+    WorkerLimits limits_;
+    WorkerEnd end_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vvr {
+
+/// Which files of an archive are clips, by their names.
+class ClipNames {
+  public:
+    /// \param patterns for `fnmatch`, on the path below the archive's folder where they hold a `/`, else on the file's
+    ///        name; none = the endings of video files
+    explicit ClipNames(std::vector<std::string> patterns = {}) : patterns_(std::move(patterns)) {}
+
+    bool matches(const std::string& clip) const;
+
+  private:
+    std::vector<std::string> patterns_;
+};
+
+/// The endings that video files have, with their dots, in lower case.
+const std::vector<std::string>& video_endings();
+
+}  // namespace vvr

@@ -1,0 +1,80 @@
+#include "core/archive/index.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/page/text.h"
+#include "page_files.h"
+
+namespace vvr {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "2026-11-21 08:00:07", UTC.
+std::optional<std::int64_t> seconds_of(const std::string& text) {
+    int year = 0;
+    unsigned month = 0, day = 0, hour = 0, minute = 0, second = 0;
+    if (std::sscanf(text.c_str(), "%d-%u-%u %u:%u:%u", &year, &month, &day, &hour, &minute, &second) != 6) return {};
+    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
+    if (!date.ok()) return {};
+    const std::chrono::sys_seconds time = std::chrono::sys_days(date) + std::chrono::hours(hour) +
+                                          std::chrono::minutes(minute) + std::chrono::seconds(second);
+    return time.time_since_epoch().count();
+}
+
+int files_of(const Sidecar& sidecar) {
+    int bits = 0;
+    for (const OutputKind kind : sidecar.files) bits |= 1 << static_cast<int>(kind);
+    return bits;
+}
+
+Json row_of(const Sidecar& sidecar, const std::vector<std::string>& cameras) {
+    const auto camera = std::ranges::lower_bound(cameras, camera_of(sidecar.clip.path)) - cameras.begin();
+    Json row{camera,
+             url_of_path(sidecar.clip.path),
+             begin_of(sidecar),
+             std::round(sidecar.seconds * 10) / 10,
+             sidecar.events ? Json(*sidecar.events) : Json(),
+             files_of(sidecar)};
+    if (sidecar.state == Sidecar::State::failed) {
+        row.push_back(sidecar.status);
+        row.push_back(sidecar.reason);
+        row.push_back(sidecar.tries);
+    }
+    return row;
+}
+
+}  // namespace
+
+std::int64_t begin_of(const Sidecar& sidecar) {
+    if (sidecar.recorded) {
+        if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
+    }
+    return sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
+}
+
+std::string make_index(const std::vector<Sidecar>& sidecars) {
+    std::set<std::string> names;
+    for (const Sidecar& sidecar : sidecars) names.insert(camera_of(sidecar.clip.path));
+    const std::vector<std::string> cameras(names.begin(), names.end());
+    Json json{{"cameras", Json::array()}, {"clips", Json::array()}};
+    for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
+    for (const Sidecar& sidecar : sidecars) json["clips"].push_back(row_of(sidecar, cameras));
+    return fill(page_files::index_html,
+                {
+                    {"script policy", policy_hash(page_files::index_js)},
+                    {"style policy", policy_hash(page_files::index_css)},
+                    {"style", std::string(page_files::index_css)},
+                    {"script", std::string(page_files::index_js)},
+                    {"data", script_json(json.dump(-1, ' ', true, Json::error_handler_t::replace))},
+                });
+}
+
+}  // namespace vvr

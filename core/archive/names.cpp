@@ -1,0 +1,105 @@
+#include "core/archive/names.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool continues(std::string_view text, std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+}
+
+/// The bytes of the UTF-8 character at the front; 0 where there is none.
+std::size_t character_length(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text[0]);
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : 4;
+    if (first < 0xC2 || first > 0xF4) return 0;
+    for (std::size_t k = 1; k < length; ++k) {
+        if (!continues(text, k)) return 0;
+    }
+    const auto second = static_cast<unsigned char>(text[1]);
+    // Longer than needed, halves of UTF-16 pairs, beyond the last character.
+    const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
+                       (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
+    return wrong ? 0 : length;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// 2026, 2026-11, 20261121, 2026_11_21: what begins with a year and goes on with nothing but numbers.
+bool is_date(std::string_view folder) {
+    const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
+                      std::ranges::all_of(folder.substr(0, 4), is_digit);
+    if (!year || folder.size() == 5 || folder.size() > 10) return false;
+    return std::ranges::all_of(folder.substr(4),
+                               [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
+}
+
+fs::path with_ending(const fs::path& out, const std::string& clip, std::string_view ending) {
+    return out / (clip + std::string(ending));
+}
+
+}  // namespace
+
+std::string text_of_path(std::string_view path) {
+    std::string text;
+    while (!path.empty()) {
+        const auto byte = static_cast<unsigned char>(path[0]);
+        const std::size_t length = character_length(path);
+        if (length == 0 || byte < 0x20 || byte == 0x7F || byte == '%') {
+            text += fmt::format("%{:02X}", byte);
+            path.remove_prefix(1);
+        } else {
+            text += path.substr(0, length);
+            path.remove_prefix(length);
+        }
+    }
+    return text;
+}
+
+std::string path_of_text(std::string_view text) {
+    std::string path;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        std::uint8_t byte = 0;
+        const char* const digits = text.data() + k + 1;
+        if (text[k] == '%' && k + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+            path += static_cast<char>(byte);
+            k += 2;
+        } else {
+            path += text[k];
+        }
+    }
+    return path;
+}
+
+fs::path output_path(const fs::path& out, const std::string& clip, OutputKind kind) {
+    return with_ending(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->ending);
+}
+
+fs::path sidecar_path(const fs::path& out, const std::string& clip) {
+    return with_ending(out, clip, sidecar_ending);
+}
+
+std::string camera_of(std::string_view clip) {
+    std::string camera;
+    for (auto slash = clip.find('/'); slash != std::string_view::npos; slash = clip.find('/')) {
+        const std::string_view folder = clip.substr(0, slash);
+        if (is_date(folder)) break;
+        if (!camera.empty()) camera += '/';
+        camera += folder;
+        clip.remove_prefix(slash + 1);
+    }
+    return camera;
+}
+
+}  // namespace vvr

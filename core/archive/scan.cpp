@@ -1,0 +1,160 @@
+#include "core/archive/scan.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <deque>
+#include <set>
+#include <system_error>
+#include <unordered_set>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "core/archive/names.h"
+#include "core/error.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason_of(int error) {
+    return std::generic_category().message(error);
+}
+
+Clip clip_of(const std::string& path, const struct stat& status) {
+    return {path, status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+/// Goes through folders, those that only links lead to after all others.
+class Walk {
+  public:
+    Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
+        struct stat status {};
+        if (::stat(out.c_str(), &status) == 0) seen_.emplace(status.st_dev, status.st_ino);
+        if (::stat(in.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
+            throw Error(ErrorKind::io,
+                        fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
+                                    "is mounted",
+                                    in.string(), errno == 0 ? "it is not a folder" : reason_of(errno)));
+        }
+        if (!seen_.emplace(status.st_dev, status.st_ino).second) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' holds the clips and is to hold their pictures too; give -o a folder of its "
+                                    "own, such as '{}'",
+                                    in.string(), (in / "pictures").lexically_normal().string()));
+        }
+    }
+
+    Scan run() {
+        list("");
+        if (!scan_.problems.empty() && scan_.problems.back().path.empty()) {
+            throw Error(ErrorKind::io, fmt::format("cannot read the archive '{}': {}; check its permissions",
+                                                   in_.string(), scan_.problems.back().reason));
+        }
+        for (; !folders_.empty() || !links_.empty();) {
+            std::deque<std::string>& from = folders_.empty() ? links_ : folders_;
+            const std::string folder = from.front();
+            from.pop_front();
+            enter(folder);
+        }
+        std::ranges::sort(scan_.clips, {}, &Clip::path);
+        std::ranges::sort(scan_.problems, {}, &ScanProblem::path);
+        return std::move(scan_);
+    }
+
+  private:
+    void enter(const std::string& folder) {
+        struct stat status {};
+        if (::stat((in_ / folder).c_str(), &status) != 0) {
+            scan_.problems.push_back({folder, reason_of(errno)});
+        } else if (seen_.emplace(status.st_dev, status.st_ino).second) {
+            list(folder);
+        }
+    }
+
+    void list(const std::string& folder) {
+        std::error_code error;
+        std::vector<std::pair<std::string, fs::file_type>> entries;
+        for (fs::directory_iterator entry(in_ / folder, error); !error && entry != fs::directory_iterator();
+             entry.increment(error)) {
+            const std::string name = entry->path().filename().string();
+            std::error_code none;
+            if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
+        }
+        std::ranges::sort(entries);  // so that of several links to a folder the same one is taken each time
+        for (const auto& [name, type] : entries) add(folder.empty() ? name : folder + '/' + name, type);
+        if (error) scan_.problems.push_back({folder, error.message()});
+    }
+
+    void add(const std::string& path, fs::file_type type) {
+        if (type == fs::file_type::directory) {
+            folders_.push_back(path);
+            return;
+        }
+        const bool clip = names_.matches(path);
+        const bool link = type == fs::file_type::symlink;
+        if (!clip && !link) return;
+        struct stat status {};
+        if (::stat((in_ / path).c_str(), &status) != 0) {
+            if (clip) scan_.problems.push_back({path, reason_of(errno)});
+        } else if (S_ISDIR(status.st_mode)) {
+            if (link) links_.push_back(path);
+        } else if (clip && S_ISREG(status.st_mode)) {
+            scan_.clips.push_back(clip_of(path, status));
+        }
+    }
+
+    const fs::path& in_;
+    const ClipNames& names_;
+    std::set<std::pair<dev_t, ino_t>> seen_;
+    std::deque<std::string> folders_;
+    std::deque<std::string> links_;
+    Scan scan_;
+};
+
+/// Takes out clips of whose files others would be written over.
+void take_out_clashes(Scan& scan) {
+    std::unordered_set<std::string> taken{std::string(index_name)};
+    std::unordered_set<std::string> folders;
+    for (const Clip& clip : scan.clips) {
+        for (auto slash = clip.path.find('/'); slash != std::string::npos; slash = clip.path.find('/', slash + 1)) {
+            folders.insert(clip.path.substr(0, slash));
+        }
+    }
+    std::erase_if(scan.clips, [&](const Clip& clip) {
+        std::vector<std::string> files{sidecar_path("", clip.path).string()};
+        for (const OutputRow& row : output_rows) files.push_back(output_path("", clip.path, row.kind).string());
+        for (const std::string& file : files) {
+            if (!taken.contains(file) && !folders.contains(file)) continue;
+            scan.problems.push_back(
+                {clip.path, fmt::format("its '{}' would stand where {} does; rename the clip", text_of_path(file),
+                                        folders.contains(file) ? "a folder of clips" : "another file of the archive")});
+            return true;
+        }
+        taken.insert(files.begin(), files.end());
+        return false;
+    });
+}
+
+}  // namespace
+
+Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& names) {
+    Scan scan = Walk(in, out, names).run();
+    take_out_clashes(scan);
+    return scan;
+}
+
+Clip look_at_clip(const fs::path& in, const std::string& path) {
+    struct stat status {};
+    if (::stat((in / path).c_str(), &status) != 0) {
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; it was there a moment ago", (in / path).string(),
+                                               reason_of(errno)));
+    }
+    return clip_of(path, status);
+}
+
+}  // namespace vvr

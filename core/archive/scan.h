@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/archive/clip_names.h"
+
+namespace vvr {
+
+/// A clip's file, as far as it can be told without opening it.
+struct Clip {
+    std::string path;  ///< below the archive's folder
+    std::int64_t size = 0;
+    std::int64_t modified = 0;  ///< nanoseconds since 1970
+};
+
+/// A place in an archive that could not be looked at.
+struct ScanProblem {
+    std::string path;  ///< below the archive's folder; empty = the folder itself
+    std::string reason;
+};
+
+struct Scan {
+    std::vector<Clip> clips;            ///< by path
+    std::vector<ScanProblem> problems;  ///< by path
+};
+
+/// Every clip below a folder. Each folder is looked at once, however many links lead to it, and by its own name rather
+/// than a link's; hidden files and folders are left out, and so is `out`.
+/// \throws Error io when the folder itself can't be read
+Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
+
+/// The file's size and time now.
+/// \throws Error io
+Clip look_at_clip(const std::filesystem::path& in, const std::string& path);
+
+}  // namespace vvr

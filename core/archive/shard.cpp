@@ -1,0 +1,11 @@
+#include "core/archive/shard.h"
+
+#include "core/fnv.h"
+
+namespace vvr {
+
+bool Shard::holds(std::string_view clip) const {
+    return fnv1a(clip) % count == index;
+}
+
+}  // namespace vvr

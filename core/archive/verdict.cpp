@@ -1,0 +1,68 @@
+#include "core/archive/verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+namespace vvr {
+
+namespace {
+
+struct NeedRow {
+    Need need;
+    std::string_view name;
+    bool work;
+};
+
+constexpr std::array rows{
+    NeedRow{Need::nothing, "done", false},         NeedRow{Need::added, "new", true},
+    NeedRow{Need::changed, "changed", true},       NeedRow{Need::settings, "other settings", true},
+    NeedRow{Need::missing, "files missing", true}, NeedRow{Need::retry, "failed, again", true},
+    NeedRow{Need::given_up, "given up", false},    NeedRow{Need::still_written, "still written", false},
+};
+
+const NeedRow& row_of(Need need) {
+    return *std::ranges::find(rows, need, &NeedRow::need);
+}
+
+bool files_there(const Sidecar& sidecar, const std::filesystem::path& out, const ArchiveRules& rules) {
+    return std::ranges::all_of(rules.files, [&](OutputKind kind) {
+        std::error_code none;
+        return std::ranges::count(sidecar.files, kind) > 0 &&
+               std::filesystem::is_regular_file(output_path(out, sidecar.clip.path, kind), none);
+    });
+}
+
+Need need_by_sidecar(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
+                     const ArchiveRules& rules) {
+    if (!sidecar) return Need::added;
+    if (sidecar->clip.size != clip.size || sidecar->clip.modified != clip.modified) return Need::changed;
+    if (sidecar->settings != rules.settings) return Need::settings;
+    if (sidecar->state == Sidecar::State::done) {
+        return files_there(*sidecar, out, rules) ? Need::nothing : Need::missing;
+    }
+    // Another version may know better.
+    return sidecar->tries < rules.tries || sidecar->version != rules.version ? Need::retry : Need::given_up;
+}
+
+}  // namespace
+
+Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
+             const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
+    const Need need = need_by_sidecar(clip, sidecar, out, rules);
+    if (!wants_work(need)) return need;
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    // A clock that runs far ahead of ours must not keep a clip waiting for years.
+    const bool fresh = modified > now - rules.settle && modified < now + rules.settle;
+    return fresh ? Need::still_written : need;
+}
+
+bool wants_work(Need need) {
+    return row_of(need).work;
+}
+
+std::string_view name_of(Need need) {
+    return row_of(need).name;
+}
+
+}  // namespace vvr
