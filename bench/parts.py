@@ -178,17 +178,19 @@ def archive(setting):
         files = sorted(pathlib.Path(clips).iterdir())
         frames = sum(frames_of(str(file)) for file in files)
         seconds = {kind: median([r.seconds for r in of]) for kind, of in results.items()}
+        cpu = {kind: median([r.cpu for r in of]) for kind, of in results.items()}
         written = sum(file.stat().st_size for file in out.rglob("*") if file.is_file())
         rows.append([name, len(files), frames, *[f"{frames / seconds[kind]:.0f}" for kind in ("ffmpeg", "pictures", "pages")],
                      f"{seconds['ffmpeg'] / seconds['pictures']:.2f}", f"{seconds['ffmpeg'] / seconds['pages']:.2f}",
+                     f"{cpu['ffmpeg'] / cpu['pictures']:.2f}", f"{cpu['ffmpeg'] / cpu['pages']:.2f}",
                      f"{1000 * median([r.seconds for r in again]):.0f}", f"{written / len(files) / 1e6:.1f}"])
         numbers[name] = {"clips": len(files), "frames": frames, "bytes": written, "again": [r.seconds for r in again]} | {
-            kind: [r.seconds for r in of] for kind, of in results.items()}
+            kind: [[r.seconds, r.cpu] for r in of] for kind, of in results.items()}
     text = ("## An archive\n\n`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--no-pages`, beside `ffmpeg -i CLIP -f null -` "
-            "for one clip after another, which decodes and throws away. Clips of a minute: hd 1920×1080 at 25 frames/s, H.264; sd 768×576 at "
+            "for one clip after another, which decodes and throws away. Clips of a minute or so: hd 1920×1080 at 25 frames/s, H.264; sd 768×576 at "
             "10 frames/s, MPEG-4.\n\n")
     head = ["clips", "number", "frames", "FFmpeg, frames/s", "pictures, frames/s", "pages, frames/s", "pictures to FFmpeg",
-            "pages to FFmpeg", "nothing new, ms", "MB a clip"]
+            "pages to FFmpeg", "pictures, by CPU time", "pages, by CPU time", "nothing new, ms", "MB a clip"]
     return text + table(head, rows), numbers
 
 
