@@ -166,9 +166,38 @@ def growth(setting):
     return text, report
 
 
+def archive(setting):
+    """A folder of clips against FFmpeg decoding one after another."""
+    rows, numbers = [], {}
+    for name in ("hd", "sd"):
+        clips, out = f".cache/bench/archive/{name}", setting.scratch / "archive"
+        drawn = f"rm -rf {out}; {VVR} archive {clips} -o {out} --backend {setting.backend} --settle 0s --quiet"
+        results = in_turn({"ffmpeg": ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'],
+                           "pictures": ["bash", "-ec", f"{drawn} --no-pages"], "pages": ["bash", "-ec", drawn]}, min(setting.runs, 3))
+        again = in_turn({"again": ["bash", "-ec", drawn.split("; ")[1]]}, min(setting.runs, 3))["again"]
+        files = sorted(pathlib.Path(clips).iterdir())
+        frames = sum(frames_of(str(file)) for file in files)
+        seconds = {kind: median([r.seconds for r in of]) for kind, of in results.items()}
+        cpu = {kind: median([r.cpu for r in of]) for kind, of in results.items()}
+        written = sum(file.stat().st_size for file in out.rglob("*") if file.is_file())
+        rows.append([name, len(files), frames, *[f"{frames / seconds[kind]:.0f}" for kind in ("ffmpeg", "pictures", "pages")],
+                     f"{seconds['ffmpeg'] / seconds['pictures']:.2f}", f"{seconds['ffmpeg'] / seconds['pages']:.2f}",
+                     f"{cpu['ffmpeg'] / cpu['pictures']:.2f}", f"{cpu['ffmpeg'] / cpu['pages']:.2f}",
+                     f"{1000 * median([r.seconds for r in again]):.0f}", f"{written / len(files) / 1e6:.1f}"])
+        numbers[name] = {"clips": len(files), "frames": frames, "bytes": written, "again": [r.seconds for r in again]} | {
+            kind: [[r.seconds, r.cpu] for r in of] for kind, of in results.items()}
+    text = ("## An archive\n\n`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--no-pages`, beside `ffmpeg -i CLIP -f null -` "
+            "for one clip after another, which decodes and throws away. Clips of a minute or so: hd 1920×1080 at 25 frames/s, H.264; sd 768×576 at "
+            "10 frames/s, MPEG-4.\n\n")
+    head = ["clips", "number", "frames", "FFmpeg, frames/s", "pictures, frames/s", "pages, frames/s", "pictures to FFmpeg",
+            "pages to FFmpeg", "pictures, by CPU time", "pages, by CPU time", "nothing new, ms", "MB a clip"]
+    return text + table(head, rows), numbers
+
+
 PARTS = {
     "pipeline": pipeline,
     "memory": memory,
+    "archive": archive,
     "startup": startup,
     "context": context,
     "kernels": kernels,
