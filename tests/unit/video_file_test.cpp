@@ -211,7 +211,8 @@ TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
     const TempFolder folder;
     for (const char* encoding :
          {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
-          "-c:v mpeg2video -g 30 -bf 2", "-c:v mpeg4 -g 30 -bf 2", "-c:v msmpeg4 -g 30"}) {
+          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
+          "-c:v msmpeg4 -g 30 -sc_threshold 1000000000"}) {
         const auto name = counting_clip(folder, "clip.mkv", encoding);
         const auto source = open_source(name);
         const auto quick = source->sample(7);
