@@ -10,9 +10,9 @@ namespace vvr {
 
 namespace {
 
-// A clip in which a point moves, of a size that is no power of two, like most: shaders are made for either.
+// A clip in which a point moves, of sizes that are no powers of two, like most: Mesa makes other shaders for those.
 constexpr Size rehearsed_size{6, 6};
-constexpr int rehearsed_frames = 4;
+constexpr int rehearsed_frames = 5;
 
 Volume rehearsed_volume(VolumeColour colour) {
     Volume volume(rehearsed_size, rehearsed_frames);
