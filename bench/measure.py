@@ -13,7 +13,7 @@ from dataclasses import dataclass
 class Run:
     seconds: float
     megabytes: float  # the most that it held
-    cpu: float  # seconds of all cores, its children's too
+    processor: float  # seconds of all cores, its children's too
 
 
 def run(command):

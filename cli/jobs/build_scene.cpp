@@ -9,16 +9,19 @@
 
 namespace vvr {
 
-std::unique_ptr<Context> open_drawing(const RenderJob& job, const FieldSource& source, RenderReport& report) {
+std::unique_ptr<Context> open_drawing(const RenderJob& job) {
     auto context = open_context(job.backend, job.device);
     check_samples(context->gl(), job.picture.samples);
+    return context;
+}
+
+void describe(const FieldSource& source, const Context& context, RenderReport& report) {
     report.info = source.info();
     report.field_size = source.field_size();
-    report.renderer = context->renderer();
-    report.gl_version = context->version();
-    report.backend = context->backend();
+    report.renderer = context.renderer();
+    report.gl_version = context.version();
+    report.backend = context.backend();
     report.stages.end("context");
-    return context;
 }
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
