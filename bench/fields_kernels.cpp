@@ -10,16 +10,21 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/roofline.h"
+#include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/pipeline.h"
+#include "core/fields/seeds.h"
 #include "tests/scene/scene.h"
 #include "tests/unit/fields_plain_jacobi.h"
 
 namespace {
 
 using namespace vvr;
+using bench::peak_flops;
+using bench::triad_bytes;
 
 constexpr Size size{384, 288};
 constexpr float alpha = 10;
@@ -78,11 +83,24 @@ void JacobiAgainstPlainLoop(benchmark::State& state) {
     }
     std::ranges::sort(fast);
     std::ranges::sort(plain);
+    state.counters["best_jacobi_ms"] = fast.front();
     state.counters["jacobi_ms"] = fast[fast.size() / 2];
     state.counters["plain_ms"] = plain[plain.size() / 2];
     state.counters["ratio"] = plain[plain.size() / 2] / fast[fast.size() / 2];
 }
 BENCHMARK(JacobiAgainstPlainLoop)->Iterations(30)->Unit(benchmark::kMillisecond);
+
+// What bounds the above: each point of a step takes 24 multiplications and additions, and reads or writes 36 bytes;
+// what steps that run together touch, 24 rows of nine planes, is about 400 kB.
+void Roofline(benchmark::State& state) {
+    for (auto _ : state) {
+        state.counters["peak_gflops"] = peak_flops() / 1e9;
+        state.counters["gbytes_16k"] = triad_bytes(16 << 10) / 1e9;
+        state.counters["gbytes_400k"] = triad_bytes(400 << 10) / 1e9;
+        state.counters["gbytes_64m"] = triad_bytes(64 << 20) / 1e9;
+    }
+}
+BENCHMARK(Roofline)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 // `residual` is what is left of the equations' residual; 60 steps take it down by about 40.
 void MultigridAgainstJacobi(benchmark::State& state) {
@@ -163,6 +181,44 @@ void fields_of_frames(benchmark::State& state, bool colour, const std::string& f
 BENCHMARK_CAPTURE(fields_of_frames, grey, false, "horn-schunck")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fields_of_frames, colour, true, "horn-schunck")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fields_of_frames, colour_without_flow, true, "none")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Every filter on frames in colour that are in memory, by one thread.
+void filter_of_frames(benchmark::State& state, const std::string& name) {
+    EmptyScene scene;
+    const Frame empty = frame_of(scene::make_still(), 0);
+    scene.reference = {empty.grey, empty.colour};
+    FieldOptions options;
+    options.filter = name;
+    options.threads = 1;
+    if (!find_filter(name).traits.flow) options.flow.method = "none";
+    std::int64_t done = 0;
+    for (auto _ : state) {
+        const FrameReader read = [next = std::size_t{0}]() mutable -> FrameJob {
+            if (next == 20) return {};
+            return [&frame = walkers()[next++]] { return frame; };
+        };
+        done +=
+            compute_fields(read, scene, options, [](Frame&&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
+    }
+    state.SetItemsProcessed(done);
+}
+
+const bool filters_registered = [] {
+    for (const FilterRow& row : filters()) {
+        const std::string name(row.name);
+        benchmark::RegisterBenchmark(("filter_of_frames/" + name).c_str(), filter_of_frames, name)
+            ->Unit(benchmark::kMillisecond);
+    }
+    return true;
+}();
+
+void seeds_of_a_frame(benchmark::State& state) {
+    const Flow flow{Plane<float>(size, 1.F), Plane<float>(size, -0.5F)};
+    const Plane<std::uint8_t> object(size, 255);
+    const Plane<std::uint16_t> age(size, 3);
+    for (auto _ : state) benchmark::DoNotOptimize(make_seeds({0, flow, object, age}, {}));
+}
+BENCHMARK(seeds_of_a_frame)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 class Run:
     seconds: float
     megabytes: float  # the most that it held
+    processor: float  # seconds of all cores, its children's too
 
 
 def run(command):
@@ -22,7 +23,7 @@ def run(command):
     child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode != 0:
         sys.exit(f"bench: {' '.join(command)} ended with {child.returncode}")
-    return Run(time.monotonic() - begin, usage.ru_maxrss / 1024)
+    return Run(time.monotonic() - begin, usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime)
 
 
 def in_turn(commands, runs):

@@ -1,6 +1,7 @@
 """The parts of the benchmark: each measures, and gives its section of the report and its numbers."""
 
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -20,6 +21,7 @@ class Setting:
     backend: str
     scratch: pathlib.Path
     reports: pathlib.Path  # where the plots go
+    long: bool = False  # whether what takes an hour is measured too
 
 
 def render(setting, clip, *options):
@@ -32,37 +34,79 @@ def frames_of(clip):
     return int(counted.stdout.decode().strip().rstrip(","))
 
 
+def stages(setting, clip):
+    """The seconds of a run's stages, without what the report's own events take."""
+    report = setting.scratch / "report.json"
+    run(render(setting, clip, "--report", str(report), "--filter", "bands"))
+    return json.loads(report.read_text())["seconds"]
+
+
+def bound(ours, floor, cores):
+    """What keeps a run from being faster, in words."""
+    busy = median([r.processor / r.seconds for r in ours]) / cores
+    decoding = median([r.processor for r in floor]) / median([r.processor for r in ours])
+    where = "all cores are busy" if busy > 0.8 else f"{100 * busy:.0f} % of the cores are busy, the rest waits for one thread"
+    return f"{where}; FFmpeg's decoding and scaling is {100 * decoding:.0f} % of the processor time"
+
+
 def pipeline(setting):
     """Whole runs against FFmpeg decoding and scaling the same clip on as many threads."""
-    rows, numbers = [], {}
+    cores = os.cpu_count()
+    rows, numbers, bounds = [], {}, []
     for clip in (setting.clip, ".cache/bench/left_bag.mp4", ".cache/bench/hd.mp4"):
         data = setting.scratch / "data"
         shutil.rmtree(data, ignore_errors=True)
-        floor = ["ffmpeg", "-v", "error", "-i", clip, "-vf", "scale=384:288,format=gray", "-f", "null", "-"]
-        results = in_turn({"ffmpeg": floor, "render": render(setting, clip)}, setting.runs)
+        floor = ["ffmpeg", "-v", "error", "-threads", str(cores), "-i", clip, "-vf", "scale=384:288,format=gray", "-f", "null", "-"]
+        results = in_turn({"ffmpeg": floor, "render": render(setting, clip), "extract": [VVR, "extract", clip, "-o", str(data), "--quiet"]},
+                          setting.runs)
         frames = frames_of(clip)
         rate = {name: frames / median([r.seconds for r in of]) for name, of in results.items()}
-        share = rate["render"] / rate["ffmpeg"]
-        rows.append([f"`{pathlib.Path(clip).name}`", frames, f"{rate['ffmpeg']:.0f}", f"{rate['render']:.0f}", f"{share:.2f}",
+        name = pathlib.Path(clip).name
+        rows.append([f"`{name}`", frames, f"{rate['ffmpeg']:.0f}", f"{rate['render']:.0f}", f"{rate['extract']:.0f}",
+                     f"{rate['render'] / rate['ffmpeg']:.2f}", f"{rate['extract'] / rate['ffmpeg']:.2f}",
                      spread([r.seconds for r in results["render"]]), f"{median([r.megabytes for r in results['render']]):.0f}"])
-        numbers[clip] = {"frames": frames, "share": share} | {
-            name: [[r.seconds, r.megabytes] for r in of] for name, of in results.items()}
-    text = ("## A whole run against decoding alone\n\n`vvr render CLIP -o out.png`, all defaults, beside "
-            "`ffmpeg -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing else: no "
-            "program can be faster.\n\n")
-    head = ["clip", "frames", "FFmpeg, frames/s", "vvr, frames/s", "share", "vvr, s", "MB"]
-    return text + table(head, rows), numbers
+        took = stages(setting, clip)
+        bounds.append(f"- `{name}`: {bound(results['render'], results['ffmpeg'], cores)}. Stages of one run: "
+                      + ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in took.items()) + ".")
+        numbers[clip] = {"frames": frames, "rates": rate, "stages": took} | {
+            key: [[r.seconds, r.megabytes, r.processor] for r in of] for key, of in results.items()}
+    text = ("## A whole run against decoding alone\n\n`vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside "
+            f"`ffmpeg -threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing "
+            "else: no program can be faster. A share is a rate over FFmpeg's.\n\n")
+    head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render's share", "extract's share",
+            "render, s", "MB"]
+    return text + table(head, rows) + "\nWhat bounds `vvr render`:\n\n" + "\n".join(bounds) + "\n", numbers
 
 
-def memory(setting):
-    """Memory over the clip's length."""
-    results = in_turn({"once": render(setting, setting.clip), "ten times": render(setting, ".cache/bench/ten_times.avi")}, 1)
-    once, ten = results["once"][0], results["ten times"][0]
-    text = ("## Memory\n\nThe footage once, and ten times over in one clip.\n\n"
-            + table(["clip", "MB", "s"], [["once", f"{once.megabytes:.0f}", f"{once.seconds:.2f}"],
-                                          ["ten times", f"{ten.megabytes:.0f}", f"{ten.seconds:.2f}"],
-                                          ["ratio", f"{ten.megabytes / once.megabytes:.3f}", f"{ten.seconds / once.seconds:.2f}"]]))
-    return text, {"once": [once.seconds, once.megabytes], "ten": [ten.seconds, ten.megabytes]}
+def length(setting):
+    """Memory and time a frame over the clip's length."""
+    clips = {"1 minute": "minute.mp4", "10 minutes": "minutes.mp4"} | ({"6 hours": "hours.mp4"} if setting.long else {})
+    rows, numbers, first = [], {}, None
+    for name, file in clips.items():
+        clip = f".cache/bench/{file}"
+        # The longest takes an hour: once is enough for what is an average over half a million frames.
+        results = in_turn({name: render(setting, clip)}, setting.runs)[name] if name != "6 hours" else [run(render(setting, clip))]
+        frames = frames_of(clip)
+        each = 1e3 * median([r.seconds for r in results]) / frames
+        held = median([r.megabytes for r in results])
+        first = first or (each, held)
+        rows.append([name, frames, f"{each:.2f}", f"{each / first[0]:.2f}", f"{held:.0f}", f"{held / first[1]:.3f}"])
+        numbers[name] = {"frames": frames, "runs": [[r.seconds, r.megabytes] for r in results]}
+    text = ("## Length of the clip\n\nThe left-bag clip over and over"
+            + ("" if setting.long else "; `scripts/bench --long length` measures 6 hours as well, which takes most of an hour") + ".\n\n"
+            + table(["clip", "frames", "ms a frame", "of the first", "MB", "of the first"], rows))
+    return text, numbers
+
+
+def threads(setting):
+    """Time over the number of threads and the size of the fields."""
+    results = in_turn({f"{count} thread{'s' if count > 1 else ''}": render(setting, setting.clip, "--threads", str(count))
+                       for count in range(1, os.cpu_count() + 1)}
+                      | {f"fields of {size}": render(setting, setting.clip, "--field-size", size) for size in ("192x144", "768x576")},
+                      setting.runs)
+    rows = [[name, spread([r.seconds for r in of]), f"{median([r.megabytes for r in of]):.0f}"] for name, of in results.items()]
+    return ("## Threads, resolution\n\nThe footage with other options than the defaults.\n\n" + table(["run", "s", "MB"], rows),
+            {name: [[r.seconds, r.megabytes] for r in of] for name, of in results.items()})
 
 
 def startup(setting):
@@ -85,22 +129,68 @@ def context(setting):
     return "## Text, ruler and shadow\n\n" + table(["a picture with", "s", "ratio"], rows), seconds
 
 
+# Of a point in a step, core/fields/flows/linear_kernels.cpp: multiplications and additions, bytes of its nine planes.
+STEP_FLOPS, STEP_BYTES = 24, 36
+
+
+def roofline(rows):
+    """What this machine lets the Jacobi steps reach, and what they do reach."""
+    jacobi, roof = rows["JacobiAgainstPlainLoop"], rows["Roofline"]
+    points = 384 * 288 * 60 / 1e3
+    rate, best = points / jacobi["jacobi_ms"], points / jacobi["best_jacobi_ms"]
+    by_arithmetic = 1e3 * roof["peak_gflops"] / STEP_FLOPS
+    by_cache = 1e3 * roof["gbytes_400k"] / STEP_BYTES
+    by_memory = 1e3 * roof["gbytes_64m"] / STEP_BYTES
+    limit = min(by_arithmetic, by_cache)
+    text = (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million pixel-steps a "
+            f"second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
+            f"{jacobi['ratio']:.1f} times as long.\n\nA step takes {STEP_FLOPS} multiplications and additions a point and reads or writes "
+            f"{STEP_BYTES} bytes. What bounds it, measured in the same run:\n\n")
+    text += table(["", "of this core", "million pixel-steps/s"], [
+        ["arithmetic", f"{roof['peak_gflops']:.0f} GFLOP/s", f"{by_arithmetic:.0f}"],
+        ["second-level cache (what 20 steps together touch)", f"{roof['gbytes_400k']:.0f} GB/s", f"{by_cache:.0f}"],
+        ["memory, were each step to go through it all", f"{roof['gbytes_64m']:.0f} GB/s", f"{by_memory:.0f}"]])
+    return text + f"\nThe lowest roof over running steps together is {limit:.0f}; the best run reaches {best / limit:.2f} of it.\n\n"
+
+
 def kernels(setting):
-    """The fields' kernels against plain loops, and rates of all fields."""
+    """The fields' kernels against plain loops and the machine, and rates of all fields."""
     report = output_of([f"{BENCH}/bench_fields", "--benchmark_format=json", "--benchmark_min_time=0.2"])
     by_name = {row["name"].split("/iterations")[0].split("/real_time")[0]: row for row in report["benchmarks"]}
-    jacobi, grid = by_name["JacobiAgainstPlainLoop"], by_name["MultigridAgainstJacobi"]
-    pixel_steps = 384 * 288 * 60 / jacobi["jacobi_ms"] / 1e3
-    text = (f"## Kernels\n\nHorn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {pixel_steps:.0f} "
-            f"million pixel-steps a second; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
-            f"{jacobi['ratio']:.1f} times as long. The multigrid solver takes {grid['multigrid_ms']:.2f} ms and leaves "
-            f"{grid['multigrid_residual']:.1e} of the residual, where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
-    rows = [[name.split("/")[1], f"{row['real_time']:.2f}"] for name, row in by_name.items() if name.startswith("flow_of_a_frame")]
-    text += table(["flow of a frame, 384×288", "ms"], rows)
+    grid = by_name["MultigridAgainstJacobi"]
+    text = "## Kernels\n\n" + roofline(by_name)
+    text += (f"The multigrid solver takes {grid['multigrid_ms']:.2f} ms and leaves {grid['multigrid_residual']:.1e} of the residual, "
+             f"where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
+    rows = [[name.split("/")[1], f"{row['cpu_time']:.2f}"] for name, row in by_name.items() if name.startswith("flow_of_a_frame")]
+    text += table(["flow of a frame, 384×288", "ms"], rows) + "\n"
+    rows = [[name.split("/")[1], f"{row['cpu_time'] / 20:.2f}"] for name, row in by_name.items() if name.startswith("filter_of_frames")]
+    text += table(["filter of a frame in colour, 384×288, one core", "ms"], rows)
+    text += f"\nSeeds of a frame in which all moves: {by_name['seeds_of_a_frame']['cpu_time']:.0f} µs.\n"
     rates = output_of([f"{BENCH}/fields_rate", setting.clip])
     text += f"\nFields of `{pathlib.Path(setting.clip).name}` on two threads:\n\n" + table(
         ["", "frames/s"], [[name, spread(values, 0)] for name, values in rates.items()])
     return text, {"benchmarks": report["benchmarks"], "rates": rates}
+
+
+def peers(setting):
+    """Flow methods beside OpenCV's, and the loop that people script to find motion."""
+    report = output_of([f"{BENCH}/peers", "flow"])
+    scenes = list(dict.fromkeys(row["scene"] for row in report))
+    cell = {(row["method"], row["scene"]): row for row in report}
+    rows = [[method, *[f"{1000 * median(cell[method, s]['seconds']):.1f} ms, {cell[method, s]['degrees']:.1f}°" for s in scenes]]
+            for method in dict.fromkeys(row["method"] for row in report)]
+    text = ("## Beside OpenCV\n\nThe flow of a frame of 384×288 on one core, and the mean angle between (u, v, 1) and the truth, on generated "
+            "scenes with the noise of a camera.\n\n" + table(["method", *scenes], rows))
+    width, height = 768, 576
+    piped = ["bash", "-c", f"ffmpeg -v error -i {setting.clip} -vf scale={width}:{height} -f rawvideo -pix_fmt bgr24 - | "
+             f"{BENCH}/peers motion {width} {height}"]
+    motion = in_turn({"FFmpeg, OpenCV's MOG2, opening, blobs": piped, "vvr render, all defaults": render(setting, setting.clip)},
+                     setting.runs)
+    first = median([r.seconds for r in next(iter(motion.values()))])
+    text += (f"\nA scan for motion as people script it, over `{pathlib.Path(setting.clip).name}` at its own size, and a picture of "
+             "the same clip:\n\n" + table(["", "s", "ratio"], [[name, spread([r.seconds for r in of]),
+                                                               f"{median([r.seconds for r in of]) / first:.2f}"] for name, of in motion.items()]))
+    return text, {"flow": report, "motion": {name: [r.seconds for r in of] for name, of in motion.items()}}
 
 
 def fps(seconds):
@@ -166,12 +256,43 @@ def growth(setting):
     return text, report
 
 
+def archive(setting):
+    """A folder of clips against FFmpeg decoding one after another."""
+    rows, numbers = [], {}
+    for name in ("hd", "sd"):
+        clips, out = f".cache/bench/archive/{name}", setting.scratch / "archive"
+        drawn = f"rm -rf {out}; {VVR} archive {clips} -o {out} --backend {setting.backend} --settle 0s --quiet"
+        results = in_turn({"ffmpeg": ["bash", "-ec", f'for clip in {clips}/*; do ffmpeg -nostdin -v error -i "$clip" -f null -; done'],
+                           "pictures": ["bash", "-ec", f"{drawn} --no-pages"], "pages": ["bash", "-ec", drawn]}, min(setting.runs, 3))
+        again = in_turn({"again": ["bash", "-ec", drawn.split("; ")[1]]}, min(setting.runs, 3))["again"]
+        files = sorted(pathlib.Path(clips).iterdir())
+        frames = sum(frames_of(str(file)) for file in files)
+        seconds = {kind: median([r.seconds for r in of]) for kind, of in results.items()}
+        cpu = {kind: median([r.processor for r in of]) for kind, of in results.items()}
+        written = sum(file.stat().st_size for file in out.rglob("*") if file.is_file())
+        rows.append([name, len(files), frames, *[f"{frames / seconds[kind]:.0f}" for kind in ("ffmpeg", "pictures", "pages")],
+                     f"{seconds['ffmpeg'] / seconds['pictures']:.2f}", f"{seconds['ffmpeg'] / seconds['pages']:.2f}",
+                     f"{cpu['ffmpeg'] / cpu['pictures']:.2f}", f"{cpu['ffmpeg'] / cpu['pages']:.2f}",
+                     f"{1000 * median([r.seconds for r in again]):.0f}", f"{written / len(files) / 1e6:.1f}"])
+        numbers[name] = {"clips": len(files), "frames": frames, "bytes": written, "again": [r.seconds for r in again]} | {
+            kind: [[r.seconds, r.processor] for r in of] for kind, of in results.items()}
+    text = ("## An archive\n\n`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--no-pages`, beside `ffmpeg -i CLIP -f null -` "
+            "for one clip after another, which decodes and throws away. Clips of a minute or so: hd 1920×1080 at 25 frames/s, H.264; sd 768×576 at "
+            "10 frames/s, MPEG-4.\n\n")
+    head = ["clips", "number", "frames", "FFmpeg, frames/s", "pictures, frames/s", "pages, frames/s", "pictures to FFmpeg",
+            "pages to FFmpeg", "pictures, by CPU time", "pages, by CPU time", "nothing new, ms", "MB a clip"]
+    return text + table(head, rows), numbers
+
+
 PARTS = {
     "pipeline": pipeline,
-    "memory": memory,
+    "archive": archive,
+    "length": length,
+    "threads": threads,
     "startup": startup,
     "context": context,
     "kernels": kernels,
+    "peers": peers,
     "table1": table1,
     "vtk": vtk,
     "growth": growth,

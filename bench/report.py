@@ -45,6 +45,7 @@ def main():
     options.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(parts.PARTS)}; all if none is given")
     options.add_argument("--clip", required=True, help="footage")
     options.add_argument("--runs", type=int, default=5)
+    options.add_argument("--long", action="store_true", help="the clip of 6 hours too")
     options.add_argument("--backend", default="software", help="auto takes a GPU where there is one")
     given = options.parse_args()
     unknown = [name for name in given.parts if name not in parts.PARTS]
@@ -54,7 +55,7 @@ def main():
     about = machine()
     sections, numbers = [introduction(about, given.runs)], {"machine": about}
     with tempfile.TemporaryDirectory() as folder:
-        setting = parts.Setting(given.clip, given.runs, given.backend, pathlib.Path(folder), HERE)
+        setting = parts.Setting(given.clip, given.runs, given.backend, pathlib.Path(folder), HERE, given.long)
         for name in given.parts or parts.PARTS:
             print(f"==> bench: {name}", flush=True)
             text, numbers[name] = parts.PARTS[name](setting)

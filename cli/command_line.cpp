@@ -9,6 +9,7 @@
 #include "cli/help.h"
 #include "cli/options/config_file.h"
 #include "cli/options/option.h"
+#include "cli/options/presets.h"
 #include "cli/print.h"
 #include "core/error.h"
 #include "core/suggest.h"
@@ -42,7 +43,8 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         ->group(group::run);
     app_.config_formatter(std::make_shared<ConfigFile>(app_, command_));
     // CLI11 takes them from the back.
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    std::vector<std::string> reversed = with_preset(arguments);
+    std::ranges::reverse(reversed);
     try {
         app_.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {

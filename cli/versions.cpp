@@ -1,12 +1,11 @@
 #include "cli/versions.h"
 
-#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/core/version.hpp>
 
 extern "C" {
-#include <libavutil/avutil.h>
+#include <libavutil/ffversion.h>
 }
 
 #include "core/version.h"
@@ -14,12 +13,7 @@ extern "C" {
 namespace vvr {
 
 std::vector<LibraryVersion> library_versions() {
-    const int oiio = OIIO::openimageio_version();
-    return {
-        {"FFmpeg", av_version_info()},
-        {"OpenImageIO", fmt::format("{}.{}.{}", oiio / 10000, oiio / 100 % 100, oiio % 100)},
-        {"OpenCV", cv::getVersionString()},
-    };
+    return {{"FFmpeg", FFMPEG_VERSION}, {"OpenImageIO", OIIO_VERSION_STRING}, {"OpenCV", CV_VERSION}};
 }
 
 std::string version_text() {

@@ -10,7 +10,7 @@ struct LibraryVersion {
     std::string version;
 };
 
-/// Of the libraries that are loaded now, not of those that vvr was built with.
+/// Of the libraries that vvr was built with: to ask them, they would have to be loaded.
 std::vector<LibraryVersion> library_versions();
 
 /// vvr and its libraries, a line each. Asking OpenGL for its renderer takes longer than everything else that a

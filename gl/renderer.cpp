@@ -41,6 +41,13 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       traceline_strips_(context.gl()),
       annotations_(context.gl()) {}
 
+void Renderer::set_window(int ring, std::int64_t layers) {
+    window_.clear();
+    options_.ring = ring;
+    options_.window_layers = layers;
+    textures_ = BrickTextures(*gl_, BrickRing(ring));
+}
+
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
     textures_.upload(number, texels);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
@@ -139,6 +146,12 @@ void Renderer::draw_unread(double phase) {
     const SliceStack stack = slices(camera_);
     for (const Tile& tile : tiles_) draw_tile(stack, phase, tile);
     gl_->Finish();
+}
+
+void Renderer::rehearse() {
+    const Tile corner{.size = {std::min(16, options_.size.width), std::min(16, options_.size.height)}};
+    draw_tile(slices(camera_), 0, corner);
+    framebuffer_.read(corner.size);
 }
 
 void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile) {

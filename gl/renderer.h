@@ -46,6 +46,9 @@ class Renderer {
     /// `context` and `layout` outlive the renderer.
     Renderer(const Context& context, const Layout& layout, const RenderOptions& options);
 
+    /// Empties the window; from now on it takes `ring` bricks, of `layers` layers when it is full.
+    void set_window(int ring, std::int64_t layers);
+
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
@@ -71,6 +74,10 @@ class Renderer {
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw_unread(double phase = 0);
+
+    /// Draws and reads back a corner of the picture, for nothing but that the driver compiles its shaders, which Mesa
+    /// does when it first draws with them.
+    void rehearse();
 
     /// `set_scene` and `draw` in one.
     Plane<glm::vec4> draw(const Scene& scene) {

@@ -136,7 +136,7 @@ std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOut
         {count(planned, Need::nothing), "done before"},
         {count(planned, Need::given_up), "failed too often (--tries)"},
         {count(planned, Need::still_written), "still being written (--settle)"},
-        {outcome.elsewhere, "in the hands of another run"}};
+        {outcome.elsewhere, "left to another run or gone"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
         if (clips == 0) continue;

@@ -21,7 +21,7 @@ struct Command {
 /// Every command.
 const std::vector<Command>& commands();
 
-/// Runs the command that the first argument names, with the others; --help and --version as well.
+/// Runs the command that the first argument names, with the others; --help as well.
 ExitStatus run_command(Arguments arguments, const Environment& environment);
 
 ExitStatus run_render(const Command& command, Arguments arguments, const Environment& environment);

@@ -68,9 +68,11 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
     return entries;
 }
 
-std::string span_of(const RenderJob& job, const RenderReport& report) {
-    return fmt::format("{}, {}", counted(report.frames, "frame"),
-                       format_span(report.first_pts, report.last_pts, job.clock));
+std::string span_of(const RenderJob& job, const RenderReport& report, const Volume& volume) {
+    std::string text = fmt::format("{}, {}", counted(report.frames, "frame"),
+                                   format_span(report.first_pts, report.last_pts, job.clock));
+    if (volume.left_out() > 0) text += fmt::format(", {} without motion left out", format_length(volume.left_out()));
+    return text;
 }
 
 /// In the middle of the volume: an empty picture would look like a mistake.
@@ -111,6 +113,7 @@ Framing frame_volume(const RenderJob& job, const Layout& layout) {
 std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, const Volume& volume) {
     if (!job.show.contains("ruler") || framing.sheet.text == 0 || volume.layers() == 0) return {};
     const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
+    if (volume.left_out() > 0) return spread_ticks(volume, most, job.clock);
     return time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, job.clock);
 }
 
@@ -120,7 +123,7 @@ Lettering letter(const RenderJob& job, const RenderReport& report, const Volume&
     lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.theme.ink);
     const Rgba pale = rgba(job.theme.pale_ink);
-    letter_title(title_of(job, report), span_of(job, report), framing.sheet, ink, pale, lettering);
+    letter_title(title_of(job, report), span_of(job, report, volume), framing.sheet, ink, pale, lettering);
     if (job.show.contains("legend")) letter_legend(legend_of(job), framing.sheet, pale, lettering);
     if (job.show.contains("ruler") && framing.sheet.text > 0) {
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.theme.fast),
@@ -128,6 +131,10 @@ Lettering letter(const RenderJob& job, const RenderReport& report, const Volume&
     }
     letter_ruler(volume, layout, framing.edge, ticks_of(job, framing, volume), framing.camera, framing.sheet, ink,
                  lettering);
+    if (job.show.contains("ruler") && framing.sheet.text > 0) {
+        letter_breaks(time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera, framing.sheet, pale,
+                      lettering);
+    }
     if (report.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);
     return lettering;
 }

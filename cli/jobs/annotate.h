@@ -25,4 +25,7 @@ std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, con
 Lettering letter(const RenderJob& job, const RenderReport& report, const Volume& volume, const Layout& layout,
                  const Framing& framing);
 
+/// Breaks of the ruler that are marked.
+inline constexpr std::size_t breaks_shown = 48;
+
 }  // namespace vvr

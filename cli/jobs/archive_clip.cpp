@@ -114,10 +114,11 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     if (!claim) return std::nullopt;
     if (claim->was_left_behind()) remove_leftovers(folder, written_names(name));
     // It may have changed, or been done, since it was found.
-    Clip clip = look_at_clip(job.in, path);
+    std::optional<Clip> clip = look_at_clip(job.in, path);
+    if (!clip) return std::nullopt;
     std::optional<Sidecar> before = read_sidecar(job.out, path);
-    if (!wants_work(need_of(clip, before, job.out, job.rules, std::chrono::system_clock::now()))) return std::nullopt;
-    return ClipTurn(job, std::move(clip), std::move(before), std::move(*claim));
+    if (!wants_work(need_of(*clip, before, job.out, job.rules, std::chrono::system_clock::now()))) return std::nullopt;
+    return ClipTurn(job, std::move(*clip), std::move(before), std::move(*claim));
 }
 
 std::unique_ptr<Worker> ClipTurn::start() const {

@@ -25,7 +25,7 @@ struct ArchiveJob {
 /// One clip's turn: nobody else writes its files as long as this is there.
 class ClipTurn {
   public:
-    /// Nothing when another program has the clip, or has done it meanwhile.
+    /// Nothing when another program has the clip, or has done it meanwhile, or it has gone.
     /// \throws Error io
     static std::optional<ClipTurn> take(const ArchiveJob& job, const std::string& path);
 

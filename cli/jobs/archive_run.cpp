@@ -49,7 +49,7 @@ class Account {
 
     void pass_over(const std::string& clip) {
         ++outcome_.elsewhere;
-        log_.debug("{} {}: another run has it", next(), text_of_path(clip));
+        log_.debug("{} {}: another run has it, or it has gone", next(), text_of_path(clip));
     }
 
     const ArchiveOutcome& outcome() const { return outcome_; }

@@ -25,7 +25,7 @@ std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const Arch
 struct ArchiveOutcome {
     std::size_t drawn = 0;
     std::size_t failed = 0;
-    std::size_t elsewhere = 0;  ///< in the hands of another run
+    std::size_t elsewhere = 0;  ///< in the hands of another run, or gone
 };
 
 /// Draws those clips, some at a time.

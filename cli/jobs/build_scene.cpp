@@ -9,16 +9,19 @@
 
 namespace vvr {
 
-std::unique_ptr<Context> open_drawing(const RenderJob& job, const FieldSource& source, RenderReport& report) {
+std::unique_ptr<Context> open_drawing(const RenderJob& job) {
     auto context = open_context(job.backend, job.device);
     check_samples(context->gl(), job.picture.samples);
+    return context;
+}
+
+void describe(const FieldSource& source, const Context& context, RenderReport& report) {
     report.info = source.info();
     report.field_size = source.field_size();
-    report.renderer = context->renderer();
-    report.gl_version = context->version();
-    report.backend = context->backend();
+    report.renderer = context.renderer();
+    report.gl_version = context.version();
+    report.backend = context.backend();
     report.stages.end("context");
-    return context;
 }
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
@@ -63,6 +66,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     };
     add_lines(ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour));
     if (job.show.contains("ruler")) {
+        add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
         add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.theme.fast, 1)));
     }
     if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
@@ -87,6 +91,11 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
     const auto add = [&scene](const std::vector<Segment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
+    if (job.show.contains("bricks")) {
+        for (const PlacedBrick& brick : renderer.place()) {
+            if (brick.t_begin > 0) add(cross_section(layout, brick.t_begin, glm::vec4(job.theme.lines, 0.5)));
+        }
+    }
     const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
     if (job.show.contains("boxes")) {
         add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));

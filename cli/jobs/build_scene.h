@@ -25,9 +25,12 @@ struct WindowFrames {
     std::span<const KeyFrame> between{};
 };
 
-/// A context that can draw what the job asks for; what it is goes into the report.
+/// A context that can draw what the job asks for.
 /// \throws Error backend, limit
-std::unique_ptr<Context> open_drawing(const RenderJob& job, const FieldSource& source, RenderReport& report);
+std::unique_ptr<Context> open_drawing(const RenderJob& job);
+
+/// Puts into the report what there is before anything is drawn.
+void describe(const FieldSource& source, const Context& context, RenderReport& report);
 
 /// What a picture of `frames` frames needs of the fields.
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames);

@@ -10,6 +10,7 @@
 
 #include "cli/options/option.h"
 #include "core/error.h"
+#include "core/store/busy_fields.h"
 #include "core/store/listed_seeds.h"
 #include "core/store/stored_fields.h"
 
@@ -62,6 +63,8 @@ OpenedFields open_fields(const RenderSettings& settings, const CommandLine& line
     OpenedFields opened = open_any(settings, line);
     if (!settings.seeds.empty())
         opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), settings.seeds);
+    if (settings.bricks.skip_idle > 0)
+        opened.source = std::make_unique<BusyFields>(std::move(opened.source), settings.bricks.skip_idle);
     return opened;
 }
 

@@ -6,12 +6,15 @@
 
 #include "cli/jobs/annotate.h"
 #include "cli/jobs/build_scene.h"
+#include "cli/jobs/drawing_ahead.h"
 #include "core/events/event_finder.h"
-#include "gl/context.h"
 
 namespace vvr {
 
 namespace {
+
+// So many frames are read in a few seconds: not worth waiting until it is known that they can be drawn.
+constexpr std::int64_t soon_read = 5000;
 
 /// The volume of a clip, and the frames at its ends.
 struct Fields {
@@ -49,6 +52,10 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
 
 std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     const Volume& volume = fields.volume;
+    // Where parts are left out, only the clock tells how long a brick is.
+    if (job.brick_seconds > 0 && volume.left_out() > 0) {
+        return cut_by_clock(volume, job.brick_seconds, static_cast<double>(job.clock.value_or(0)));
+    }
     const double frames = static_cast<double>(volume.frames());
     double brick_frames = static_cast<double>(job.brick_frames);
     const double seconds = fields.last.pts - fields.first.pts;
@@ -62,7 +69,7 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
 
 const std::vector<std::string>& show_words() {
     static const std::vector<std::string> words = {"volume", "arrows", "tracelines", "outline", "frames", "floor",
-                                                   "ruler",  "legend", "title",      "boxes",   "slices"};
+                                                   "ruler",  "legend", "title",      "bricks",  "boxes",  "slices"};
     return words;
 }
 
@@ -88,8 +95,9 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     RenderReport report;
-    const auto context = open_drawing(job, source, report);
+    DrawingAhead ahead(job, source.field_size());
     const std::int64_t expected = source.expected_frames();
+    if (expected == 0 || expected > soon_read) ahead.wait_for_context();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
@@ -99,6 +107,12 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     }
 
     report.stages.end("fields");
+
+    const Drawing drawing = ahead.take();
+    const Layout& layout = *drawing.layout;
+    const Framing& framing = drawing.framing;
+    Renderer& renderer = *drawing.renderer;
+    describe(source, *drawing.context, report);
 
     Volume& volume = fields.volume;
     report.events = std::move(fields.events);
@@ -112,9 +126,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.step = volume.step();
     report.bricks = cut(job, fields);
 
-    const auto layout = layout_of(job, volume.size());
-    const Framing framing = frame_volume(job, *layout);
-    Scene scene = build_scene(job, volume, {fields.first, fields.last, fields.keyframes}, *layout, framing);
+    Scene scene = build_scene(job, volume, {fields.first, fields.last, fields.keyframes}, layout, framing);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
 
@@ -122,8 +134,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
     report.still = nothing_visible(volume, job.transfer);
 
-    Renderer renderer(*context, *layout,
-                      options_of(job, framing, static_cast<int>(report.bricks.size()), volume.layers()));
+    renderer.set_window(static_cast<int>(report.bricks.size()), volume.layers());
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
     if (job.show.contains("volume")) {
@@ -133,9 +144,9 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
             volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
         }
     }
-    add_overlays(job, renderer, *layout, transfer, scene);
+    add_overlays(job, renderer, layout, transfer, scene);
     renderer.set_scene(std::move(scene));
-    report.lettering = letter(job, report, volume, *layout, framing);
+    report.lettering = letter(job, report, volume, layout, framing);
     for (int i = 0; i < job.pictures; ++i) {
         Picture picture = draw_picture(job, renderer, volume, report.lettering, static_cast<double>(i) / job.pictures);
         report.stages.end("draw");

@@ -194,7 +194,8 @@ SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source) {
 RenderReport render_series(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                            const PictureSink& sink) {
     RenderReport begun;
-    const auto context = open_drawing(job, source, begun);
+    const auto context = open_drawing(job);
+    describe(source, *context, begun);
     Series series(job, source, *context, std::move(begun), sink);
     const FieldNeeds needs = needs_of(job, source, sliding_window(job, source).frames());
     // Fields come from other threads in turn, which draw when a brick is full.

@@ -27,9 +27,17 @@ void add_options(CLI::App& app, BrickOptions& options) {
         {"--window", "COUNT", fmt::format("{}", standard_window),
          "bricks that are visible at a time: in a series the window that slides, else what the clip is cut into "
          "without --brick"});
+    add_number(
+        app, group::bricks, options.skip_idle, {0, 86'400},
+        {"--skip-idle", "SECONDS", "",
+         "of stretches without motion that are longer, the rest is left out, and the ruler says so; 0 = nothing is"});
 }
 
 void check(const BrickOptions& options, bool series) {
+    if (series && options.skip_idle > 0) {
+        throw Error(ErrorKind::usage,
+                    "--skip-idle is for one picture of a clip; the pictures of a series share one scale of time");
+    }
     if (series || !options.length || !options.count) return;
     throw Error(ErrorKind::usage,
                 "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write a "

@@ -12,6 +12,7 @@ namespace vvr {
 struct BrickOptions {
     std::optional<Time> length;  ///< of a brick; none = what the window asks for
     std::optional<int> count;    ///< of bricks in the window; none = `standard_window`
+    double skip_idle = 0;        ///< seconds without motion of which the rest is left out; 0 = nothing is
 };
 
 inline constexpr int standard_window = 8;

@@ -1,6 +1,7 @@
 #include "cli/options/render_settings.h"
 
 #include "cli/options/option.h"
+#include "cli/options/presets.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/pipeline.h"
@@ -17,6 +18,8 @@ void add_options(CLI::App& app, RenderSettings& settings) {
     add_options(app, settings.bricks);
     add_options(app, settings.view);
     add_options(app, settings.look);
+    add_choice(app, group::look, settings.preset, presets(),
+               {"--preset", "NAME", "", "options for a purpose; those that stand beside it win"});
     add_options(app, settings.run);
     add_options(app, settings.backend);
 }

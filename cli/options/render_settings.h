@@ -23,7 +23,8 @@ struct RenderSettings {
     LookOptions look;
     BackendOptions backend;
     RunOptions run;
-    std::string seeds;  ///< a folder of lists that replace the computed seeds; empty = none
+    std::string preset;  ///< whose options stand before the others
+    std::string seeds;   ///< a folder of lists that replace the computed seeds; empty = none
 };
 
 /// Adds all the groups of options.

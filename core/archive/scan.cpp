@@ -148,12 +148,9 @@ Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& name
     return scan;
 }
 
-Clip look_at_clip(const fs::path& in, const std::string& path) {
+std::optional<Clip> look_at_clip(const fs::path& in, const std::string& path) {
     struct stat status {};
-    if (::stat((in / path).c_str(), &status) != 0) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; it was there a moment ago", (in / path).string(),
-                                               reason_of(errno)));
-    }
+    if (::stat((in / path).c_str(), &status) != 0) return std::nullopt;
     return clip_of(path, status);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,7 @@ struct Scan {
 /// \throws Error io when the folder itself can't be read
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 
-/// The file's size and time now.
-/// \throws Error io
-Clip look_at_clip(const std::filesystem::path& in, const std::string& path);
+/// The file's size and time now; nothing when it has gone.
+std::optional<Clip> look_at_clip(const std::filesystem::path& in, const std::string& path);
 
 }  // namespace vvr

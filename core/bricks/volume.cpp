@@ -1,6 +1,7 @@
 #include "core/bricks/volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ranges>
 #include <utility>
 
@@ -21,6 +22,11 @@ void keep_stronger(Layer& kept, const Plane<std::uint8_t>& scalar, const Plane<B
     }
     std::ranges::transform(kept.scalar.pixels(), scalar.pixels(), kept.scalar.pixels().begin(),
                            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+}
+
+void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
+    layer.left_out += seconds;
+    if (longest.length() > layer.longest.length()) layer.longest = longest;
 }
 
 }  // namespace
@@ -50,15 +56,22 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
     if (layers_.empty() || layers_.back().frames == step_) {
         if (layers() == capacity_) join_pairs();
     }
+    const LeftOut passed = frames_ > 0 && field.index != next_index_ ? LeftOut{last_pts_, field.pts} : LeftOut{};
     if (layers_.empty() || layers_.back().frames == step_) {
-        layers_.push_back({field.index, 1, field.pts, field.pts, 0, field.scalar, colour});
+        layers_.push_back(
+            {field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed, field.scalar, colour});
     } else {
         Layer& layer = layers_.back();
         keep_stronger(layer, field.scalar, colour);
+        layer.last_frame = field.index;
         layer.last_pts = field.pts;
+        pass_over(layer, passed.length(), passed);
         ++layer.frames;
     }
-    if (seeded(frames_)) {
+    next_index_ = field.index + 1;
+    last_pts_ = field.pts;
+    if (field.index % seed_interval_ == 0) {
+        seeded_.push_back({frames_, field.index});
         for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
         if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
@@ -68,6 +81,7 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
 void Volume::add_missing(std::int64_t index, double pts) {
     Field nothing;
     nothing.index = index;
+    next_index_ = index;
     nothing.pts = pts;
     nothing.scalar = Plane<std::uint8_t>(size_);
     add(nothing, coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{});
@@ -80,26 +94,35 @@ std::int64_t Volume::missing() const {
     return missing;
 }
 
+double Volume::left_out() const {
+    double seconds = 0;
+    for (const Layer& layer : layers_) seconds += layer.left_out;
+    return seconds;
+}
+
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
     return (frame + 0.5) / static_cast<double>(span() * step_);
 }
 
+/// The last layer that begins at or before the moment, or the first.
+std::int64_t Volume::layer_of(double seconds) const {
+    const auto after = std::ranges::upper_bound(layers_, seconds, {}, &Layer::pts);
+    return std::max<std::int64_t>(0, after - layers_.begin() - 1);
+}
+
+bool Volume::is_left_out(double seconds) const {
+    const std::int64_t at = layer_of(seconds);
+    const auto passes = [&](const LeftOut& stretch) { return stretch.begin < seconds && seconds < stretch.end; };
+    return passes(layer(at).longest) || (at + 1 < layers() && passes(layer(at + 1).longest));
+}
+
 double Volume::t_of_seconds(double seconds) const {
-    std::int64_t low = 0;
-    std::int64_t high = layers() - 1;  // the last layer that begins at or before the moment
-    while (low < high) {
-        const std::int64_t middle = (low + high + 1) / 2;
-        if (layer(middle).pts <= seconds) {
-            low = middle;
-        } else {
-            high = middle - 1;
-        }
-    }
+    const std::int64_t low = layer_of(seconds);
     const Layer& at = layer(low);
     const auto frames = static_cast<double>(at.frames);
     // The clip's last layer's own frames tell how long it lasts, else the next layer's beginning.
-    double length = low + 1 < layers() ? layer(low + 1).pts - at.pts : 0;
+    double length = low + 1 < layers() && layer(low + 1).left_out == 0 ? layer(low + 1).pts - at.pts : 0;
     if (length <= 0 && at.frames > 1) length = (at.last_pts - at.pts) * frames / (frames - 1);
     const double share = length > 0 ? std::clamp((seconds - at.pts) / length, 0.0, 1.0) : 0.5;
     return t_end() * (static_cast<double>(low) + share) / static_cast<double>(layers());
@@ -114,8 +137,7 @@ glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
 }
 
 bool Volume::seeded(std::int64_t frame) const {
-    // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
-    return (layers_.front().first_frame + frame) % seed_interval_ == 0;
+    return std::ranges::binary_search(seeded_, frame, {}, &SeededFrame::frame);
 }
 
 void Volume::drop_front(std::int64_t layers) {
@@ -126,6 +148,8 @@ void Volume::drop_front(std::int64_t layers) {
     frames_ -= frames;
     std::erase_if(seeds_, [frames](const FrameSeed& seed) { return seed.frame < frames; });
     for (FrameSeed& seed : seeds_) seed.frame -= frames;
+    std::erase_if(seeded_, [frames](const SeededFrame& seeded) { return seeded.frame < frames; });
+    for (SeededFrame& seeded : seeded_) seeded.frame -= frames;
     flow_.drop_front(frames);
 }
 
@@ -145,15 +169,29 @@ void Volume::join_pairs() {
             keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour);
             layer.frames += layers_[i + 1].frames;
             layer.missing += layers_[i + 1].missing;
+            layer.last_frame = layers_[i + 1].last_frame;
             layer.last_pts = layers_[i + 1].last_pts;
+            pass_over(layer, layers_[i + 1].left_out, layers_[i + 1].longest);
         }
         joined.push_back(std::move(layer));
     }
     layers_ = std::move(joined);
     step_ *= 2;
     seed_interval_ *= 2;
+    // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
+    std::erase_if(seeded_, [this](const SeededFrame& seeded) { return seeded.index % seed_interval_ != 0; });
     std::erase_if(seeds_, [this](const FrameSeed& seed) { return !seeded(seed.frame); });
     flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
+}
+
+std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock) {
+    const auto turn = [&](std::int64_t layer) { return std::floor((volume.layer(layer).pts + clock) / length); };
+    std::vector<Brick> bricks;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (bricks.empty() || turn(i) != turn(i - 1)) bricks.push_back({i, 0});
+        ++bricks.back().count;
+    }
+    return bricks;
 }
 
 std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {

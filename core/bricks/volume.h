@@ -14,13 +14,24 @@
 
 namespace vvr {
 
+/// A stretch of the clip that was passed over.
+struct LeftOut {
+    double begin = 0;  ///< seconds
+    double end = 0;
+
+    double length() const { return end - begin; }
+};
+
 /// One layer of the volume: the strongest value that each pixel took in `frames` consecutive frames.
 struct Layer {
     std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t last_frame = 0;
     std::int64_t frames = 0;
     double pts = 0;            ///< seconds, of its first frame
     double last_pts = 0;       ///< seconds, of its last frame
     std::int64_t missing = 0;  ///< of the frames, those that never came
+    double left_out = 0;       ///< seconds of the clip that were passed over before frames of this layer
+    LeftOut longest{};         ///< of them in one stretch
     Plane<std::uint8_t> scalar;
     Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
 };
@@ -34,6 +45,9 @@ struct FrameSeed {
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
 /// neighbours are joined in pairs, keeping the stronger value, and from then on a layer takes twice as many frames: so
 /// nothing that moved is lost, the clip's length needn't be known, and memory never grows beyond the capacity.
+///
+/// Frames whose numbers follow each other are next to each other in time; where numbers are skipped, the clip was, and
+/// the layers tell for how long.
 ///
 /// As a window that slides over a clip it has a fixed span, and its first layers leave before the next ones come.
 class Volume {
@@ -63,6 +77,7 @@ class Volume {
     std::int64_t step() const { return step_; }  ///< frames a layer takes now
     std::int64_t frames() const { return frames_; }
     std::int64_t missing() const;  ///< of the frames, those that never came
+    double left_out() const;       ///< seconds of the clip that were passed over
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
     const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }
@@ -83,6 +98,9 @@ class Volume {
     /// t_C of a moment of the clip, between the times of the layers; of one before or after them, that of their ends.
     double t_of_seconds(double seconds) const;
 
+    /// Whether a moment lies in what was passed over.
+    bool is_left_out(double seconds) const;
+
     /// C-space position of (column, row, frame): field pixels, whose centres are whole numbers, and a frame number
     /// counted from the first frame of the volume.
     glm::dvec3 c_of(const glm::dvec3& point) const;
@@ -91,8 +109,14 @@ class Volume {
     glm::dvec3 c_vector(const glm::dvec3& vector) const;
 
   private:
+    struct SeededFrame {
+        std::int64_t frame = 0;
+        std::int64_t index = 0;  ///< in the clip
+    };
+
     bool seeded(std::int64_t frame) const;
     std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
+    std::int64_t layer_of(double seconds) const;
     void join_pairs();
 
     Size size_;
@@ -104,9 +128,16 @@ class Volume {
     bool coloured_ = false;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
+    std::vector<SeededFrame> seeded_;  ///< whose seeds and flow are kept, in order
+    std::int64_t next_index_ = 0;      ///< of a frame that follows the last one
+    double last_pts_ = 0;
     bool keeps_flow_ = false;
     FlowVolume flow_;
 };
+
+/// Cuts a volume where multiples of `length` seconds pass on a clock that shows `clock` at second 0 of the clip: by the
+/// hour, say. Times that were passed over make no brick.
+std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock);
 
 /// The texels of a brick: its layers with one more before and after (the neighbour's layer, or the brick's own end
 /// layer repeated where there is no neighbour), so that interpolation is continuous across bricks.

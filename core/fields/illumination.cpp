@@ -129,7 +129,7 @@ Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
     return result;
 }
 
-Planes as_it_is(const Planes& reference, const Planes&, const Light&) {
+const Planes& as_it_is(const Planes& reference, const Planes&, const Light&, Planes&) {
     return reference;
 }
 
@@ -153,13 +153,14 @@ void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T
     }
 }
 
-Planes relit_globally(const Planes& reference, const Planes& frame, const Light& light) {
-    Planes lit = in_light(reference, light);
-    if (light.is_visible() && light(255) < 255) {
-        allow_for_cut_off(reference.grey, frame.grey, lit.grey);
-        allow_for_cut_off(reference.colour, frame.colour, lit.colour);
+const Planes& relit_globally(const Planes& reference, const Planes& frame, const Light& light, Planes& room) {
+    if (!light.is_visible()) return reference;
+    room = in_light(reference, light);
+    if (light(255) < 255) {
+        allow_for_cut_off(reference.grey, frame.grey, room.grey);
+        allow_for_cut_off(reference.colour, frame.colour, room.colour);
     }
-    return lit;
+    return room;
 }
 
 // Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
@@ -205,14 +206,15 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     return result;
 }
 
-Planes relit_locally(const Planes& reference, const Planes& frame, const Light& light) {
-    const Planes lit = relit_globally(reference, frame, light);
+const Planes& relit_locally(const Planes& reference, const Planes& frame, const Light& light, Planes& room) {
+    const Planes& lit = relit_globally(reference, frame, light, room);
     const Plane<float> blocks = local_gains(lit, frame);
     // The blocks may reach beyond the picture: enlarged as they are, then cut.
     cv::Mat gains;
     cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
     gains = gains(cv::Rect(0, 0, frame.grey.width(), frame.grey.height())).clone();
-    return {times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
+    room = {times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
+    return room;
 }
 
 constexpr std::array rows{

@@ -43,8 +43,9 @@ struct IlluminationRow {
     std::string_view name;
     std::string_view help;
     bool compensates;
-    /// What the picture `reference` would look like in the light of `frame`, which has changed by `light` on the whole.
-    Planes (*relit)(const Planes& reference, const Planes& frame, const Light& light);
+    /// What the picture `reference` would look like in the light of `frame`, which has changed by `light` on the whole:
+    /// itself, or what becomes of it in `room`.
+    const Planes& (*relit)(const Planes& reference, const Planes& frame, const Light& light, Planes& room);
 };
 
 /// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.

@@ -22,7 +22,8 @@ Light ObjectFinder::light_of(const Planes& frame, const Reference& reference) co
 }
 
 Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Reference& reference, const Light& light) const {
-    const Planes empty = illumination_.relit(reference, frame, light);
+    Planes room;
+    const Planes& empty = illumination_.relit(reference, frame, light, room);
     Plane<std::uint8_t> object = largest_difference(frame, empty);
     clean(object, clean_, region_);
     if (!shadows_) remove_shadows(object, frame, empty);

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <vector>
-
-#include <opencv2/core.hpp>
-
-#include "core/fields/cv_view.h"
 
 namespace vvr {
 namespace {
@@ -28,13 +26,34 @@ bool is_shadow(const Bgr& frame, const Bgr& empty) {
     return least > darkest && most < 1 && most - least < most_tint;
 }
 
+struct Point {
+    int i, j;
+};
+
+/// The points that are not 0; most are, so eight of a row are looked at at a time.
+std::vector<Point> points_of(const Plane<std::uint8_t>& object) {
+    std::vector<Point> points;
+    for (int j = 0; j < object.height(); ++j) {
+        const std::uint8_t* const row = object.row(j).data();
+        for (int i = 0; i < object.width(); i += 8) {
+            const int end = std::min(i + 8, object.width());
+            std::uint64_t eight = 0;
+            std::memcpy(&eight, row + i, static_cast<std::size_t>(end - i));
+            if (eight == 0) continue;
+            for (int k = i; k < end; ++k) {
+                if (row[k] != 0) points.push_back({k, j});
+            }
+        }
+    }
+    return points;
+}
+
 }  // namespace
 
 void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
     if (frame.colour.empty() || empty.colour.empty()) return;
     const Size size = object.size();
-    std::vector<cv::Point> points;
-    cv::findNonZero(cv_view(object), points);
+    const std::vector<Point> points = points_of(object);
     if (points.empty()) return;
     Plane<std::int8_t> votes(size);
     for (const auto& [i, j] : points) {

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <memory>
+#include <cmath>
 #include <span>
 #include <sstream>
 
-#include <OpenImageIO/color.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/image/atomic_file.h"
+#include "core/image/codec.h"
 #include "core/image/layer_channels.h"
 #include "core/image/samples.h"
 #include "core/suggest.h"
@@ -28,7 +26,7 @@ constexpr std::string_view setting_prefix = "vvr:";
 /// One kind of picture file.
 struct Format {
     std::string_view ending;
-    OIIO::TypeDesc::BASETYPE type;
+    Stored stored;
     std::string_view compression;
     bool alpha;     ///< holds transparency
     bool settings;  ///< holds attributes of any name; else the settings become lines of the description
@@ -36,12 +34,12 @@ struct Format {
 };
 
 constexpr std::array formats{
-    Format{".png", OIIO::TypeDesc::UINT8, "zip:6", true, true, false},
-    Format{".exr", OIIO::TypeDesc::HALF, "zip", true, true, true},
-    Format{".tif", OIIO::TypeDesc::UINT16, "zip", true, false, false},
-    Format{".tiff", OIIO::TypeDesc::UINT16, "zip", true, false, false},
-    Format{".jpg", OIIO::TypeDesc::UINT8, "jpeg", false, false, false},
-    Format{".jpeg", OIIO::TypeDesc::UINT8, "jpeg", false, false, false},
+    Format{".png", Stored::uint8, "zip:6", true, true, false},
+    Format{".exr", Stored::half, "zip", true, true, true},
+    Format{".tif", Stored::uint16, "zip", true, false, false},
+    Format{".tiff", Stored::uint16, "zip", true, false, false},
+    Format{".jpg", Stored::uint8, "jpeg", false, false, false},
+    Format{".jpeg", Stored::uint8, "jpeg", false, false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -56,14 +54,19 @@ const Format& format_of(const std::filesystem::path& path) {
                             did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
+float linear_to_srgb(float value) {
+    if (value <= 0.0031308F) return value >= 0 ? 12.92F * value : 0;
+    return 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
+}
+
 /// The colours' values as the file wants them, without alpha where `channels` is 3.
 std::vector<float> file_values(const Picture& picture, const Format& format, int channels) {
-    const bool encode = picture.encoding == Encoding::linear && format.type != OIIO::TypeDesc::HALF;
+    const bool encode = picture.encoding == Encoding::linear && format.stored != Stored::half;
     std::vector<float> values;
     values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
     for (Rgba pixel : picture.pixels.pixels()) {
         if (encode && pixel[3] > 0) {
-            for (std::size_t c = 0; c < 3; ++c) pixel[c] = OIIO::linear_to_sRGB(pixel[c] / pixel[3]) * pixel[3];
+            for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel[3]) * pixel[3];
         }
         values.insert(values.end(), pixel.begin(), pixel.begin() + channels);
     }
@@ -83,28 +86,17 @@ std::vector<float> with_layers(const std::vector<float>& colours, int channels, 
     return values;
 }
 
-/// Colours stay in the format's own type; half floats would round times and frame numbers.
-void add_layer_channels(OIIO::ImageSpec& spec) {
-    spec.channelformats.assign(static_cast<std::size_t>(spec.nchannels), spec.format);
-    for (const LayerChannel& channel : layer_channels) {
-        spec.channelnames.emplace_back(channel.name);
-        spec.channelformats.push_back(OIIO::TypeDesc::FLOAT);
-    }
-    spec.z_channel = spec.nchannels;
-    spec.nchannels += static_cast<int>(layer_channels.size());
-}
-
-void add_attributes(OIIO::ImageSpec& spec, const Format& format, const Metadata& metadata) {
-    spec.attribute("Software", fmt::format("vvr {}", version()));
-    // Without a value of its own OpenImageIO writes the current time: same input, other bytes.
-    spec.attribute("DateTime", "");
+Metadata attributes_of(const Format& format, const Metadata& metadata) {
+    // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
+    Metadata attributes{{"Software", fmt::format("vvr {}", version())}, {"DateTime", ""}};
     std::string lines;
     for (const auto& [name, value] : metadata) {
         const std::string full_name = fmt::format("{}{}", setting_prefix, name);
-        if (format.settings) spec.attribute(full_name, value);
+        if (format.settings) attributes.emplace_back(full_name, value);
         lines += fmt::format("{}={}\n", full_name, value);
     }
-    if (!format.settings && !lines.empty()) spec.attribute("ImageDescription", lines);
+    if (!format.settings && !lines.empty()) attributes.emplace_back("ImageDescription", lines);
+    return attributes;
 }
 
 }  // namespace
@@ -137,27 +129,25 @@ std::vector<unsigned char> encode_picture(const std::filesystem::path& path, con
     const int channels = opaque || !format.alpha ? 3 : 4;
     std::vector<float> values = file_values(picture, format, channels);
 
-    OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), channels, format.type);
+    PictureFile file{.format = std::string(format.ending.substr(1)),
+                     .name = path.string(),
+                     .size = picture.pixels.size(),
+                     .colours = channels,
+                     .stored = format.stored};
     if (format.layers && !picture.layers.empty()) {
         values = with_layers(values, channels, picture.layers);
-        add_layer_channels(spec);
+        for (const LayerChannel& channel : layer_channels) file.layers.emplace_back(channel.name);
     }
-    const bool linear = picture.encoding == Encoding::linear && format.type == OIIO::TypeDesc::HALF;
+    file.values = values;
+    const bool linear = picture.encoding == Encoding::linear && format.stored == Stored::half;
     const bool jpeg = format.compression == "jpeg";
-    spec.attribute("Compression", jpeg ? fmt::format("jpeg:{}", jpeg_quality) : std::string(format.compression));
+    file.attributes.emplace_back("Compression",
+                                 jpeg ? fmt::format("jpeg:{}", jpeg_quality) : std::string(format.compression));
     // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
-    if (format.settings) spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    add_attributes(spec, format, metadata);
-
-    OIIO::Filesystem::IOVecOutput encoded;
-    const auto output = OIIO::ImageOutput::create(std::string(format.ending.substr(1)));
-    const bool done = output && output->set_ioproxy(&encoded) && output->open(path.string(), spec) &&
-                      output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close();
-    if (!done) {
-        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", path.string(),
-                                               output ? output->geterror() : OIIO::geterror()));
-    }
-    return encoded.buffer();
+    if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    const Metadata attributes = attributes_of(format, metadata);
+    file.attributes.insert(file.attributes.end(), attributes.begin(), attributes.end());
+    return picture_codec().encode(file);
 }
 
 void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {
@@ -192,18 +182,12 @@ Picture read_picture(const std::filesystem::path& path) {
 }
 
 Metadata read_metadata(const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) {
-        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", path.string(), OIIO::geterror()));
-    }
     Metadata metadata;
-    for (const auto& attribute : input->spec().extra_attribs) {
-        const std::string name = attribute.name().string();
-        if (name.starts_with(setting_prefix)) {
-            metadata.emplace_back(name.substr(setting_prefix.size()), attribute.get_string());
-        }
+    std::istringstream description;
+    for (const auto& [name, value] : picture_codec().attributes(path)) {
+        if (name.starts_with(setting_prefix)) metadata.emplace_back(name.substr(setting_prefix.size()), value);
+        if (name == "ImageDescription") description.str(value);
     }
-    std::istringstream description(input->spec().get_string_attribute("ImageDescription"));
     for (std::string line; std::getline(description, line);) {
         const auto equals = line.find('=');
         if (line.starts_with(setting_prefix) && equals != std::string::npos) {

@@ -6,8 +6,7 @@
 
 #include <fontconfig/fontconfig.h>
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
+#include "core/image/codec.h"
 
 namespace vvr {
 
@@ -71,18 +70,12 @@ std::string printable(const std::string& text) {
 
 std::optional<PixelBox> measure_text(const std::string& text, int size) {
     if (font().empty()) return std::nullopt;
-    const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font());
-    if (!box.defined()) return std::nullopt;
-    return PixelBox{box.xbegin, box.ybegin, box.xend, box.yend};
+    return picture_codec().measure_text(text, size, font());
 }
 
 bool draw_text(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {
     if (font().empty()) return false;
-    const OIIO::ImageSpec spec(picture.pixels.width(), picture.pixels.height(), 4, OIIO::TypeDesc::FLOAT);
-    OIIO::ImageBuf pixels(spec, picture.pixels.pixels().data());
-    const bool done = OIIO::ImageBufAlgo::render_text(pixels, x, y, text, size, font(), colour);
-    if (!done) pixels.geterror();  // taken, or OpenImageIO prints it at the end
-    return done;
+    return picture_codec().draw_text(picture.pixels, x, y, text, size, font(), colour);
 }
 
 bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {

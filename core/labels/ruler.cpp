@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
 
 namespace vvr {
 
@@ -108,6 +111,62 @@ void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const T
                  const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
         write_beside("no signal", (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
+    }
+}
+
+std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClock& clock) {
+    const double begin = volume.layer(0).pts;
+    const double end = volume.layer(volume.layers() - 1).last_pts;
+    constexpr int finest = 1024;  // times as many moments are tried
+    const double apart = 0.8 * volume.t_end() / most;
+    std::vector<TimeTick> kept;
+    for (int factor = 1; factor <= finest; factor *= 2) {
+        for (TimeTick& tick : time_ticks(begin, end, factor * most, clock)) {
+            if (volume.is_left_out(tick.seconds)) continue;
+            const double t = volume.t_of_seconds(tick.seconds);
+            const bool free = std::ranges::none_of(
+                kept, [&](const TimeTick& other) { return std::abs(volume.t_of_seconds(other.seconds) - t) < apart; });
+            if (free) kept.push_back(std::move(tick));
+        }
+    }
+    std::ranges::sort(kept, {}, &TimeTick::seconds);
+    return kept;
+}
+
+std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most) {
+    std::vector<TimeBreak> breaks;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (volume.layer(i).left_out <= 0) continue;
+        breaks.push_back(
+            {volume.t_end() * static_cast<double>(i) / static_cast<double>(volume.layers()), volume.layer(i).left_out});
+    }
+    std::ranges::stable_sort(breaks, std::greater{}, &TimeBreak::seconds);
+    if (breaks.size() > most) breaks.resize(most);
+    std::ranges::sort(breaks, {}, &TimeBreak::t);
+    return breaks;
+}
+
+std::vector<Segment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                                 const glm::vec4& colour) {
+    constexpr double lean = 0.004;  // in t_C
+    constexpr double across = 0.5 * mark_length;
+    std::vector<Segment> strokes;
+    for (const TimeBreak& gap : breaks) {
+        for (const double t : {gap.t - lean / 2, gap.t + lean / 2}) {
+            strokes.push_back({glm::vec3(layout.p_from_c(on_edge(edge, std::max(0.0, t - lean / 2), -across))),
+                               glm::vec3(layout.p_from_c(on_edge(edge, std::min(1.0, t + lean / 2), across))), colour});
+        }
+    }
+    return strokes;
+}
+
+void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                   const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+    std::vector<TimeBreak> longest = breaks;
+    std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
+    for (const TimeBreak& gap : longest) {
+        write_beside(fmt::format("{} left out", format_length(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
+                     lettering);
     }
 }
 

@@ -43,6 +43,27 @@ std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& l
 void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
                  const Sheet& sheet, const Rgba& colour, Lettering& lettering);
 
+/// Ticks for a volume of which parts were left out: `most` at most, about evenly spread over the arc, the roundest
+/// moments first.
+std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClock& clock);
+
+/// Where time was passed over.
+struct TimeBreak {
+    double t = 0;  ///< t_C
+    double seconds = 0;
+};
+
+/// The longest of them, at most `most`, in order.
+std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most);
+
+/// Two short strokes across the edge for each, as breaks of an axis are drawn.
+std::vector<Segment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                                 const glm::vec4& colour);
+
+/// Writes beside breaks how long they are, the longest first, where there is room.
+void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                   const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering);
+
 /// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
 /// between the first and the last.
 void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,

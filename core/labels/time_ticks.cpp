@@ -69,6 +69,12 @@ std::string format_clock(std::int64_t seconds) {
     return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
+std::string format_length(double seconds) {
+    if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+    const auto minutes = std::llround(seconds / minute);
+    return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
+}
+
 std::string format_span(double begin, double end, const WallClock& clock) {
     if (!clock) {
         const double step = end - begin < 20 ? 0.1 : 1;

@@ -23,6 +23,9 @@ std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallC
 /// "2026-11-21 08:00:07" for seconds since 1970.
 std::string format_clock(std::int64_t seconds);
 
+/// "45 s", "7 min", "3:20 h".
+std::string format_length(double seconds);
+
 /// A part of a clip as people write it: "0.0 s to 7.5 s", "0:00 to 1:07", "0:00 to 2:01:07"; with a wall clock
 /// "2026-11-21 08:00:00 to 08:01:07".
 std::string format_span(double begin, double end, const WallClock& clock = {});

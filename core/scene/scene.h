@@ -45,6 +45,9 @@ struct Scene {
 /// The shadow of all that is in a volume: of each column of a frame the strongest value.
 FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour);
 
+/// The border of the volume's cross-section at one time.
+std::vector<Segment> cross_section(const Layout& layout, double t, const glm::vec4& colour);
+
 /// The edges of the volume.
 std::vector<Segment> volume_outline(const Layout& layout, const glm::vec4& colour);
 

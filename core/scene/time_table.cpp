@@ -8,7 +8,7 @@ namespace vvr {
 TimeTable::TimeTable(const Volume& volume) : step_(volume.step()) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         const Layer& layer = volume.layer(i);
-        layers_.push_back({layer.first_frame, layer.frames, layer.pts, layer.last_pts});
+        layers_.push_back({layer.first_frame, layer.last_frame, layer.frames, layer.pts, layer.last_pts});
     }
 }
 
@@ -19,7 +19,9 @@ FrameTime TimeTable::at(double frame) const {
     const Entry& layer = layers_[static_cast<std::size_t>(number / step_)];
     const std::int64_t within = number % step_;
     const double share = layer.frames > 1 ? static_cast<double>(within) / static_cast<double>(layer.frames - 1) : 0;
-    return {layer.first_frame + within, std::lerp(layer.begin, layer.end, share)};
+    const double frame_there =
+        std::lerp(static_cast<double>(layer.first_frame), static_cast<double>(layer.last_frame), share);
+    return {std::llround(frame_there), std::lerp(layer.begin, layer.end, share)};
 }
 
 }  // namespace vvr

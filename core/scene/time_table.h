@@ -28,6 +28,7 @@ class TimeTable {
   private:
     struct Entry {
         std::int64_t first_frame = 0;
+        std::int64_t last_frame = 0;
         std::int64_t frames = 0;
         double begin = 0;  ///< seconds, of its first frame
         double end = 0;    ///< of its last

@@ -41,6 +41,27 @@ void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::ui
     }
 }
 
+// By 255/219, rounded: what is to be added to a value is a fraction of it in 1/32768.
+constexpr std::int16_t more = 5387;
+
+void full_range_row(const std::uint8_t* luma, std::uint8_t* out, std::size_t pixels) {
+    const hn::CappedTag<std::int16_t, 32> wide;
+    const hn::Rebind<std::uint8_t, decltype(wide)> narrow;
+    const std::size_t lanes = hn::Lanes(wide);
+    const auto black = hn::Set(narrow, 16);
+    const auto factor = hn::Set(wide, more);
+    std::size_t i = 0;
+    for (; i + lanes <= pixels; i += lanes) {
+        const auto value = hn::PromoteTo(wide, hn::SaturatedSub(hn::LoadU(narrow, luma + i), black));
+        hn::StoreU(hn::DemoteTo(narrow, hn::Add(value, hn::MulFixedPoint15(value, factor))), narrow, out + i);
+    }
+    for (; i < pixels; ++i) {
+        const int value = luma[i] < 16 ? 0 : luma[i] - 16;
+        const int stretched = value + ((value * more + (1 << 14)) >> 15);
+        out[i] = static_cast<std::uint8_t>(stretched > 255 ? 255 : stretched);
+    }
+}
+
 }  // namespace vvr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -48,6 +69,7 @@ HWY_AFTER_NAMESPACE();
 namespace vvr {
 
 HWY_EXPORT(bgr_row);
+HWY_EXPORT(full_range_row);
 
 namespace {
 
@@ -85,6 +107,10 @@ void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std:
     std::ranges::copy(cr.subspan(whole), v.begin());
     bgr(matrix, y.data(), u.data(), v.data(), pixels.data(), lanes);
     for (std::size_t i = 0; i < rest; ++i) out[whole + i] = {pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]};
+}
+
+void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out) {
+    HWY_DYNAMIC_DISPATCH(full_range_row)(luma.data(), out.data(), luma.size());
 }
 
 }  // namespace vvr

@@ -26,4 +26,7 @@ struct ColourMatrix {
 void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
             std::span<const std::uint8_t> cr, std::span<Bgr> out);
 
+/// A row of luma of 16..235 to 0..255; what lies outside is cut off.
+void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out);
+
 }  // namespace vvr

@@ -63,6 +63,19 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
                                 demuxer.log().text(code)));
 }
 
+/// The next packet that is to be decoded.
+bool Decoder::read_packet() {
+    while (demuxer_->read(*packet_)) {
+        if (uses_.empty()) return true;
+        const PacketUse use = packets_ < uses_.size() ? uses_[packets_] : PacketUse::none;
+        ++packets_;
+        // What no other frame is made from, the decoder itself tells best.
+        codec_->skip_frame = use == PacketUse::frame ? AVDISCARD_DEFAULT : AVDISCARD_NONREF;
+        if (use != PacketUse::none) return true;
+    }
+    return false;
+}
+
 AvFrame Decoder::next() {
     auto frame = av::make_frame();
     for (int failures = 0; failures < max_failures;) {
@@ -72,7 +85,7 @@ AvFrame Decoder::next() {
         if (code == AVERROR_EOF) return nullptr;
         const bool has_frame = code == 0;
         if (code == AVERROR(EAGAIN)) {
-            const bool more = demuxer_->read(*packet_);
+            const bool more = read_packet();
             bad_packet = more && packet_->flags & AV_PKT_FLAG_CORRUPT;
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "core/video/demuxer.h"
+#include "core/video/packet_scan.h"
 
 namespace vvr {
 
@@ -22,6 +25,10 @@ class Decoder {
     /// Whether it met damage that only a decoder of one thread may pass.
     bool stopped() const { return stopped_; }
 
+    /// From now on `next` gives only frames that the plan wants, and others that cost nothing to leave out.
+    /// \param uses of the packets from the next one on
+    void follow(std::vector<PacketUse> uses) { uses_ = std::move(uses); }
+
     /// The frame of one key packet by itself; nothing when it doesn't decode alone. Not to be mixed with `next`.
     AvFrame decode_alone(const AVPacket& packet);
 
@@ -29,12 +36,16 @@ class Decoder {
     std::int64_t damaged() const;
 
   private:
+    bool read_packet();
+
     Demuxer* demuxer_;
     av::Ptr<AVCodecContext> codec_;
     av::Ptr<AVPacket> packet_ = av::make_packet();
     std::int64_t bad_packets_ = 0;
     std::int64_t bad_frames_ = 0;
     std::int64_t errors_at_start_ = 0;  ///< in the log
+    std::vector<PacketUse> uses_;       ///< empty = all packets are decoded
+    std::size_t packets_ = 0;           ///< read so far, for the place in `uses_`
     bool threaded_ = false;
     bool stopped_ = false;
 };

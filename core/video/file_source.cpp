@@ -56,6 +56,7 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
 
 std::vector<Frame> FileSource::sample(int count) {
     auto frames = sample_key_frames(count);
+    if (frames.empty()) frames = sample_planned(count);
     if (frames.empty()) return FrameSource::sample(count);
     rewind();
     return frames;
@@ -63,7 +64,6 @@ std::vector<Frame> FileSource::sample(int count) {
 
 /// None where the clip has fewer key frames than asked for, or where they don't decode by themselves.
 std::vector<Frame> FileSource::sample_key_frames(int count) const {
-    const double origin = reader_.origin();
     Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
     const auto keys = find_key_packets(scan, count);
     if (keys.seen < count) return {};
@@ -72,12 +72,34 @@ std::vector<Frame> FileSource::sample_key_frames(int count) const {
     Scaler scale(*this);
     std::vector<Frame> frames;
     for (const auto& packet : keys.kept)
-        if (auto image = decoder.decode_alone(*packet)) {
-            const double pts = scan.seconds(image->best_effort_timestamp).value_or(origin) - origin;
-            frames.push_back(scale({0, pts, orientation_, std::move(image)}));
-        }
+        if (auto image = decoder.decode_alone(*packet)) frames.push_back(scale(without_index(scan, std::move(image))));
     if (frames.size() < keys.kept.size() / 2 + 1) return {};
     return frames;
+}
+
+/// The frames that sampling all of them would give, without decoding what they don't depend on. None where the clip is
+/// damaged, or its packets' times are not its frames'.
+std::vector<Frame> FileSource::sample_planned(int count) const {
+    Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
+    SampledPackets plan = plan_samples(scan, count);
+    Demuxer demuxer(reader_.input(), Demuxer::Kind::video, options_.rate);
+    Decoder decoder(demuxer, reader_.input().name, options_.threads);
+    decoder.follow(std::move(plan.uses));
+    Scaler scale(*this);
+    std::vector<Frame> frames;
+    while (frames.size() < plan.stamps.size()) {
+        auto image = decoder.next();
+        if (!image || decoder.damaged() > 0) return {};
+        if (image->best_effort_timestamp == plan.stamps[frames.size()])
+            frames.push_back(scale(without_index(demuxer, std::move(image))));
+    }
+    return frames;
+}
+
+DecodedFrame FileSource::without_index(const Demuxer& demuxer, AvFrame image) const {
+    const double origin = reader_.origin();
+    const double pts = demuxer.seconds(image->best_effort_timestamp).value_or(origin) - origin;
+    return {0, pts, orientation_, std::move(image)};
 }
 
 }  // namespace vvr

@@ -27,6 +27,8 @@ class FileSource final : public FrameSource {
 
   private:
     std::vector<Frame> sample_key_frames(int count) const;
+    std::vector<Frame> sample_planned(int count) const;
+    DecodedFrame without_index(const Demuxer& demuxer, AvFrame image) const;
 
     SourceOptions options_;
     VideoReader reader_;

@@ -1,8 +1,11 @@
 #include "core/video/packet_scan.h"
 
+#include <algorithm>
 #include <limits>
+#include <span>
 
 #include "core/error.h"
+#include "core/video/clock.h"
 #include "core/video/time_sampler.h"
 
 namespace vvr {
@@ -10,6 +13,55 @@ namespace {
 
 std::optional<double> presentation(const Demuxer& demuxer, const AVPacket& packet) {
     return demuxer.seconds(packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts);
+}
+
+/// A packet in the order of decoding.
+struct Stamped {
+    std::int64_t stamp;
+    bool key;
+};
+
+std::vector<Stamped> stamps_of(Demuxer& demuxer) {
+    const auto packet = av::make_packet();
+    std::vector<Stamped> packets;
+    while (demuxer.read(*packet)) {
+        const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
+        if (stamp == AV_NOPTS_VALUE || packet->flags & AV_PKT_FLAG_CORRUPT) return {};
+        packets.push_back({stamp, (packet->flags & AV_PKT_FLAG_KEY) != 0});
+    }
+    return packets;
+}
+
+std::vector<std::int64_t> sampled(const Demuxer& demuxer, const std::vector<Stamped>& packets, int count) {
+    std::vector<std::int64_t> stamps;
+    for (const Stamped& packet : packets) stamps.push_back(packet.stamp);
+    std::ranges::sort(stamps);
+    if (std::ranges::adjacent_find(stamps) != stamps.end()) return {};
+    TimeSampler<std::int64_t> sampler(count);
+    Clock clock(demuxer.frame_duration());
+    for (const std::int64_t stamp : stamps) {
+        const double time = clock(demuxer.seconds(stamp));
+        if (sampler.wants(time)) sampler.keep(time, stamp);
+    }
+    return sampler.take();
+}
+
+/// What the packets from one key packet to the next are for.
+/// \param next_leans whether a wanted frame that comes after the next key packet is shown before it
+void mark_uses(std::span<const Stamped> group, const std::vector<std::int64_t>& wanted, bool next_leans,
+               std::span<PacketUse> uses) {
+    const auto is_wanted = [&](const Stamped& packet) { return std::ranges::binary_search(wanted, packet.stamp); };
+    const auto leads = [&](const Stamped& packet) { return packet.stamp < group.front().stamp; };
+    const bool leans = std::ranges::any_of(group, [&](const Stamped& p) { return leads(p) && is_wanted(p); });
+    std::size_t needed = group.size();
+    if (!next_leans) {
+        while (needed > 0 && !is_wanted(group[needed - 1])) --needed;
+    }
+    for (std::size_t i = 0; i < needed; ++i) {
+        uses[i] = is_wanted(group[i])         ? PacketUse::frame
+                  : leads(group[i]) && !leans ? PacketUse::none
+                                              : PacketUse::reference;
+    }
 }
 
 }  // namespace
@@ -57,6 +109,24 @@ KeyPackets find_key_packets(Demuxer& demuxer, int count) {
     }
     found.kept = sampler.take();
     return found;
+}
+
+SampledPackets plan_samples(Demuxer& demuxer, int count) {
+    const std::vector<Stamped> packets = stamps_of(demuxer);
+    SampledPackets plan{std::vector(packets.size(), PacketUse::none), sampled(demuxer, packets, count)};
+    std::size_t end = packets.size();
+    bool next_leans = false;
+    // From the last group to the first, as each has to know what the next one leans on.
+    for (std::size_t begin = packets.size(); begin-- > 0;) {
+        if (begin > 0 && !packets[begin].key) continue;
+        const auto group = std::span(packets).subspan(begin, end - begin);
+        mark_uses(group, plan.stamps, next_leans, std::span(plan.uses).subspan(begin, end - begin));
+        next_leans = std::ranges::any_of(group, [&](const Stamped& p) {
+            return p.stamp < group.front().stamp && std::ranges::binary_search(plan.stamps, p.stamp);
+        });
+        end = begin;
+    }
+    return plan;
 }
 
 }  // namespace vvr

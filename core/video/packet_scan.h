@@ -30,4 +30,24 @@ struct KeyPackets {
 /// \param demuxer at its first packet
 KeyPackets find_key_packets(Demuxer& demuxer, int count);
 
+/// What a decoder has to make of a packet where only some frames of a clip are wanted, each as it would come out if all
+/// were decoded.
+enum class PacketUse : std::uint8_t {
+    none,       ///< nothing that is wanted depends on it
+    reference,  ///< its frame isn't wanted, but another may depend on it
+    frame,      ///< its frame is wanted
+};
+
+/// Frames spread over a clip, and what it takes to decode them.
+struct SampledPackets {
+    std::vector<PacketUse> uses;       ///< of every packet
+    std::vector<std::int64_t> stamps;  ///< the wanted frames' time stamps, in order
+};
+
+/// The frames that a sampler of so many would keep if it were shown all frames; none where the packets' times don't
+/// tell which these are.
+///
+/// \param demuxer at its first packet
+SampledPackets plan_samples(Demuxer& demuxer, int count);
+
 }  // namespace vvr

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -37,16 +36,6 @@ cv::Mat upright(cv::Mat from, Orientation orientation) {
     return flipped;
 }
 
-constexpr std::uint8_t to_byte(int value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0, 255));
-}
-
-constexpr std::array<std::uint8_t, 256> full_range_table() {
-    std::array<std::uint8_t, 256> table{};
-    for (int i = 0; i < 256; ++i) table[static_cast<std::size_t>(i)] = to_byte((2 * (i - 16) * 255 + 219) / (2 * 219));
-    return table;
-}
-
 }  // namespace
 
 struct Scaler::Parts {
@@ -77,8 +66,9 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     if (full_range) {
         luma.copyTo(grey);
     } else {
-        static constexpr auto table = full_range_table();
-        cv::LUT(luma, table, grey);
+        for (int j = 0; j < size_.height; ++j) {
+            to_full_range({luma.ptr<std::uint8_t>(j), static_cast<std::size_t>(size_.width)}, frame.grey.row(j));
+        }
     }
     if (!colour_) return frame;
 

@@ -49,6 +49,11 @@ def report_commands(t):
 
 
 @case
+def archive_commands(t):
+    run_commands(t, "docs/archive.md")
+
+
+@case
 def page_commands(t):
     run_commands(t, "docs/page.md")
 

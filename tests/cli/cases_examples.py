@@ -1,6 +1,8 @@
 """The files of docs/examples do what their pages say, as far as that goes without the machines they are for."""
 
+import os
 import re
+import shutil
 
 from harness import case, check
 
@@ -52,26 +54,30 @@ def example_workflow_builds_with_what_is_there(t):
 
 
 @case
-def example_for_cron_draws_what_is_new(t):
+def examples_for_cron_and_systemd_draw_what_is_new(t):
     environment = put_vvr_on_path(t)
-    t.path("clips").mkdir()
-    t.clip("clips/door one.avi")
-    t.clip("clips/hall.mkv", seconds=1)
-    script = t.source / "docs" / "examples" / "new-clips.sh"
-
-    def run():
-        return t.run(["sh", script, "clips", "pictures"], env=environment)
-
-    def pictures():
-        return {path.name: path.stat().st_mtime_ns for path in t.path("pictures").glob("*.png")}
-
-    first = run()
-    check(first.status == 0 and first.out + first.err == "", f"cron would send a mail: {first}")
-    drawn = pictures()
-    check(set(drawn) == {"door one.avi.png", "hall.mkv.png"}, str(drawn))
-    check(run().status == 0 and pictures() == drawn, "pictures that were there are drawn again")
-    t.write("clips/notes.txt", "no clip")
-    t.clip("clips/lift.avi", seconds=1)
-    third = run()
-    check(third.status == 1 and "notes.txt" in third.err and third.err.count("\n") == 1, str(third))
-    check(set(pictures()) == {*drawn, "lift.avi.png"}, "one bad clip stops the others")
+    examples = t.source / "docs" / "examples"
+    unit = (examples / "vvr-archive.service").read_text()
+    lines = re.findall(r"^ExecStart=(.*)", unit, flags=re.MULTILINE)
+    lines += re.findall(r"^\*/10 \* \* \* \*  (.*)", (t.source / "docs" / "archive.md").read_text(), flags=re.MULTILINE)
+    check(len(lines) == 3, f"{lines}")
+    check("\nSuccessExitStatus=6\n" in unit and "ReadWritePaths=/srv/pictures\n" in unit, unit)
+    check("/var/log/vvr-archive.log" in (examples / "vvr-archive.logrotate").read_text() and "vvr-archive.log" in lines[2], lines[2])
+    if shutil.which("systemd-analyze"):
+        for name in ("vvr-archive.service", "vvr-archive.timer"):
+            copy = (examples / name).read_text().replace("/usr/local/bin/vvr", t.vvr_path)
+            t.write(name, copy)
+        done = t.run(["systemd-analyze", "verify", t.path("vvr-archive.timer")])
+        check("vvr-archive" not in done.err, str(done))
+    for number, line in enumerate(lines):
+        t.path(f"clips{number}").mkdir()
+        t.clip(f"clips{number}/door one.avi", seconds=1)
+        os.utime(t.path(f"clips{number}/door one.avi"), (1e9, 1e9))
+        for place, here in (("/usr/local/bin/vvr", "vvr"), ("/srv/cctv", f"clips{number}"), ("/srv/pictures", f"pictures{number}"),
+                            ("/var/log", ".")):
+            line = line.replace(place, here)
+        done = t.run(["sh", "-c", line], env=environment)
+        check(done.status == 0 and done.out == "", f"cron would send a mail: {done}")
+        check(t.path(f"pictures{number}/door one.avi.png").exists(), str(done))
+        check(("1 clip drawn" in done.err) == (number == 0), f"what it prints: {done}")
+    check("1 clip drawn" in t.path("vvr-archive.log").read_text(), "the log is empty")

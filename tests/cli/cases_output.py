@@ -160,3 +160,22 @@ def over_a_limit(t):
     t.clip()
     t.render("clip.avi", "--field-size", "16384x16384").expect(5, "vvr: ", "--field-size")
     t.expect_files("clip.avi")
+
+
+@case
+def a_page_and_a_thumbnail_beside_the_picture(t):
+    t.clip()
+    t.render("clip.avi", "--page", "out.html", "--thumbnail", "small.jpg", "--size", "640x400").expect(0)
+    t.expect_files("clip.avi", "out.png", "out.html", "small.jpg")
+    t.expect_picture("out.png", (640, 400))
+    t.expect_picture("small.jpg", (400, 250))
+    t.render("clip.avi", "--size", "640x400", output="alone.png").expect(0)
+    check(t.path("alone.png").read_bytes() == t.path("out.png").read_bytes(), "a page changes the picture")
+    t.render("clip.avi", "--plain-name", output="x %04d {a} ##.png").expect(0)
+    check(t.path("x %04d {a} ##.png").exists(), f"{t.files()}")
+    t.render("clip.avi", "--page", "out.txt").expect(1, "--page 'out.txt': a page's name ends in .html")
+    t.render("clip.avi", "--page", "b.html", output="a.html").expect(1, "'a.html' is a page already; leave out --page")
+    t.render("clip.avi", "--page", "p.html", output="{brick}.png").expect(1, "--page goes with one picture")
+    t.render("clip.avi", "--thumbnail", "small.bmp").expect(1, "'.bmp' is not an output format")
+    t.render("clip.avi", "--thumbnail", "out.png").expect(1, "--thumbnail and -o both name 'out.png'")
+    t.vvr("render", "clip.avi", "--report", "r.json", "--page", "p.html").expect(1, "--page goes with one picture; say where that goes")

@@ -74,10 +74,21 @@ def installed_program_is_relocatable(t):
     build = os.path.dirname(os.path.dirname(t.vvr_path))
     done = t.run(["cmake", "--install", build, "--prefix", str(t.path("first"))])
     check(done.status == 0, str(done))
-    for name in ("bin/vvr", "share/doc/vvr/LICENSE"):
+    for name in ("bin/vvr", "libexec/vvr/vvr-program", "libexec/vvr/libvvr_pictures.so", "share/doc/vvr/LICENSE"):
         check(t.path("first").joinpath(name).exists(), f"{name} is not installed")
     shutil.move(t.path("first"), t.path("moved"))
     t.clip()
     done = t.run([str(t.path("moved/bin/vvr")), "render", "clip.avi", "-o", "out.png", "--size", "160x100"])
     done.expect(0)
     t.expect_picture()
+
+
+@case
+def version_loads_nothing_that_works_with_video(t):
+    loaded = t.run(["env", "LD_TRACE_LOADED_OBJECTS=1", t.vvr_path]).out
+    for library in ("libGL", "libEGL", "libOSMesa", "libavcodec", "libopencv", "libOpenImageIO"):
+        check("libc.so" in loaded and library not in loaded, loaded)
+    child = subprocess.Popen([t.vvr_path, "--version"], stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(child.pid, 0)
+    # Processor time: what else the machine does shall not fail a test.
+    check(status == 0 and usage.ru_utime + usage.ru_stime < 0.05, str(usage))

@@ -10,6 +10,7 @@ import cases_archive_index  # noqa: F401
 import cases_cluster  # noqa: F401
 import cases_compare  # noqa: F401
 import cases_data  # noqa: F401
+import cases_day  # noqa: F401
 import cases_docs  # noqa: F401
 import cases_examples  # noqa: F401
 import cases_golden  # noqa: F401

@@ -12,6 +12,7 @@
 #include "core/labels/sheet.h"
 #include "core/labels/time_ticks.h"
 #include "core/scene/theme.h"
+#include "core/scene/time_table.h"
 #include "core/scene/transfer_file.h"
 
 namespace vvr {
@@ -130,6 +131,92 @@ Volume clip_with_gap() {
         }
     }
     return volume;
+}
+
+/// Three minutes of motion, each after an hour of nothing, ten frames a second.
+Volume day_with_pauses(std::int64_t capacity) {
+    Volume volume({32, 24}, capacity);
+    for (int i = 0; i < 3 * 1800; ++i) {
+        Field field;
+        field.index = i + 36'000 * (i / 1800 + 1);
+        field.pts = 0.1 * static_cast<double>(field.index);
+        field.scalar = Plane<std::uint8_t>({32, 24}, 200);
+        volume.add(field);
+    }
+    return volume;
+}
+
+TEST(LeftOut, IsSeenByTheNumbersOfFrames) {
+    for (const std::int64_t capacity : {6000, 800, 100}) {
+        const Volume volume = day_with_pauses(capacity);
+        EXPECT_NEAR(volume.left_out(), 2 * 3600.1, 1e-6);
+        const std::vector<TimeBreak> breaks = time_breaks(volume, 9);
+        ASSERT_EQ(breaks.size(), 2U) << capacity;
+        EXPECT_NEAR(breaks[0].t, 1.0 / 3, 0.02);
+        EXPECT_NEAR(breaks[1].seconds, 3600.1, 1e-6);
+        EXPECT_EQ(time_breaks(volume, 1).size(), 1U);
+        EXPECT_FALSE(volume.is_left_out(3700));
+        EXPECT_TRUE(volume.is_left_out(3600 + 180 + 2));
+        EXPECT_TRUE(volume.is_left_out(7379));
+        EXPECT_FALSE(volume.is_left_out(7381));
+        EXPECT_NEAR(volume.t_of_seconds(3690), 0.5 / 3, 0.01);
+        EXPECT_NEAR(volume.t_of_seconds(3600 + 180 + 3600 + 90), 1.5 / 3, 0.01);
+        const TimeTable times(volume);
+        const auto slots = static_cast<double>(volume.layers() * volume.step());
+        for (const double t : {0.1, 0.45, 0.9}) {
+            const FrameTime at = times.at(t * slots);
+            EXPECT_NEAR(static_cast<double>(at.frame) / 10, at.seconds, 0.11) << "number and time belong together";
+            EXPECT_FALSE(volume.is_left_out(at.seconds));
+        }
+    }
+    const Volume whole = clip_of(100);
+    EXPECT_EQ(whole.left_out(), 0);
+    EXPECT_TRUE(time_breaks(whole, 9).empty());
+}
+
+TEST(LeftOut, TicksAreSpreadOverWhatIsThere) {
+    const Volume volume = day_with_pauses(800);
+    const std::vector<TimeTick> ticks = spread_ticks(volume, 9, 0);
+    EXPECT_GE(ticks.size(), 6U);
+    EXPECT_LE(ticks.size(), 12U);
+    for (const TimeTick& tick : ticks) EXPECT_FALSE(volume.is_left_out(tick.seconds)) << tick.text;
+    EXPECT_EQ(ticks.front().text, "01:00");
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+        EXPECT_GT(volume.t_of_seconds(ticks[i].seconds) - volume.t_of_seconds(ticks[i - 1].seconds), 0.8 / 9 - 1e-9);
+    }
+}
+
+TEST(LeftOut, BricksAreCutByTheClock) {
+    const Volume volume = day_with_pauses(800);
+    EXPECT_EQ(cut_by_clock(volume, 3600, 0).size(), 3U);
+    const std::vector<Brick> half = cut_by_clock(volume, 3600, -3690);  // an hour is over 90 s after the clip's first
+    ASSERT_EQ(half.size(), 4U);
+    std::int64_t next = 0;
+    for (const Brick& brick : half) {
+        EXPECT_EQ(brick.first, next);
+        next += brick.count;
+    }
+    EXPECT_EQ(next, volume.layers());
+}
+
+TEST(LeftOut, IsToldInTheTitle) {
+    const Volume volume = day_with_pauses(800);
+    RenderJob job;
+    RenderReport report;
+    report.last_pts = 12000;
+    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    const Framing framing = frame_volume(job, *layout);
+    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    const auto tells = [&](const std::string& text) {
+        return std::ranges::any_of(lettering.labels, [&](const Label& label) { return label.text.ends_with(text); });
+    };
+    EXPECT_TRUE(tells("2:00 h without motion left out"));
+}
+
+TEST(TimeTicks, LengthsAreRound) {
+    EXPECT_EQ(format_length(7.4), "7 s");
+    EXPECT_EQ(format_length(420), "7 min");
+    EXPECT_EQ(format_length(12000), "3:20 h");
 }
 
 TEST(Gaps, AreWhereNoFrameCame) {

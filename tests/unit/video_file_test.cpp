@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/video/packet_scan.h"
 #include "tests/unit/video_clips.h"
 
 namespace vvr {
@@ -204,6 +205,28 @@ TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
     EXPECT_GT(frames.back().pts, 3.4);
     for (const auto& frame : frames) EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
     EXPECT_EQ(read_all(*source).size(), 100u);
+}
+
+TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
+          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
+          "-c:v msmpeg4 -g 30 -sc_threshold 1000000000"}) {
+        const auto name = counting_clip(folder, "clip.mkv", encoding);
+        const auto source = open_source(name);
+        const auto quick = source->sample(7);
+        const auto all = source->FrameSource::sample(7);
+        ASSERT_EQ(quick.size(), all.size()) << encoding;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            EXPECT_NEAR(quick[i].pts, all[i].pts, 1e-6) << encoding;
+            EXPECT_TRUE(std::ranges::equal(quick[i].grey.pixels(), all[i].grey.pixels())) << encoding;
+        }
+        Demuxer demuxer(open_input(name), Demuxer::Kind::video, 25);
+        const SampledPackets plan = plan_samples(demuxer, 7);
+        EXPECT_EQ(std::ranges::count(plan.uses, PacketUse::frame), std::ssize(all)) << encoding;
+        EXPECT_GT(std::ranges::count(plan.uses, PacketUse::none), 5) << encoding;
+    }
 }
 
 TEST(Sample, TakesKeyFramesWhereThereAreEnough) {

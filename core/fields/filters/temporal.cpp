@@ -13,7 +13,8 @@ class Temporal final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
         const Light light = illumination_.compensates ? light_between(*input.previous, input.smooth) : Light{};
-        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth, light));
+        Planes room;
+        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth, light, room));
     }
 
   private:

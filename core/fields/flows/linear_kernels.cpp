@@ -1,5 +1,8 @@
 #include "core/fields/flows/linear_kernels.h"
 
+// Vectors whose length only the machine knows can't be members; where there are such, NEON is as well.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/fields/flows/linear_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -22,39 +25,97 @@ HWY_INLINE Vec mask(Tag d, Vec above, Vec row, Vec below, Vec here) {
     return hn::NegMulAdd(hn::Set(d, 4.F), here, hn::MulAdd(hn::Set(d, 2.F), row, hn::Add(above, below)));
 }
 
-// A strip one vector wide from the first row to the last: each row's sums are taken once and serve three rows.
-void relax(const RelaxRows& p, int width, int count) {
-    const Tag d;
-    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
-        const float* u = p.u + x;
-        const float* v = p.v + x;
-        Vec u_above = across(d, u - p.pitch, hn::Load(d, u - p.pitch));
-        Vec v_above = across(d, v - p.pitch, hn::Load(d, v - p.pitch));
-        Vec u_here = hn::Load(d, u);
-        Vec v_here = hn::Load(d, v);
-        Vec u_row = across(d, u, u_here);
-        Vec v_row = across(d, v, v_here);
-        for (int j = 0; j < count; ++j) {
-            const std::ptrdiff_t at = j * p.pitch + x;
-            const Vec u_next = hn::Load(d, p.u + at + p.pitch);
-            const Vec v_next = hn::Load(d, p.v + at + p.pitch);
-            const Vec u_below = across(d, p.u + at + p.pitch, u_next);
-            const Vec v_below = across(d, p.v + at + p.pitch, v_next);
-            const Vec n_u = mask(d, u_above, u_row, u_below, u_here);
-            const Vec n_v = mask(d, v_above, v_row, v_below, v_here);
-            const Vec m12 = hn::Load(d, p.m12 + at);
-            hn::Store(hn::MulAdd(hn::Load(d, p.m11 + at), n_u, hn::MulAdd(m12, n_v, hn::Load(d, p.c1 + at))), d,
-                      p.next_u + at);
-            hn::Store(hn::MulAdd(hn::Load(d, p.m22 + at), n_v, hn::MulAdd(m12, n_u, hn::Load(d, p.c2 + at))), d,
-                      p.next_v + at);
-            u_above = u_row;
-            v_above = v_row;
-            u_row = u_below;
-            v_row = v_below;
-            u_here = u_next;
-            v_here = v_next;
+/// How lanes are turned by one, the last into the first's place and the other way, and where that leaves what belongs
+/// to the vector beside.
+struct Turns {
+    using Table = hn::RebindToSigned<Tag>;
+    using Indices = decltype(hn::IndicesFromVec(Tag(), hn::Zero(Table())));
+
+    Indices up, down;
+    hn::Mask<Tag> first, last;
+};
+
+HWY_INLINE Turns turns(Tag d) {
+    const Turns::Table ints;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const auto by = [&](int step) HWY_ATTR {
+        return hn::IndicesFromVec(d, hn::And(hn::Iota(ints, step), hn::Set(ints, lanes - 1)));
+    };
+    return {by(lanes - 1), by(1), hn::FirstN(d, 1), hn::Not(hn::FirstN(d, hn::Lanes(d) - 1))};
+}
+
+/// A vector of a row on its way to the sums over the averaging mask. Each point and those above and below it add up to
+/// a sum, above + 2 · here + below, that its neighbours in the row need as well.
+struct Sums {
+    Vec without_right;  ///< the mask's sums, but for what the vector to the right has to give
+    Vec up, down;       ///< the columns' sums, turned by a lane each way
+};
+
+HWY_INLINE Sums add_up(Tag d, const Turns& turn, const Sums& left, Vec above, Vec here, Vec below) {
+    const Vec sum = hn::MulAdd(hn::Set(d, 2.F), here, hn::Add(above, below));
+    const Vec up = hn::TableLookupLanes(sum, turn.up);
+    const Vec from_left = hn::IfThenElse(turn.first, left.up, up);
+    return {hn::NegMulAdd(hn::Set(d, 4.F), here, hn::MulAdd(hn::Set(d, 2.F), sum, from_left)), up,
+            hn::TableLookupLanes(sum, turn.down)};
+}
+
+/// Walks along a row of one component of the flow, and with `both` along the next one too: they share two of the four
+/// rows that they are made of.
+template <bool both>
+struct Walk {
+    Sums upper, lower;     ///< at a vector
+    Vec n_upper, n_lower;  ///< the mask's sums of the vector before it
+
+    HWY_INLINE void step(Tag d, const Turns& turn, const float* p, std::ptrdiff_t pitch) {
+        const Vec here = hn::Load(d, p);
+        const Vec below = hn::Load(d, p + pitch);
+        const Sums right = add_up(d, turn, upper, hn::Load(d, p - pitch), here, below);
+        n_upper = hn::Add(upper.without_right, hn::IfThenElse(turn.last, right.down, upper.down));
+        upper = right;
+        if constexpr (both) {
+            const Sums lower_right = add_up(d, turn, lower, here, below, hn::Load(d, p + 2 * pitch));
+            n_lower = hn::Add(lower.without_right, hn::IfThenElse(turn.last, lower_right.down, lower.down));
+            lower = lower_right;
         }
     }
+
+    HWY_INLINE void begin(Tag d, const Turns& turn, const float* p, std::ptrdiff_t pitch) {
+        const Vec none = hn::Zero(d);
+        upper = lower = {none, none, none};
+        step(d, turn, p - hn::Lanes(d), pitch);
+        step(d, turn, p, pitch);
+    }
+};
+
+HWY_INLINE void store(Tag d, const RelaxRows& p, std::ptrdiff_t at, Vec n_u, Vec n_v) {
+    const Vec m12 = hn::Load(d, p.m12 + at);
+    hn::Store(hn::MulAdd(hn::Load(d, p.m11 + at), n_u, hn::MulAdd(m12, n_v, hn::Load(d, p.c1 + at))), d, p.next_u + at);
+    hn::Store(hn::MulAdd(hn::Load(d, p.m22 + at), n_v, hn::MulAdd(m12, n_u, hn::Load(d, p.c2 + at))), d, p.next_v + at);
+}
+
+// All loads are aligned, and there are nine a point.
+template <bool both>
+HWY_INLINE void relax_along(Tag d, const Turns& turn, const RelaxRows& p, std::ptrdiff_t first, int width) {
+    Walk<both> u, v;
+    u.begin(d, turn, p.u + first, p.pitch);
+    v.begin(d, turn, p.v + first, p.pitch);
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int x = 0; x < width; x += lanes) {
+        const std::ptrdiff_t at = first + x;
+        u.step(d, turn, p.u + at + lanes, p.pitch);
+        v.step(d, turn, p.v + at + lanes, p.pitch);
+        store(d, p, at, u.n_upper, v.n_upper);
+        if constexpr (both) store(d, p, at + p.pitch, u.n_lower, v.n_lower);
+    }
+}
+
+void relax(const RelaxRows& rows, int width, int count) {
+    const Tag d;
+    const RelaxRows p = rows;  // of which the compiler knows that no store changes it
+    const Turns turn = turns(d);
+    int j = 0;
+    for (; j + 2 <= count; j += 2) relax_along<true>(d, turn, p, j * p.pitch, width);
+    if (j < count) relax_along<false>(d, turn, p, j * p.pitch, width);
 }
 
 // g gᵀ has rank one, so its inverse needs no determinant that would lose digits: (g gᵀ + a)⁻¹ g = g / (a + |g|²).

@@ -1,0 +1,106 @@
+// Three kernels on input that is always the same, for valgrind to count the instructions of: unlike times these don't
+// depend on what else the machine does. See bench/check.py.
+//
+//     counted_kernels jacobi|flow|fields
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <hwy/targets.h>
+
+#include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/fields/frame_work.h"
+
+/// What valgrind counts is what happens in here.
+extern "C" __attribute__((noinline)) void vvr_counted(const std::function<void()>& work) {
+    work();
+    asm volatile("");  // else this would be left before the work begins
+}
+
+namespace {
+
+using namespace vvr;
+
+constexpr Size size{384, 288};
+
+/// Noise, and a square that goes to the right.
+Frame frame_of(int index) {
+    Frame frame{index, index / 25.0, Plane<std::uint8_t>(size), Plane<Bgr>(size)};
+    std::uint32_t state = 12345U + static_cast<std::uint32_t>(index);
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            state = state * 1664525U + 1013904223U;
+            const bool square = j >= 100 && j < 180 && i >= 60 + 2 * index && i < 110 + 2 * index;
+            const int texture =
+                static_cast<int>(20 * std::sin(0.4 * (i - (square ? 2 * index : 0))) + 15 * std::sin(0.3 * j));
+            const auto value = static_cast<std::uint8_t>((square ? 60 : 130) + texture + static_cast<int>(state >> 30));
+            frame.grey.at(i, j) = value;
+            frame.colour.at(i, j) = {value, value, static_cast<std::uint8_t>(value + (square ? 40 : 0))};
+        }
+    }
+    return frame;
+}
+
+void jacobi() {
+    const std::vector<float> taps = gaussian_taps(1.5);
+    std::vector<Plane<float>> smooth;
+    for (int f = 0; f < 15; ++f) smooth.push_back(smoothed(frame_of(f).grey, taps));
+    std::vector<const Plane<float>*> frames;
+    for (const Plane<float>& plane : smooth) frames.push_back(&plane);
+    PlaneStack derivatives;
+    barron_derivatives(frames, taps, {0, 0, size}, derivatives);
+    LinearSystem system(size, 100);
+    system.load(derivatives);
+    system.clear();
+    vvr_counted([&] { system.relax(60); });
+}
+
+void flow() {
+    const auto method = make_flow({});
+    const std::vector<Frame> clip{frame_of(0), frame_of(1), frame_of(2)};
+    vvr_counted([&] {
+        std::vector<FlowFrame> prepared;
+        for (const Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
+        (*method)(std::vector<const FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]}, {0, 0, size});
+    });
+}
+
+void fields() {
+    FieldOptions options;
+    options.flow.method = "none";
+    EmptyScene scene;
+    const Frame empty = frame_of(-60);
+    scene.reference = {empty.grey, empty.colour};
+    FrameWork work(scene, options);
+    std::vector<Frame> clip;
+    for (int f = 0; f < 4; ++f) clip.push_back(frame_of(f));
+    vvr_counted([&] {
+        for (const Frame& frame : clip) work.finish(work.gather(work.begin(frame)));
+    });
+}
+
+struct Kernel {
+    const char* name;
+    void (*run)();
+};
+constexpr Kernel kernels[] = {{"jacobi", jacobi}, {"flow", flow}, {"fields", fields}};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // The widest vectors that valgrind knows.
+    hwy::SetSupportedTargetsForTest(HWY_AVX2);
+    for (const Kernel& kernel : kernels) {
+        if (argc != 2 || argv[1] != std::string(kernel.name)) continue;
+        kernel.run();
+        return 0;
+    }
+    std::fputs("usage: counted_kernels jacobi|flow|fields\n", stderr);
+    return 1;
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vvr {
+
+/// One row of the table of presets: options for a purpose.
+struct Preset {
+    std::string_view name;
+    std::string_view help;
+    std::span<const std::string_view> arguments;
+};
+
+std::span<const Preset> presets();
+
+/// Puts the options of the preset that `--preset` names before all others, so that those win. The same arguments where
+/// there is none, or none of that name.
+std::vector<std::string> with_preset(std::span<const std::string> arguments);
+
+}  // namespace vvr
