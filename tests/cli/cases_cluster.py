@@ -113,12 +113,18 @@ def cluster_waits_for_the_run_that_slurm_lost(t):
 @case
 def cluster_draws_a_clip_in_parts(t):
     t.clip("clip.avi", seconds=3)
+    t.clip("long.avi", seconds=20)
     options = ("--grid", "9", "--color=video", "--size", "160x100", "--camera", "-20,40", "--opacity", "2")
-    t.vvr("render", "clip.avi", "-o", "whole.png", "--backend", "software", *options).expect(0, "30 frames")
-    submit(t, "submit-clip", "clip.avi", "parts.png", "--parts", "4", "--", *options).expect(0, "array 7 of 4 parts", out="7\n")
-    check(t.path("parts.png").exists(), f"no picture\n{text_of(t, 'parts.png.parts-*/logs/*')}")
-    check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
-    check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
+    small = ("--size", "160x100")
+    # The long ones keep flow of a part of their frames.
+    for clip, *options in [("clip.avi", *options), ("long.avi", *small), ("long.avi", *small, "--skip-idle", "1"),
+                           ("long.avi", *small, "--preset", "day")]:
+        t.vvr("render", clip, "-o", "whole.png", "--backend", "software", *options).expect(0, " frames in ")
+        t.path("parts.png").unlink(missing_ok=True)
+        submit(t, "submit-clip", clip, "parts.png", "--parts", "4", "--", *options).expect(0, "array 7 of 4 parts", out="7\n")
+        check(t.path("parts.png").exists(), f"no picture\n{text_of(t, 'parts.png.parts-*/logs/*')}")
+        check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), f"the parts make another picture, {options}")
+        check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
 
 
 @case
