@@ -45,8 +45,8 @@ def bound(ours, floor, cores):
     """What keeps a run from being faster, in words."""
     busy = median([r.processor / r.seconds for r in ours]) / cores
     decoding = median([r.processor for r in floor]) / median([r.processor for r in ours])
-    where = "all cores are busy" if busy > 0.8 else f"{100 * busy:.0f} % of the cores are busy, the rest waits for one thread"
-    return f"{where}; FFmpeg's decoding and scaling is {100 * decoding:.0f} % of the processor time"
+    return (f"FFmpeg's decoding and scaling takes {decoding:.2f} of the processor time, which no other load changes; the run had "
+            f"{100 * busy:.0f} % of the cores")
 
 
 def pipeline(setting):

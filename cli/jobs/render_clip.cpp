@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 
 #include "cli/jobs/annotate.h"
@@ -63,6 +64,21 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     if (brick_frames <= 0) return cut_into(volume.layers(), job.bricks);
     const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
+}
+
+/// Uploads all bricks, giving the volume's memory back on the way. While one is uploaded the next is laid out.
+void push_bricks(Renderer& renderer, Volume& volume, const std::vector<Brick>& bricks) {
+    const auto lay_out = [&volume, &bricks](std::size_t i) {
+        return std::async(std::launch::async, [&volume, brick = bricks[i]] { return brick_texels(volume, brick); });
+    };
+    std::future<BrickTexels> next = lay_out(0);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        const BrickTexels texels = next.get();
+        if (i + 1 < bricks.size()) next = lay_out(i + 1);
+        renderer.push_brick(static_cast<std::int64_t>(i), texels);
+        // The next brick repeats the last layer.
+        volume.release_before(bricks[i].first + bricks[i].count - 1);
+    }
 }
 
 }  // namespace
@@ -137,13 +153,7 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     renderer.set_window(static_cast<int>(report.bricks.size()), volume.layers());
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
-    if (job.show.contains("volume")) {
-        for (std::size_t i = 0; i < report.bricks.size(); ++i) {
-            const Brick& brick = report.bricks[i];
-            renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, brick));
-            volume.release_before(brick.first + brick.count - 1);  // the next brick repeats the last layer
-        }
-    }
+    if (job.show.contains("volume")) push_bricks(renderer, volume, report.bricks);
     add_overlays(job, renderer, layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     report.lettering = letter(job, report, volume, layout, framing);

@@ -53,10 +53,8 @@ void mark_uses(std::span<const Stamped> group, const std::vector<std::int64_t>& 
     const auto is_wanted = [&](const Stamped& packet) { return std::ranges::binary_search(wanted, packet.stamp); };
     const auto leads = [&](const Stamped& packet) { return packet.stamp < group.front().stamp; };
     const bool leans = std::ranges::any_of(group, [&](const Stamped& p) { return leads(p) && is_wanted(p); });
-    std::size_t needed = group.size();
-    if (!next_leans) {
-        while (needed > 0 && !is_wanted(group[needed - 1])) --needed;
-    }
+    const auto last = next_leans ? group.rbegin() : std::find_if(group.rbegin(), group.rend(), is_wanted);
+    const auto needed = static_cast<std::size_t>(group.rend() - last);
     for (std::size_t i = 0; i < needed; ++i) {
         uses[i] = is_wanted(group[i])         ? PacketUse::frame
                   : leads(group[i]) && !leans ? PacketUse::none
