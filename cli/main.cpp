@@ -16,6 +16,9 @@ namespace {
 /// by page.
 void keep_freed_memory() {
     constexpr int larger_than_a_plane = 32 << 20;
+    // One heap for all threads: planes are given back by others than those that took them, and each heap would keep its
+    // own.
+    mallopt(M_ARENA_MAX, 1);
     mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
     mallopt(M_TRIM_THRESHOLD, 4 * larger_than_a_plane);
     mallopt(M_TOP_PAD, larger_than_a_plane / 4);
