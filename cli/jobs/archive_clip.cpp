@@ -51,6 +51,9 @@ std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
             "allows, {} MB{}{}",
             signal, ::strsignal(signal), limits.memory / 1'000'000, words.empty() ? "" : ": ", words);
     }
+    if (end.status == static_cast<int>(ExitStatus::limit)) {
+        return fmt::format("{}; --max-memory gives a worker {} MB", words, limits.memory / 1'000'000);
+    }
     return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
 }
 

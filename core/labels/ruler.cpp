@@ -165,6 +165,7 @@ void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, c
     std::vector<TimeBreak> longest = breaks;
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
     for (const TimeBreak& gap : longest) {
+        if (gap.seconds < longest.front().seconds / 50) break;  // to say so would only distract from the long ones
         write_beside(fmt::format("{} left out", format_length(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
                      lettering);
     }
