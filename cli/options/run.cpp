@@ -15,8 +15,9 @@ void add_options(CLI::App& app, RunOptions& options) {
 void add_talk_options(CLI::App& app, RunOptions& options) {
     app.add_flag("-q,--quiet", options.quiet, "say nothing unless it fails")->group(group::run);
     app.add_flag("-v,--verbose", options.verbose, "say more")->group(group::run)->excludes("--quiet");
-    add_text(app, group::run, options.log_file,
-             {"--log-file", "FILE", "", "every line goes there too, with its time, whatever --quiet says; appended to"});
+    add_text(
+        app, group::run, options.log_file,
+        {"--log-file", "FILE", "", "every line goes there too, with its time, whatever --quiet says; appended to"});
     add_name(app, group::run, options.log_format, names_of(log_formats()),
              {"--log-format", "NAME", "", "lines for people, or one JSON object each"});
 }

@@ -11,7 +11,7 @@ namespace vvr {
 struct RunOptions {
     bool quiet = false;
     bool verbose = false;
-    int threads = 0;  ///< 0 = one for each core
+    int threads = 0;                  ///< 0 = one for each core
     std::string log_file;             ///< empty = none
     std::string log_format = "text";  ///< "text" or "json"
 };

@@ -24,7 +24,8 @@ std::vector<std::uint8_t> filling(const Plane<std::uint8_t>& scalar) {
     for (int j = 0; j < scalar.height(); ++j) {
         std::uint8_t* const out = counts.data() + static_cast<std::ptrdiff_t>(j / tile_side) * columns;
         const auto row = scalar.row(j);
-        for (std::size_t i = 0; i < row.size(); ++i) if (row[i] != 0) ++out[i / tile_side];
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (row[i] != 0) ++out[i / tile_side];
     }
     return counts;
 }

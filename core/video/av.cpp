@@ -25,8 +25,9 @@ void AvFrameFree::operator()(AVFrame* frame) const {
 namespace av {
 namespace {
 
-// Its address, as that of Log::interrupted, marks a context as ours, so that the log callback, which libav calls for every context of the
-// process, never takes another library's opaque pointer for a Log. Decoders have no use for an encoder's callback.
+// Its address, as that of Log::interrupted, marks a context as ours, so that the log callback, which libav calls for
+// every context of the process, never takes another library's opaque pointer for a Log. Decoders have no use for an
+// encoder's callback.
 int never_encode(AVCodecContext*, AVPacket*, int) {
     return AVERROR(ENOSYS);
 }

@@ -27,10 +27,11 @@ void load_devices(const std::string& name) {
     void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL);
     void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, "avdevice_register_all");
     if (found == nullptr)
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}' is a device, which takes {}, and it is not there: {}; install Debian's "
-                                "libavdevice{}, or pipe the camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
-                                name, library, ::dlerror(), LIBAVFORMAT_VERSION_MAJOR, name));
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("'{}' is a device, which takes {}, and it is not there: {}; install Debian's "
+                        "libavdevice{}, or pipe the camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
+                        name, library, ::dlerror(), LIBAVFORMAT_VERSION_MAJOR, name));
     reinterpret_cast<void (*)()>(found)();
 }
 

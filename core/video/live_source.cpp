@@ -126,8 +126,8 @@ bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
 
 /// \returns false when the time is up, or somebody asked for an end
 bool LiveSource::pause(const std::stop_token& stop, double seconds) {
-    const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                       std::chrono::duration<double>(seconds));
+    const Clock::time_point until =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     std::unique_lock lock(mutex_);
     while (Clock::now() < until && !stop.stop_requested() && !is_over()) {
         constexpr std::chrono::milliseconds tick(100);  // a duration may end in the middle of the pause
@@ -139,8 +139,7 @@ bool LiveSource::pause(const std::stop_token& stop, double seconds) {
 bool LiveSource::connect_again(const std::stop_token& stop) {
     if (!comes_again_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
-    options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_,
-                              demuxer_->log().text(AVERROR_EOF)));
+    options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_, demuxer_->log().text(AVERROR_EOF)));
     std::string told;
     for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
         try {

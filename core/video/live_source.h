@@ -24,9 +24,9 @@ namespace vvr {
 
 struct LiveOptions {
     SourceOptions source;
-    double patience = 5;              ///< seconds without a frame after which a connection counts as lost
-    double lag = 1;                   ///< seconds that a frame may wait for its turn; older ones are dropped
-    std::optional<double> duration;   ///< seconds after which the stream ends
+    double patience = 5;             ///< seconds without a frame after which a connection counts as lost
+    double lag = 1;                  ///< seconds that a frame may wait for its turn; older ones are dropped
+    std::optional<double> duration;  ///< seconds after which the stream ends
     std::function<void(const std::string&)> tell = [](const std::string&) {};  ///< of connections, from any thread
 };
 
@@ -97,7 +97,7 @@ class LiveSource final : public FrameSource {
     Orientation orientation_;
     LiveClock clock_{0};
     Clock::time_point begin_ = Clock::now();
-    double time_ = 0;         ///< of the newest frame
+    double time_ = 0;  ///< of the newest frame
     std::int64_t index_ = -1;
 
     mutable std::mutex mutex_;
