@@ -83,11 +83,6 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
                   framing.sheet.between, 0);
 }
 
-std::string title_of(const RenderJob& job, const RenderReport& report) {
-    if (!job.title.empty()) return job.title;
-    return report.info.title.empty() ? shown_name(report.info.name) : report.info.title;
-}
-
 }  // namespace
 
 Framing frame_volume(const RenderJob& job, const Layout& layout) {
@@ -123,7 +118,7 @@ Lettering letter(const RenderJob& job, const RenderReport& report, const Volume&
     lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.theme.ink);
     const Rgba pale = rgba(job.theme.pale_ink);
-    letter_title(title_of(job, report), span_of(job, report, volume), framing.sheet, ink, pale, lettering);
+    letter_title(title_of(job.title, report.info), span_of(job, report, volume), framing.sheet, ink, pale, lettering);
     if (job.show.contains("legend")) letter_legend(legend_of(job), framing.sheet, pale, lettering);
     if (job.show.contains("ruler") && framing.sheet.text > 0) {
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.theme.fast),

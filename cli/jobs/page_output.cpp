@@ -15,7 +15,7 @@ std::string page_text(const fs::path& path, const std::string& input, const std:
                       const RenderReport& report, Picture picture, const Metadata& settings, Moments moments) {
     std::error_code none;
     PageContent content;
-    content.name = title.empty() ? shown_name(input) : title;
+    content.name = title_of(title, report.info);
     if (fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
     content.shown = report.info.size;
     content.field = report.field_size;

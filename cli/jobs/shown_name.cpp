@@ -20,4 +20,9 @@ std::string shown_name(const std::string& input) {
     return name.empty() || name == "/" || name == "." ? "a clip" : name;
 }
 
+std::string title_of(const std::string& asked, const VideoInfo& clip) {
+    if (!asked.empty()) return asked;
+    return clip.title.empty() ? shown_name(clip.name) : clip.title;
+}
+
 }  // namespace vvr

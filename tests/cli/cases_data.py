@@ -34,6 +34,8 @@ def parts_by_number_make_the_picture_of_the_whole(t):
         t.vvr("extract", "clip.mkv", "-o", f"part{i}", "--part", f"{i}/3").expect(0, "frames of 96x64")
     t.render("part1", "part2", "part3", output="parts.png").expect(0, "41 frames")
     check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
+    t.render("part1", "part2", "part3", output="parts.html").expect(0)
+    check("<title>clip.mkv</title>" in t.path("parts.html").read_text(encoding="utf-8"), "the page has another title")
     for part, *texts in [
         ("4/3", "--part: '4/3' is not a share such as 2/8"),
         ("0/3", "'0/3' is not a share"),
