@@ -16,6 +16,8 @@ foreach(module core imgproc video)
 endforeach()
 
 find_package(Fontconfig REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(PNG REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 namespace vvr {
 
@@ -23,16 +25,32 @@ template <class T>
 class Plane {
   public:
     Plane() = default;
-    explicit Plane(Size size, T value = T{})
-        : size_(size), pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), value) {}
+    explicit Plane(Size size, T value = T{}) : Plane(for_overwrite(size)) { std::ranges::fill(pixels(), value); }
+
+    /// One whose values are all about to be written: at a frame's size the writing of zeros before shows in a run's time.
+    static Plane for_overwrite(Size size) {
+        Plane plane;
+        plane.count_ = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+        plane.pixels_ = std::make_unique_for_overwrite<T[]>(plane.count_);
+        plane.size_ = size;
+        return plane;
+    }
+
+    Plane(const Plane& other) : Plane(for_overwrite(other.size_)) { std::ranges::copy(other.pixels(), pixels_.get()); }
+    Plane(Plane&& other) noexcept { swap(other); }
+    Plane& operator=(Plane other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Plane() = default;
 
     Size size() const { return size_; }
     int width() const { return size_.width; }
     int height() const { return size_.height; }
-    bool empty() const { return pixels_.empty(); }
+    bool empty() const { return count_ == 0; }
 
-    std::span<T> pixels() { return pixels_; }
-    std::span<const T> pixels() const { return pixels_; }
+    std::span<T> pixels() { return {pixels_.get(), count_}; }
+    std::span<const T> pixels() const { return {pixels_.get(), count_}; }
 
     /// Row `j`, counted from the top.
     std::span<T> row(int j) { return pixels().subspan(offset(0, j), static_cast<std::size_t>(size_.width)); }
@@ -45,12 +63,19 @@ class Plane {
     const T& at(int i, int j) const { return pixels_[offset(i, j)]; }
 
   private:
+    void swap(Plane& other) noexcept {
+        std::swap(size_, other.size_);
+        std::swap(count_, other.count_);
+        pixels_.swap(other.pixels_);
+    }
+
     std::size_t offset(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(i);
     }
 
     Size size_;
-    std::vector<T> pixels_;
+    std::size_t count_ = 0;
+    std::unique_ptr<T[]> pixels_;
 };
 
 }  // namespace vvr

@@ -34,7 +34,7 @@ glm::dvec2 in_plane(const Plane<std::uint32_t>& packed, double column, double ro
 }  // namespace
 
 void FlowVolume::add(std::int64_t frame, const Flow& flow) {
-    Layer layer{frame, Plane<std::uint32_t>(flow.u.size())};
+    Layer layer{frame, Plane<std::uint32_t>::for_overwrite(flow.u.size())};
     std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(), [](float u, float v) {
         return glm::packHalf2x16({u, v});
     });

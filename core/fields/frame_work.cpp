@@ -18,7 +18,7 @@ constexpr int object_threshold = 24;
 
 /// One more where there is an object, 0 elsewhere.
 Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object) {
-    Plane<std::uint16_t> age(object.size());
+    auto age = Plane<std::uint16_t>::for_overwrite(object.size());
     for (std::size_t i = 0; i < age.pixels().size(); ++i) {
         const int then = before.empty() ? 0 : before.pixels()[i];
         const int most = std::numeric_limits<std::uint16_t>::max();

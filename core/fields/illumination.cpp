@@ -123,7 +123,7 @@ Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
         table[static_cast<std::size_t>(level)] =
             static_cast<std::uint8_t>(std::clamp(std::lround(light(level)), 0L, 255L));
     }
-    Plane<T> result(plane.size());
+    auto result = Plane<T>::for_overwrite(plane.size());
     cv::Mat out = cv_view(result);
     cv::LUT(cv_view(plane), cv::Mat(1, 256, CV_8UC1, table.data()), out);
     return result;
@@ -200,7 +200,7 @@ template <class T>
 Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     cv::Mat gains_of_channels = gains;
     if constexpr (std::is_same_v<T, Bgr>) cv::merge(std::vector<cv::Mat>(3, gains), gains_of_channels);
-    Plane<T> result(plane.size());
+    auto result = Plane<T>::for_overwrite(plane.size());
     cv::Mat out = cv_view(result);
     cv::multiply(cv_view(plane), gains_of_channels, out, 1, out.type());
     return result;

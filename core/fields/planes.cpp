@@ -74,7 +74,7 @@ namespace {
 template <class T>
 Plane<T> smooth_plane(const Plane<T>& plane, double sigma) {
     if (plane.empty() || sigma <= 0) return plane;
-    Plane<T> result(plane.size());
+    auto result = Plane<T>::for_overwrite(plane.size());
     cv::Mat out = cv_view(result);
     const int radius = std::max(1, static_cast<int>(std::lround(1.5 * sigma)));
     cv::GaussianBlur(cv_view(plane), out, {2 * radius + 1, 2 * radius + 1}, sigma, sigma, cv::BORDER_REPLICATE);
@@ -88,7 +88,7 @@ Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, doubl
 }
 
 Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b) {
-    Plane<std::uint8_t> result(a.grey.size());
+    auto result = Plane<std::uint8_t>::for_overwrite(a.grey.size());
     const std::size_t count = result.pixels().size();
     if (a.colour.empty() || b.colour.empty()) {
         HWY_DYNAMIC_DISPATCH(grey)(a.grey.pixels().data(), b.grey.pixels().data(), result.pixels().data(), count);

@@ -52,18 +52,21 @@ std::vector<Point> points_of(const Plane<std::uint8_t>& object) {
 
 void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
     if (frame.colour.empty() || empty.colour.empty()) return;
-    const Size size = object.size();
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return;
-    Plane<std::int8_t> votes(size);
+    // The votes of the box around the points and one pixel more on each side, where nobody votes. Points come by rows.
+    const auto [left, right] = std::ranges::minmax(points, {}, &Point::i);
+    const int i0 = left.i - 1;
+    const int j0 = points.front().j - 1;
+    Plane<std::int8_t> votes({right.i - left.i + 3, points.back().j - points.front().j + 3});
     for (const auto& [i, j] : points) {
-        votes.at(i, j) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
+        votes.at(i - i0, j - j0) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
     }
     // One pixel proves nothing: most of those about it must look like a shadow too.
     for (const auto& [i, j] : points) {
         int sum = 0;
-        for (int y = std::max(j - 1, 0); y <= std::min(j + 1, size.height - 1); ++y) {
-            for (int x = std::max(i - 1, 0); x <= std::min(i + 1, size.width - 1); ++x) sum += votes.at(x, y);
+        for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
+            for (int x = i - i0 - 1; x <= i - i0 + 1; ++x) sum += votes.at(x, y);
         }
         if (sum > 0) object.at(i, j) = 0;
     }

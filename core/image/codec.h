@@ -2,15 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/image/picture.h"
 #include "core/image/samples.h"
-#include "core/pixel_box.h"
 
 namespace vvr {
 
@@ -26,11 +23,12 @@ struct PictureFile {
     Stored stored = Stored::uint8;
     std::vector<std::string> layers{};  ///< names of further channels of floats
     Metadata attributes{};
-    std::variant<std::span<const float>, std::span<const std::uint8_t>> values{};
+    std::span<const float> values{};
 };
 
-/// What we use of OpenImageIO. Together with the 250 libraries that it depends on it takes longer to load than a short
-/// clip to be read, so it stands in a library of our own, core/image/oiio.cpp, that is loaded when it is first needed.
+/// What we use of OpenImageIO: all formats but PNG, and all that is read. Together with the 250 libraries that it depends
+/// on it takes longer to load than a short clip to be read, so it stands in a library of our own, core/image/oiio.cpp,
+/// that is loaded when it is first needed.
 struct PictureCodec {
     std::vector<unsigned char> (*encode)(const PictureFile& file);
     Samples (*read)(const std::filesystem::path& path);
@@ -38,9 +36,6 @@ struct PictureCodec {
     Metadata (*attributes)(const std::filesystem::path& path);
     /// 8-bit values of a file that has to have this size and so many channels.
     void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);
-    std::optional<PixelBox> (*measure_text)(const std::string& text, int size, const std::string& font);
-    bool (*draw_text)(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const std::string& font,
-                      const Rgba& colour);
 };
 
 /// Loads it at the first call; from any thread.

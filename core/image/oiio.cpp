@@ -2,8 +2,6 @@
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -36,13 +34,6 @@ void add_layer_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& n
     spec.nchannels += static_cast<int>(names.size());
 }
 
-bool write(OIIO::ImageOutput& output, std::span<const float> values) {
-    return output.write_image(OIIO::TypeDesc::FLOAT, values.data());
-}
-bool write(OIIO::ImageOutput& output, std::span<const std::uint8_t> values) {
-    return output.write_image(OIIO::TypeDesc::UINT8, values.data());
-}
-
 std::vector<unsigned char> encode(const PictureFile& file) {
     OIIO::ImageSpec spec(file.size.width, file.size.height, file.colours, type_of(file.stored));
     if (!file.layers.empty()) add_layer_channels(spec, file.layers);
@@ -50,7 +41,7 @@ std::vector<unsigned char> encode(const PictureFile& file) {
     OIIO::Filesystem::IOVecOutput encoded;
     const auto output = OIIO::ImageOutput::create(file.format);
     const bool done = output && output->set_ioproxy(&encoded) && output->open(file.name, spec) &&
-                      std::visit([&](auto values) { return write(*output, values); }, file.values) && output->close();
+                      output->write_image(OIIO::TypeDesc::FLOAT, file.values.data()) && output->close();
     if (!done) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot encode '{}': {}", file.name, output ? output->geterror() : OIIO::geterror()));
@@ -112,26 +103,10 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, values)) fail(input->geterror());
 }
 
-std::optional<PixelBox> measure_text(const std::string& text, int size, const std::string& font) {
-    const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font);
-    if (!box.defined()) return std::nullopt;
-    return PixelBox{box.xbegin, box.ybegin, box.xend, box.yend};
-}
-
-bool draw_text(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const std::string& font,
-               const Rgba& colour) {
-    const OIIO::ImageSpec spec(pixels.width(), pixels.height(), 4, OIIO::TypeDesc::FLOAT);
-    OIIO::ImageBuf buffer(spec, pixels.pixels().data());
-    const bool done = OIIO::ImageBufAlgo::render_text(buffer, x, y, text, size, font, colour);
-    if (!done) buffer.geterror();  // taken, or OpenImageIO prints it at the end
-    return done;
-}
-
 }  // namespace
 }  // namespace vvr
 
 extern "C" __attribute__((visibility("default"))) const vvr::PictureCodec* vvr_picture_codec() {
-    static constexpr vvr::PictureCodec codec{vvr::encode,     vvr::read,         vvr::decode,   vvr::attributes,
-                                             vvr::read_bytes, vvr::measure_text, vvr::draw_text};
+    static constexpr vvr::PictureCodec codec{vvr::encode, vvr::read, vvr::decode, vvr::attributes, vvr::read_bytes};
     return &codec;
 }

@@ -13,6 +13,7 @@
 #include "core/image/atomic_file.h"
 #include "core/image/codec.h"
 #include "core/image/layer_channels.h"
+#include "core/image/png_encoder.h"
 #include "core/image/samples.h"
 #include "core/suggest.h"
 #include "core/version.h"
@@ -23,9 +24,25 @@ namespace {
 
 constexpr std::string_view setting_prefix = "vvr:";
 
+struct Format;
+
+/// A picture on its way to a file, and what goes with it.
+struct Job {
+    const Format& format;
+    const std::filesystem::path& path;
+    const Picture& picture;
+    const Metadata& metadata;
+    int jpeg_quality;
+    int channels;  ///< 3, or 4 with alpha
+};
+
+std::vector<unsigned char> as_png(const Job& job);
+std::vector<unsigned char> by_library(const Job& job);
+
 /// One kind of picture file.
 struct Format {
     std::string_view ending;
+    std::vector<unsigned char> (*encode)(const Job& job);
     Stored stored;
     std::string_view compression;
     bool alpha;     ///< holds transparency
@@ -34,12 +51,12 @@ struct Format {
 };
 
 constexpr std::array formats{
-    Format{".png", Stored::uint8, "zip:6", true, true, false},
-    Format{".exr", Stored::half, "zip", true, true, true},
-    Format{".tif", Stored::uint16, "zip", true, false, false},
-    Format{".tiff", Stored::uint16, "zip", true, false, false},
-    Format{".jpg", Stored::uint8, "jpeg", false, false, false},
-    Format{".jpeg", Stored::uint8, "jpeg", false, false, false},
+    Format{".png", as_png, Stored::uint8, "zip", true, true, false},
+    Format{".exr", by_library, Stored::half, "zip", true, true, true},
+    Format{".tif", by_library, Stored::uint16, "zip", true, false, false},
+    Format{".tiff", by_library, Stored::uint16, "zip", true, false, false},
+    Format{".jpg", by_library, Stored::uint8, "jpeg", false, false, false},
+    Format{".jpeg", by_library, Stored::uint8, "jpeg", false, false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -87,8 +104,7 @@ std::vector<float> with_layers(const std::vector<float>& colours, int channels, 
 }
 
 Metadata attributes_of(const Format& format, const Metadata& metadata) {
-    // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
-    Metadata attributes{{"Software", fmt::format("vvr {}", version())}, {"DateTime", ""}};
+    Metadata attributes{{"Software", fmt::format("vvr {}", version())}};
     std::string lines;
     for (const auto& [name, value] : metadata) {
         const std::string full_name = fmt::format("{}{}", setting_prefix, name);
@@ -97,6 +113,57 @@ Metadata attributes_of(const Format& format, const Metadata& metadata) {
     }
     if (!format.settings && !lines.empty()) attributes.emplace_back("ImageDescription", lines);
     return attributes;
+}
+
+std::vector<unsigned char> by_library(const Job& job) {
+    const Format& format = job.format;
+    std::vector<float> values = file_values(job.picture, format, job.channels);
+    PictureFile file{.format = std::string(format.ending.substr(1)),
+                     .name = job.path.string(),
+                     .size = job.picture.pixels.size(),
+                     .colours = job.channels,
+                     .stored = format.stored};
+    if (format.layers && !job.picture.layers.empty()) {
+        values = with_layers(values, job.channels, job.picture.layers);
+        for (const LayerChannel& channel : layer_channels) file.layers.emplace_back(channel.name);
+    }
+    file.values = values;
+    const bool linear = job.picture.encoding == Encoding::linear && format.stored == Stored::half;
+    const bool jpeg = format.compression == "jpeg";
+    file.attributes = attributes_of(format, job.metadata);
+    file.attributes.emplace_back("Compression",
+                                 jpeg ? fmt::format("jpeg:{}", job.jpeg_quality) : std::string(format.compression));
+    // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
+    file.attributes.emplace_back("DateTime", "");
+    // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
+    if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    return picture_codec().encode(file);
+}
+
+std::uint8_t byte_of(float value) {
+    // Not clamp: of a value that is no number it makes no number.
+    return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + 0.5F);
+}
+
+std::vector<unsigned char> as_png(const Job& job) {
+    const auto pixels = job.picture.pixels.pixels();
+    const auto channels = static_cast<std::size_t>(job.channels);
+    const bool encode = job.picture.encoding == Encoding::linear;
+    std::vector<std::uint8_t> values(channels * pixels.size());
+    std::uint8_t* out = values.data();
+    for (const Rgba& pixel : pixels) {
+        // A file's colours are not multiplied by alpha.
+        const float over_alpha = channels == 4 && pixel[3] > 0 ? 1 / pixel[3] : 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float colour = over_alpha * pixel[c];
+            *out++ = byte_of(encode ? linear_to_srgb(colour) : colour);
+        }
+        if (channels == 4) *out++ = byte_of(pixel[3]);
+    }
+    return encode_png({.size = job.picture.pixels.size(),
+                       .channels = job.channels,
+                       .values = values,
+                       .texts = attributes_of(job.format, job.metadata)});
 }
 
 }  // namespace
@@ -127,27 +194,7 @@ std::vector<unsigned char> encode_picture(const std::filesystem::path& path, con
     const auto pixels = picture.pixels.pixels();
     const bool opaque = std::ranges::all_of(pixels, [](const Rgba& pixel) { return pixel[3] >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
-    std::vector<float> values = file_values(picture, format, channels);
-
-    PictureFile file{.format = std::string(format.ending.substr(1)),
-                     .name = path.string(),
-                     .size = picture.pixels.size(),
-                     .colours = channels,
-                     .stored = format.stored};
-    if (format.layers && !picture.layers.empty()) {
-        values = with_layers(values, channels, picture.layers);
-        for (const LayerChannel& channel : layer_channels) file.layers.emplace_back(channel.name);
-    }
-    file.values = values;
-    const bool linear = picture.encoding == Encoding::linear && format.stored == Stored::half;
-    const bool jpeg = format.compression == "jpeg";
-    file.attributes.emplace_back("Compression",
-                                 jpeg ? fmt::format("jpeg:{}", jpeg_quality) : std::string(format.compression));
-    // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
-    if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    const Metadata attributes = attributes_of(format, metadata);
-    file.attributes.insert(file.attributes.end(), attributes.begin(), attributes.end());
-    return picture_codec().encode(file);
+    return format.encode({format, path, picture, metadata, jpeg_quality, channels});
 }
 
 void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 #include <fontconfig/fontconfig.h>
 
-#include "core/image/codec.h"
+#include "core/image/font.h"
 
 namespace vvr {
 
@@ -28,9 +29,13 @@ std::string find_font() {
     return reinterpret_cast<const char*>(file);
 }
 
-const std::string& font() {
-    static const std::string found = find_font();
-    return found;
+/// Calls `use` with the font of all text, one thread at a time.
+template <class Use>
+auto with_font(const Use& use) {
+    static std::mutex mutex;
+    static Font font(find_font());
+    const std::scoped_lock lock(mutex);
+    return use(font);
 }
 
 /// How many bytes the UTF-8 sequence at `at` takes; 0 when it is none.
@@ -69,13 +74,11 @@ std::string printable(const std::string& text) {
 }
 
 std::optional<PixelBox> measure_text(const std::string& text, int size) {
-    if (font().empty()) return std::nullopt;
-    return picture_codec().measure_text(text, size, font());
+    return with_font([&](Font& font) { return font.measure(text, size); });
 }
 
 bool draw_text(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {
-    if (font().empty()) return false;
-    return picture_codec().draw_text(picture.pixels, x, y, text, size, font(), colour);
+    return with_font([&](Font& font) { return font.draw(picture.pixels, x, y, text, size, colour); });
 }
 
 bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour) {

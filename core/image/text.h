@@ -12,7 +12,7 @@ namespace vvr {
 std::string printable(const std::string& text);
 
 /// What a line of text covers when the line that letters stand on begins at 0,0.
-/// \returns nothing where fontconfig finds no font, or OpenImageIO was built without fonts
+/// \returns nothing where fontconfig finds no font
 std::optional<PixelBox> measure_text(const std::string& text, int size);
 
 /// Writes a line of text over a picture, from `x` on, `y` the line that letters stand on, in pixels.

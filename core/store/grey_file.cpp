@@ -5,19 +5,14 @@
 #include <utility>
 
 #include "core/image/codec.h"
+#include "core/image/png_encoder.h"
 
 namespace vvr {
 namespace {
 
 std::vector<unsigned char> encode(Size size, int channels, std::span<const std::uint8_t> values) {
-    // Differences are mostly empty: the fastest level already leaves little of them. Without a date of its own
-    // OpenImageIO writes the current time.
-    return picture_codec().encode({.format = "png",
-                                   .name = "data.png",
-                                   .size = size,
-                                   .colours = channels,
-                                   .attributes = {{"Compression", "zip:1"}, {"DateTime", ""}},
-                                   .values = values});
+    // Differences are mostly empty: the fastest level already leaves little of them.
+    return encode_png({.size = size, .channels = channels, .values = values, .level = 1});
 }
 
 void swap_red_and_blue(Plane<Bgr>& plane) {
@@ -37,13 +32,13 @@ std::vector<unsigned char> encode_colour(const Plane<Bgr>& plane) {
 }
 
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
-    Plane<std::uint8_t> plane(size);
+    auto plane = Plane<std::uint8_t>::for_overwrite(size);
     picture_codec().read_bytes(path, size, 1, plane.pixels().data());
     return plane;
 }
 
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
-    Plane<Bgr> plane(size);
+    auto plane = Plane<Bgr>::for_overwrite(size);
     picture_codec().read_bytes(path, size, 3, plane.pixels().front().data());
     swap_red_and_blue(plane);
     return plane;

@@ -60,7 +60,7 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
         return upright(resize(plane_of(image, plane, size, type), to_cv(stored)), decoded.orientation);
     };
 
-    Frame frame{decoded.index, decoded.pts, Plane<std::uint8_t>(size_), {}};
+    Frame frame{decoded.index, decoded.pts, Plane<std::uint8_t>::for_overwrite(size_), {}};
     cv::Mat grey(to_cv(size_), CV_8UC1, frame.grey.pixels().data());
     const cv::Mat luma = fit(0, {image.width, image.height}, CV_8UC1);
     if (full_range) {
@@ -72,7 +72,7 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     }
     if (!colour_) return frame;
 
-    frame.colour = Plane<Bgr>(size_);
+    frame.colour = Plane<Bgr>::for_overwrite(size_);
     const auto& layout = *av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image.format));
     if (layout.nb_components < 3) {
         std::transform(frame.grey.pixels().begin(), frame.grey.pixels().end(), frame.colour.pixels().begin(),

@@ -26,7 +26,7 @@ void widen(std::span<const T> row, int border, std::vector<float>& wide) {
 template <class T>
 Plane<float> smooth_any(const Plane<T>& plane, std::span<const float> taps) {
     const int border = static_cast<int>(taps.size() / 2);
-    Plane<float> rows(plane.size());
+    auto rows = Plane<float>::for_overwrite(plane.size());
     std::vector<float> wide;
     std::vector<const float*> inputs(taps.size());
     for (int j = 0; j < plane.height(); ++j) {
@@ -34,7 +34,7 @@ Plane<float> smooth_any(const Plane<T>& plane, std::span<const float> taps) {
         for (std::size_t k = 0; k < taps.size(); ++k) inputs[k] = wide.data() + k;
         weighted_sum(inputs, taps, rows.row(j).data(), plane.width());
     }
-    Plane<float> result(plane.size());
+    auto result = Plane<float>::for_overwrite(plane.size());
     for (int j = 0; j < plane.height(); ++j) {
         for (std::size_t k = 0; k < taps.size(); ++k) {
             inputs[k] = rows.row(std::clamp(j + static_cast<int>(k) - border, 0, plane.height() - 1)).data();

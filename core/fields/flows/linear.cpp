@@ -13,7 +13,7 @@ namespace vvr {
 namespace {
 
 Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<const float> taps) {
-    Plane<float> result(frames.front()->size());
+    auto result = Plane<float>::for_overwrite(frames.front()->size());
     std::vector<const float*> inputs;
     for (const Plane<float>* frame : frames) inputs.push_back(frame->pixels().data());
     weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));

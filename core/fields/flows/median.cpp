@@ -74,7 +74,7 @@ Plane<float> median_of_nine(const Plane<float>& plane) {
         to[width + 1] = from.back();
         return to;
     };
-    Plane<float> result(plane.size());
+    auto result = Plane<float>::for_overwrite(plane.size());
     std::vector<float> out(room);
     const float* above = widen(-1);
     const float* row = widen(0);

@@ -59,7 +59,7 @@ class PlaneStack {
 
     /// A copy of one plane without its border.
     Plane<float> plane(int plane) const {
-        Plane<float> result(size_);
+        auto result = Plane<float>::for_overwrite(size_);
         for (int j = 0; j < size_.height; ++j) std::copy_n(row(plane, j), size_.width, result.row(j).begin());
         return result;
     }

@@ -31,7 +31,7 @@ Size half(Size size) {
 /// Half the size. The new points lie between the old ones, so four taps are symmetric: (1, 3, 3, 1)/8.
 Plane<float> reduced(const Plane<float>& plane) {
     const Size size = half(plane.size());
-    Plane<float> rows({plane.width(), size.height});
+    auto rows = Plane<float>::for_overwrite({plane.width(), size.height});
     const auto at = [](std::span<const float> values, int i) {
         return values[static_cast<std::size_t>(std::clamp(i, 0, static_cast<int>(values.size()) - 1))];
     };
@@ -44,7 +44,7 @@ Plane<float> reduced(const Plane<float>& plane) {
             out[i] = (rows_in[0][i] + rows_in[3][i] + 3 * (rows_in[1][i] + rows_in[2][i])) / 8;
         }
     }
-    Plane<float> result(size);
+    auto result = Plane<float>::for_overwrite(size);
     for (int j = 0; j < size.height; ++j) {
         const std::span<const float> in = std::as_const(rows).row(j);
         for (int i = 0; i < size.width; ++i) {
@@ -56,7 +56,7 @@ Plane<float> reduced(const Plane<float>& plane) {
 
 /// A flow of half the size, brought to `size`: linear between points, and twice as long.
 Plane<float> enlarged(const Plane<float>& coarse, Size size) {
-    Plane<float> fine(size);
+    auto fine = Plane<float>::for_overwrite(size);
     // A coarse row's worth of values, with its edges repeated.
     std::vector<float> down(static_cast<std::size_t>(coarse.width()) + 2);
     for (int j = 0; j < size.height; ++j) {
@@ -75,7 +75,7 @@ Plane<float> enlarged(const Plane<float>& coarse, Size size) {
 
 /// Part `part` of a plane.
 Plane<float> cut(const Plane<float>& plane, const Rect& part) {
-    Plane<float> result(part.size);
+    auto result = Plane<float>::for_overwrite(part.size);
     for (int j = 0; j < part.size.height; ++j) {
         std::copy_n(plane.row(part.y + j).begin() + part.x, part.size.width, result.row(j).begin());
     }

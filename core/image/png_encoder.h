@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/image/picture.h"
+
+namespace vvr {
+
+/// What is to become a PNG file: 8-bit sRGB values, rows from the top, colours not multiplied by alpha.
+struct PngImage {
+    Size size;
+    int channels = 3;  ///< 1 grey, 3 colour, 4 colour and alpha
+    std::span<const std::uint8_t> values;
+    int level = 6;     ///< zlib's, 1 fastest to 9 smallest
+    Metadata texts{};  ///< keywords, of 1 to 79 characters, and texts in UTF-8
+};
+
+/// The bytes of a PNG file; same image, same bytes. libpng does it alone: OpenImageIO, which would call it too, takes
+/// longer to load than a short clip to be read.
+/// \throws Error io where libpng refuses
+std::vector<unsigned char> encode_png(const PngImage& image);
+
+}  // namespace vvr
