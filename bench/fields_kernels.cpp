@@ -174,7 +174,7 @@ void fields_of_frames(benchmark::State& state, bool colour, const std::string& f
             return [&frame = frames[next++]] { return frame; };
         };
         done +=
-            compute_fields(read, scene, options, [](Frame&&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
+            compute_fields(read, scene, options, [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
     }
     state.SetItemsProcessed(done);
 }
@@ -198,7 +198,7 @@ void filter_of_frames(benchmark::State& state, const std::string& name) {
             return [&frame = walkers()[next++]] { return frame; };
         };
         done +=
-            compute_fields(read, scene, options, [](Frame&&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
+            compute_fields(read, scene, options, [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
     }
     state.SetItemsProcessed(done);
 }

@@ -29,7 +29,7 @@ double frames_a_second(const std::string& clip, const std::string& filter, const
     // The reference frame is made before the first frame and takes its own pass over the clip.
     options.reference = "first";
     const auto start = std::chrono::steady_clock::now();
-    const FieldSummary summary = compute_fields(*source, options, [](Frame&&, Field&&) {});
+    const FieldSummary summary = compute_fields(*source, options, [](const SharedFrame&, Field&&) {});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return static_cast<double>(summary.frames) / seconds.count();
 }

@@ -16,7 +16,7 @@ Volume left_bag_volume(const std::string& filter) {
     options.filter = filter;
     options.flow.every = 16;
     Volume volume(source->field_size(), 1600, 1, options.flow.every);
-    compute_fields(*source, options, [&](Frame&&, Field&& field) { volume.add(field); });
+    compute_fields(*source, options, [&](const SharedFrame&, Field&& field) { volume.add(field); });
     return volume;
 }
 

@@ -113,10 +113,10 @@ ExitStatus run_extract(const Command& command, Arguments arguments, const Enviro
                       !settings.run.quiet && stderr_is_terminal());
     std::optional<DataFolder> folder;
     std::int64_t frames = 0;
-    const FieldSummary summary = compute_fields(*clip, options, [&](Frame&& frame, Field&& field) {
+    const FieldSummary summary = compute_fields(*clip, options, [&](const SharedFrame& frame, Field&& field) {
         // Not before there is something to write: an older extraction stays if this one comes to nothing.
         if (!folder) folder.emplace(settings.folder, flow ? settings.flow_every : 0, settings.colour);
-        folder->add(frame, field);
+        folder->add(*frame, field);
         progress.set(++frames);
     });
     progress.clear();

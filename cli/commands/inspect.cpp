@@ -63,8 +63,8 @@ ExitStatus run_inspect(const Command& command, Arguments arguments, const Enviro
     const auto clip = open_clip(settings.input, colour, settings.run.threads);
     const FoundFrame found = frame_at(*clip, *settings.frame, "--frame");
     Inspection inspection;
-    compute_fields(*clip, only(found, settings), [&](const Frame& frame, const Field& field) {
-        if (field.index == found.index) inspection = inspect(frame, field);
+    compute_fields(*clip, only(found, settings), [&](const SharedFrame& frame, const Field& field) {
+        if (field.index == found.index) inspection = inspect(*frame, field);
     });
     if (!inspection.captions) {
         environment.log.warn("fontconfig finds no font, so '{}' has no captions; install one, fonts-dejavu-core say",

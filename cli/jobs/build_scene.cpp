@@ -79,7 +79,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
         };
         stand(0, frames.first, 0, at_the_ends);
         for (const KeyFrame& key : frames.between) {
-            stand(volume.t_of_frame(static_cast<double>(key.number)), key.frame, key.number, between);
+            stand(volume.t_of_frame(static_cast<double>(key.number)), *key.frame, key.number, between);
         }
         stand(volume.t_end(), frames.last, volume.frames() - 1, at_the_ends);
     }

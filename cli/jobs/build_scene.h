@@ -14,7 +14,7 @@ namespace vvr {
 
 /// A frame and its number, counted from the volume's first.
 struct KeyFrame {
-    Frame frame;
+    SharedFrame frame;
     std::int64_t number = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <memory>
 #include <optional>
 
 #include "cli/jobs/annotate.h"
@@ -20,23 +21,23 @@ constexpr std::int64_t soon_read = 5000;
 /// The volume of a clip, and the frames at its ends.
 struct Fields {
     Volume volume;
-    Frame first;
-    Frame last;
-    std::vector<KeyFrame> keyframes;
-    FieldSummary summary;
-    std::optional<std::vector<Event>> events;
+    SharedFrame first = std::make_shared<const Frame>();
+    SharedFrame last = first;
+    std::vector<KeyFrame> keyframes{};
+    FieldSummary summary{};
+    std::optional<std::vector<Event>> events{};
 };
 
 Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step, const FrameProgress& progress) {
     const std::int64_t expected = source.expected_frames();
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.max_layers);
 
-    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every), {}, {}, {}, {}, {}};
+    Fields result{Volume(source.field_size(), job.max_layers, step, needs.every)};
     std::optional<EventFinder> events;
     if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
-    result.summary = source.read(needs, [&](Frame&& frame, Field&& field) {
-        result.volume.add(field, volume_colour(job, frame));
+    result.summary = source.read(needs, [&](const SharedFrame& frame, Field&& field) {
+        result.volume.add(field, volume_colour(job, *frame));
         if (events) events->add(field.scalar, {field.index, field.pts});
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
@@ -44,7 +45,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
         if (expected > 0 && wanted <= job.keyframes && number == wanted * (expected - 1) / (job.keyframes + 1)) {
             result.keyframes.push_back({frame, number});
         }
-        result.last = std::move(frame);
+        result.last = frame;
         if (progress) progress(result.volume.frames());
     });
     if (events) result.events = events->finish();
@@ -59,7 +60,7 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     }
     const double frames = static_cast<double>(volume.frames());
     double brick_frames = static_cast<double>(job.brick_frames);
-    const double seconds = fields.last.pts - fields.first.pts;
+    const double seconds = fields.last->pts - fields.first->pts;
     if (job.brick_seconds > 0 && seconds > 0) brick_frames = job.brick_seconds / seconds * (frames - 1);
     if (brick_frames <= 0) return cut_into(volume.layers(), job.bricks);
     const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
@@ -134,15 +135,15 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     report.events = std::move(fields.events);
     report.frames = fields.summary.frames;
     report.damaged = fields.summary.damaged;
-    report.first_frame = fields.first.index;
-    report.last_frame = fields.last.index;
-    report.first_pts = fields.first.pts;
-    report.last_pts = fields.last.pts;
+    report.first_frame = fields.first->index;
+    report.last_frame = fields.last->index;
+    report.first_pts = fields.first->pts;
+    report.last_pts = fields.last->pts;
     report.layers = volume.layers();
     report.step = volume.step();
     report.bricks = cut(job, fields);
 
-    Scene scene = build_scene(job, volume, {fields.first, fields.last, fields.keyframes}, layout, framing);
+    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, framing);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
 

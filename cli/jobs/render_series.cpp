@@ -59,14 +59,14 @@ class Series {
         report_.pictures = 0;
     }
 
-    void add(Frame&& frame, const Field& field) {
+    void add(const SharedFrame& frame, const Field& field) {
         if (begin_) fill_gap(field);
         if (volume_.frames() == window_.frames()) drop_oldest();
-        volume_.add(field, volume_colour(job_, frame));
+        volume_.add(field, volume_colour(job_, *frame));
         if (events_) events_->add(field.scalar, {field.index, field.pts});
         if (!begin_) begin_ = {field.index, field.pts};
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
-        last_ = std::move(frame);
+        last_ = frame;
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
     }
 
@@ -93,13 +93,14 @@ class Series {
     /// A stream's numbers skip the frames that never came. There is no picture of a brick that ends without one, and
     /// of a gap longer than the window only its end is to be seen.
     void fill_gap(const Field& next) {
-        const std::int64_t gap = next.index - last_.index - 1;
+        const std::int64_t gap = next.index - last_->index - 1;
         const std::int64_t shown = std::min(gap, window_.frames());
-        const double length = (next.pts - last_.pts) / static_cast<double>(gap + 1);
+        const double length = (next.pts - last_->pts) / static_cast<double>(gap + 1);
         for (std::int64_t i = shown; i > 0; --i) {
             if (volume_.frames() == window_.frames()) drop_oldest();
             volume_.add_missing(next.index - i, next.pts - static_cast<double>(i) * length);
-            if (frames_of_newest_ == 0) first_of_bricks_.push_back({next.index - i, next.pts, {}, {}});
+            if (frames_of_newest_ == 0) first_of_bricks_.push_back(
+                    std::make_shared<const Frame>(Frame{next.index - i, next.pts, {}, {}}));
             if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::no);
         }
     }
@@ -118,12 +119,12 @@ class Series {
     }
 
     void update_report() {
-        const Frame& first = first_of_bricks_.front();
+        const Frame& first = *first_of_bricks_.front();
         report_.frames = volume_.frames() - volume_.missing();
         report_.first_frame = first.index;
         report_.first_pts = first.pts;
-        report_.last_pts = last_.pts;
-        report_.last_frame = last_.index;
+        report_.last_pts = last_->pts;
+        report_.last_frame = last_->index;
         report_.layers = volume_.layers();
         report_.bricks = cut_by(volume_.layers(), window_.brick_layers);
         report_.still = nothing_visible(volume_, transfer_);
@@ -144,7 +145,7 @@ class Series {
 
     void draw() {
         const bool shows_frames = job_.show.contains("frames");
-        Scene scene = build_scene(job_, volume_, {first_of_bricks_.front(), last_}, *layout_, framing_);
+        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *layout_, framing_);
         report_.arrows = scene.arrows.size();
         ++report_.pictures;
         report_.stages.end("scene");
@@ -171,8 +172,8 @@ class Series {
     std::optional<EventFinder> events_;
     std::optional<Moment> begin_;        ///< of the clip
     bool all_still_ = true;              ///< nothing was visible in any window
-    std::deque<Frame> first_of_bricks_;  ///< of the bricks in the window
-    Frame last_;
+    std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window
+    SharedFrame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled
     std::int64_t frames_of_newest_ = 0;
 };
@@ -201,8 +202,8 @@ RenderReport render_series(const RenderJob& job, FieldSource& source, const Fram
     // Fields come from other threads in turn, which draw when a brick is full.
     const ContextForOthers loan(*context);
     std::int64_t frames = 0;
-    const FieldSummary summary = source.read(needs, [&](Frame&& frame, Field&& field) {
-        series.add(std::move(frame), field);
+    const FieldSummary summary = source.read(needs, [&](const SharedFrame& frame, Field&& field) {
+        series.add(frame, field);
         if (progress) progress(++frames);
     });
     RenderReport report = series.finish();

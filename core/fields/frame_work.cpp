@@ -36,7 +36,7 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
 
 /// Whether two frames are of one time and one light.
 bool continuous(const Shot& a, const Shot& b) {
-    return std::abs(a.frame.index - b.frame.index) == 1 && !light_jumps(a.levels, b.levels);
+    return std::abs(a.frame->index - b.frame->index) == 1 && !light_jumps(a.levels, b.levels);
 }
 
 /// Without what lies beyond a gap or a jump of the light: flow methods take it that things keep their brightness.
@@ -77,10 +77,10 @@ FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
 
 std::shared_ptr<Shot> FrameWork::begin(Frame frame) const {
     auto shot = std::make_shared<Shot>();
-    shot->frame = std::move(frame);
-    shot->smooth = smoothed(shot->frame.grey, shot->frame.colour, options_.smooth);
+    shot->frame = std::make_shared<const Frame>(std::move(frame));
+    shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
     if (object_ && !object_->adapts()) shot->object = object_->find(shot->smooth);
-    if (flow_) shot->levels = quantiles_of(shot->frame.grey);
+    if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
 }
 
@@ -105,26 +105,26 @@ Field FrameWork::finish(const Neighbourhood& about) const {
     const Shot* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
     const FilterTraits& traits = row_.traits;
     Field field;
-    field.index = here.frame.index;
-    field.pts = here.frame.pts;
+    field.index = here.frame->index;
+    field.pts = here.frame->pts;
     if (traits.in_order) {
         field.scalar = here.foreground;
     } else {
         field.scalar = filtered(here, before, {});
     }
-    const bool asked = here.frame.index % options_.flow.every == 0;
+    const bool asked = here.frame->index % options_.flow.every == 0;
     if (!flow_ || (!asked && !traits.flow)) return field;
 
     const Neighbourhood alike = continuous_part(about, reach_);
     const Plane<std::uint8_t> moves = moving(alike, traits.shows_object ? field.scalar : here.object);
     field.flow = flow_of(alike, moves);
-    if (asked) field.seeds = make_seeds({here.frame.index, field.flow, moves, here.age}, options_.seeds);
+    if (asked) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
     if (traits.flow) field.scalar = filtered(here, before, field.flow);
     return field;
 }
 
 Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, const Flow& flow) const {
-    Plane<std::uint8_t> scalar = (*filter_)({.frame = shot.frame,
+    Plane<std::uint8_t> scalar = (*filter_)({.frame = *shot.frame,
                                              .smooth = shot.smooth,
                                              .previous = before ? &before->smooth : nullptr,
                                              .object = shot.object,
@@ -146,7 +146,7 @@ Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, co
 // the last frame stands again.
 Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
     const Shot& here = *about[static_cast<std::size_t>(reach_)];
-    const Size size = here.frame.grey.size();
+    const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
     const bool everywhere = options_.flow.area == "all" || row_.traits.flow;
     const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
@@ -178,7 +178,7 @@ Plane<std::uint8_t> FrameWork::moving(const Neighbourhood& about, const Plane<st
 }
 
 const FlowFrame& FrameWork::prepared(Shot& shot) const {
-    std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame.grey); });
+    std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame->grey); });
     return shot.flow_frame;
 }
 

@@ -17,7 +17,7 @@ namespace vvr {
 
 /// A frame on its way through the pipeline. Its neighbours look at it too, so nothing is moved out of it.
 struct Shot {
-    Frame frame;
+    SharedFrame frame;
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
     Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps

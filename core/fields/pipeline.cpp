@@ -37,7 +37,7 @@ class OneThreadInOpenCv {
 };
 
 struct Result {
-    Frame frame;
+    SharedFrame frame;
     Field field;
 };
 
@@ -77,14 +77,14 @@ std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& o
     const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
         filter_mode::parallel, [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
             const Shot* const here = about[static_cast<std::size_t>(work.reach())].get();
-            if (here == nullptr || !is_wanted(here->frame)) return nullptr;
+            if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
             return std::make_shared<Result>(Result{here->frame, work.finish(about)});
         });
     const auto deliver = make_filter<std::shared_ptr<Result>, void>(
         filter_mode::serial_in_order, [&](const std::shared_ptr<Result>& result) {
             if (!result) return;
             ++frames;
-            sink(std::move(result->frame), std::move(result->field));
+            sink(result->frame, std::move(result->field));
         });
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     run(source & begin & gather & finish & deliver, options.threads > 0 ? options.threads : cores);

@@ -11,7 +11,7 @@
 namespace vvr {
 
 /// Receives each frame with its field, in frame order, never from two threads at once.
-using FieldSink = std::function<void(Frame&&, Field&&)>;
+using FieldSink = std::function<void(const SharedFrame&, Field&&)>;
 
 /// What a pass over a clip found.
 struct FieldSummary {

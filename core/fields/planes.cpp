@@ -1,11 +1,9 @@
 #include "core/fields/planes.h"
 
-#include <cmath>
 #include <cstddef>
+#include <span>
 
-#include <opencv2/imgproc.hpp>
-
-#include "core/fields/cv_view.h"
+#include "core/fields/byte_blur.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/fields/planes.cpp"
@@ -75,9 +73,9 @@ template <class T>
 Plane<T> smooth_plane(const Plane<T>& plane, double sigma) {
     if (plane.empty() || sigma <= 0) return plane;
     auto result = Plane<T>::for_overwrite(plane.size());
-    cv::Mat out = cv_view(result);
-    const int radius = std::max(1, static_cast<int>(std::lround(1.5 * sigma)));
-    cv::GaussianBlur(cv_view(plane), out, {2 * radius + 1, 2 * radius + 1}, sigma, sigma, cv::BORDER_REPLICATE);
+    const std::size_t count = plane.pixels().size_bytes();
+    blur_bytes(plane.size(), sizeof(T), sigma, {reinterpret_cast<const std::uint8_t*>(plane.pixels().data()), count},
+               {reinterpret_cast<std::uint8_t*>(result.pixels().data()), count});
     return result;
 }
 

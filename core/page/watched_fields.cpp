@@ -17,9 +17,9 @@ FieldSummary WatchedFields::read(const FieldNeeds& needs, const FieldSink& sink)
     begin();
     FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](Frame&& frame, Field&& field) {
-        look_at(frame, field);
-        sink(std::move(frame), std::move(field));
+    return fields_->read(more, [&](const SharedFrame& frame, Field&& field) {
+        look_at(*frame, field);
+        sink(frame, std::move(field));
     });
 }
 

@@ -59,18 +59,18 @@ class Motion {
 
 FieldSummary BusyFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     Motion moves;
-    std::deque<std::pair<Frame, Field>> held;  // still frames that stay only if something moves soon
+    std::deque<std::pair<SharedFrame, Field>> held;  // still frames that stay only if something moves soon
     double last_motion = 0;
     std::int64_t given = 0;
     const auto give_held = [&] {
-        for (auto& [frame, field] : held) sink(std::move(frame), std::move(field));
+        for (auto& [frame, field] : held) sink(frame, std::move(field));
         given += std::ssize(held);
         held.clear();
     };
-    FieldSummary summary = fields_->read(needs, [&](Frame&& frame, Field&& field) {
+    FieldSummary summary = fields_->read(needs, [&](const SharedFrame& frame, Field&& field) {
         const double pts = field.pts;
         if (moves(field) || given == 0) last_motion = pts;
-        held.emplace_back(std::move(frame), std::move(field));
+        held.emplace_back(frame, std::move(field));
         if (pts - last_motion <= longest_ / 2) {
             give_held();
         } else if (pts - held.front().second.pts > longest_ / 2 || held.size() > most_held) {

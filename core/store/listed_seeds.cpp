@@ -60,10 +60,10 @@ std::int64_t ListedSeeds::interval(std::int64_t asked) const {
 FieldSummary ListedSeeds::read(const FieldNeeds& needs, const FieldSink& sink) {
     FieldNeeds rest = needs;
     rest.seeds = false;
-    return fields_->read(rest, [&](Frame&& frame, Field&& field) {
+    return fields_->read(rest, [&](const SharedFrame& frame, Field&& field) {
         const auto list = lists_.find(field.index);
         field.seeds = needs.seeds && list != lists_.end() ? list->second.seeds : std::vector<Seed>{};
-        sink(std::move(frame), std::move(field));
+        sink(frame, std::move(field));
     });
 }
 

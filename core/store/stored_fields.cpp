@@ -167,7 +167,7 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
                 frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
             }
             ++summary.frames;
-            sink(std::move(frame), read_field(part, stored, needs));
+            sink(std::make_shared<const Frame>(std::move(frame)), read_field(part, stored, needs));
         }
     }
     return summary;

@@ -12,6 +12,7 @@ extern "C" {
 
 #include "core/error.h"
 #include "core/video/av.h"
+#include "core/video/doubled.h"
 
 namespace vvr {
 
@@ -23,7 +24,11 @@ cv::Mat AreaScaler::operator()(const cv::Mat& from, cv::Size to) {
     const cv::Size shrunk(std::min(from.cols, to.width), std::min(from.rows, to.height));
     cv::Mat smaller = shrunk == from.size() ? from : shrink(from, shrunk);
     if (shrunk == to) return smaller;
-    cv::Mat larger;
+    cv::Mat larger(to, smaller.type());
+    if (to == cv::Size(2 * smaller.cols, 2 * smaller.rows) && smaller.channels() == 1) {
+        double_plane({smaller.cols, smaller.rows}, smaller.data, smaller.step[0], {larger.data, larger.total()});
+        return larger;
+    }
     cv::resize(smaller, larger, to, 0, 0, cv::INTER_LINEAR);
     return larger;
 }

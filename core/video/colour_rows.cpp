@@ -16,13 +16,14 @@ HWY_BEFORE_NAMESPACE();
 namespace vvr::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// \param pixels a multiple of 8
+/// Sixteen bits hold it all: chroma times a factor in 1/64 of a level, half a level of which can't be told from 8 bits.
+/// \param pixels a multiple of 32
 void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::uint8_t* cb, const std::uint8_t* cr,
              std::uint8_t* out, std::size_t pixels) {
-    const hn::CappedTag<std::int32_t, 8> wide;
+    const hn::CappedTag<std::int16_t, 32> wide;
     const hn::Rebind<std::uint8_t, decltype(wide)> narrow;
     const std::size_t lanes = hn::Lanes(wide);
-    const auto half = hn::Set(wide, 1 << 15);
+    const auto half = hn::Set(wide, 1 << 5);
     const auto middle = hn::Set(wide, 128);
     const auto load = [&](const std::uint8_t* from) { return hn::PromoteTo(wide, hn::LoadU(narrow, from)); };
     const auto blue_of_cb = hn::Set(wide, matrix.blue_of_cb);
@@ -30,13 +31,15 @@ void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::ui
     const auto green_of_cr = hn::Set(wide, matrix.green_of_cr);
     const auto red_of_cr = hn::Set(wide, matrix.red_of_cr);
     for (std::size_t i = 0; i < pixels; i += lanes) {
-        const auto base = hn::Add(hn::ShiftLeft<16>(load(luma + i)), half);
-        const auto b = hn::Sub(load(cb + i), middle);
-        const auto r = hn::Sub(load(cr + i), middle);
-        const auto byte = [&](auto value) { return hn::DemoteTo(narrow, hn::ShiftRight<16>(value)); };
-        const auto blue = byte(hn::Add(base, hn::Mul(b, blue_of_cb)));
-        const auto green = byte(hn::Add(base, hn::Add(hn::Mul(b, green_of_cb), hn::Mul(r, green_of_cr))));
-        const auto red = byte(hn::Add(base, hn::Mul(r, red_of_cr)));
+        const auto base = hn::Add(hn::ShiftLeft<6>(load(luma + i)), half);
+        const auto b = hn::ShiftLeft<8>(hn::Sub(load(cb + i), middle));
+        const auto r = hn::ShiftLeft<8>(hn::Sub(load(cr + i), middle));
+        const auto byte = [&](auto more) {
+            return hn::DemoteTo(narrow, hn::ShiftRight<6>(hn::SaturatedAdd(base, more)));
+        };
+        const auto blue = byte(hn::MulFixedPoint15(b, blue_of_cb));
+        const auto green = byte(hn::Add(hn::MulFixedPoint15(b, green_of_cb), hn::MulFixedPoint15(r, green_of_cr)));
+        const auto red = byte(hn::MulFixedPoint15(r, red_of_cr));
         hn::StoreInterleaved3(blue, green, red, narrow, out + 3 * i);
     }
 }
@@ -73,8 +76,9 @@ HWY_EXPORT(full_range_row);
 
 namespace {
 
-std::int32_t fixed(double value) {
-    return static_cast<std::int32_t>(std::lround(value * 65536));
+/// In a quarter of 1/32768: factors reach 2.2.
+std::int16_t fixed(double value) {
+    return static_cast<std::int16_t>(std::lround(value / 4 * 32768));
 }
 
 }  // namespace
@@ -94,7 +98,7 @@ ColourMatrix::ColourMatrix(AVColorSpace space, bool full_range) {
 
 void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std::span<const std::uint8_t> cb,
             std::span<const std::uint8_t> cr, std::span<Bgr> out) {
-    constexpr std::size_t lanes = 8;  // of the longest vector that is used
+    constexpr std::size_t lanes = 32;  // of the longest vector that is used
     const std::size_t whole = out.size() / lanes * lanes;
     const auto bgr = HWY_DYNAMIC_DISPATCH(bgr_row);
     if (whole > 0) bgr(matrix, luma.data(), cb.data(), cr.data(), out.front().data(), whole);

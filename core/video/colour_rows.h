@@ -11,15 +11,15 @@ extern "C" {
 
 namespace vvr {
 
-/// From luma and chroma to blue, green and red, as factors of chroma in 1/65536.
+/// From luma and chroma to blue, green and red, as factors of chroma in 1/8192.
 struct ColourMatrix {
     /// \param full_range whether chroma uses all of 0..255
     ColourMatrix(AVColorSpace space, bool full_range);
 
-    std::int32_t red_of_cr = 0;
-    std::int32_t blue_of_cb = 0;
-    std::int32_t green_of_cb = 0;
-    std::int32_t green_of_cr = 0;
+    std::int16_t red_of_cr = 0;
+    std::int16_t blue_of_cb = 0;
+    std::int16_t green_of_cb = 0;
+    std::int16_t green_of_cr = 0;
 };
 
 /// A row of full-range luma and of chroma to BGR, in fixed point: the same on every machine. All spans are as long.

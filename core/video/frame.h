@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/plane.h"
 
@@ -13,6 +14,9 @@ struct Frame {
     Plane<std::uint8_t> grey;  ///< luma
     Plane<Bgr> colour;         ///< same size as `grey`; empty unless asked for
 };
+
+/// A frame that several look at and nobody changes.
+using SharedFrame = std::shared_ptr<const Frame>;
 
 /// The frame as people see it: in colour where there is some, else in grey.
 Plane<Bgr> picture_of(const Frame& frame);

@@ -25,7 +25,7 @@ std::vector<Event> events_of(const scene::Scene& scene) {
     FieldOptions fields;
     fields.flow.method = "none";
     EventFinder finder(scene.size());
-    compute_fields(*scene::open_scene(scene, source), fields, [&](Frame&&, Field&& field) {
+    compute_fields(*scene::open_scene(scene, source), fields, [&](const SharedFrame&, Field&& field) {
         finder.add(field.scalar, {field.index, field.pts});
     });
     return finder.finish();

@@ -54,7 +54,7 @@ std::vector<Field> fields_of(const FieldOptions& options, int count, Frame (*mak
         if (next == count) return {};
         return [make, index = next++] { return make(index); };
     };
-    compute_fields(read, scene_of(empty), options, [&](Frame&&, Field&& field) { fields.push_back(std::move(field)); });
+    compute_fields(read, scene_of(empty), options, [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 
@@ -117,7 +117,7 @@ TEST(Filters, EdgesAreSteepPlaces) {
         if (next++ == 1) return {};
         return [] { return Frame{0, 0, test::grey_plane({8, 8}, [](int i, int) { return i < 4 ? 0 : 255; }), {}}; };
     };
-    compute_fields(step, black({8, 8}), options, [](Frame&&, Field&& field) {
+    compute_fields(step, black({8, 8}), options, [](const SharedFrame&, Field&& field) {
         EXPECT_EQ(field.scalar.at(3, 4), 255) << "black beside white";
         EXPECT_EQ(field.scalar.at(4, 4), 255);
         EXPECT_EQ(field.scalar.at(1, 4), 0);
@@ -141,7 +141,7 @@ TEST(Filters, FlowIsItsMagnitude) {
         if (next == 3) return {};
         return [index = next++] { return test::texture_frame({96, 80}, index, 3, 0); };
     };
-    compute_fields(read, black({96, 80}), options, [&](Frame&&, Field&& field) { fields.push_back(std::move(field)); });
+    compute_fields(read, black({96, 80}), options, [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
     EXPECT_NEAR(fields[1].scalar.at(48, 40), 24 * 3, 4);
     EXPECT_FALSE(fields[0].seeds.empty());
     EXPECT_TRUE(fields[1].seeds.empty()) << "flow was not asked for there, only needed";
@@ -171,7 +171,7 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
             if (next == 8) return {};
             return [index = next++] { return walker(index); };
         };
-        compute_fields(read, scene, options, [&](Frame&&, Field&& field) {
+        compute_fields(read, scene, options, [&](const SharedFrame&, Field&& field) {
             for (int j = 0; j < 24; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width) << row.name;
             for (const int p : field.scalar.pixels()) {
                 ASSERT_TRUE(p == 0 || p == 255 || row.name == "bands") << row.name << " " << p;
@@ -209,7 +209,7 @@ TEST(Filters, SmallestPictures) {
                     return test::flat_frame(tiny, index, static_cast<std::uint8_t>(90 * index));
                 };
             };
-            compute_fields(read, black(tiny), options, [&](Frame&&, Field&& field) {
+            compute_fields(read, black(tiny), options, [&](const SharedFrame&, Field&& field) {
                 EXPECT_EQ(field.scalar.size(), tiny) << row.name;
                 ++seen;
             });

@@ -43,9 +43,9 @@ EmptyScene empty_scene() {
 
 std::vector<Field> fields_of(int count, const FieldOptions& options) {
     std::vector<Field> fields;
-    compute_fields(reader(count), empty_scene(), options, [&](Frame&& frame, Field&& field) {
-        EXPECT_EQ(frame.index, field.index);
-        EXPECT_EQ(frame.grey.size(), size);
+    compute_fields(reader(count), empty_scene(), options, [&](const SharedFrame& frame, Field&& field) {
+        EXPECT_EQ(frame->index, field.index);
+        EXPECT_EQ(frame->grey.size(), size);
         fields.push_back(std::move(field));
     });
     return fields;
@@ -123,7 +123,7 @@ TEST(Pipeline, SmallestPictures) {
     std::int64_t seen = 0;
     const FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
     EXPECT_EQ(compute_fields(read, scene, options,
-                             [&](Frame&&, Field&& field) {
+                             [&](const SharedFrame&, Field&& field) {
                                  ++seen;
                                  EXPECT_EQ(field.scalar.at(2, 0), 255);
                              }),
@@ -133,7 +133,7 @@ TEST(Pipeline, SmallestPictures) {
 
 TEST(Pipeline, SinkIsNeverEnteredTwice) {
     std::atomic<int> inside = 0;
-    compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](Frame&&, Field&&) {
+    compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](const SharedFrame&, Field&&) {
         EXPECT_EQ(++inside, 1);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         --inside;
@@ -149,7 +149,7 @@ TEST(Pipeline, MemoryIsBounded) {
         ++read;
         return [index = next++] { return walker(index % 20); };
     };
-    compute_fields(frames, empty_scene(), {.threads = 2}, [&](Frame&&, Field&&) {
+    compute_fields(frames, empty_scene(), {.threads = 2}, [&](const SharedFrame&, Field&&) {
         most = std::max(most, read - delivered++);
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     });
@@ -158,14 +158,14 @@ TEST(Pipeline, MemoryIsBounded) {
 
 TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
     EXPECT_THROW(compute_fields(reader(40), empty_scene(), {.threads = 2},
-                                [](Frame&&, Field&& field) {
+                                [](const SharedFrame&, Field&& field) {
                                     if (field.index == 3) throw std::runtime_error("the disk is full");
                                 }),
                  std::runtime_error);
     const FrameReader broken = []() -> FrameJob { throw std::range_error("the cable is cut"); };
-    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](Frame&&, Field&&) {}), std::range_error);
+    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}), std::range_error);
     const FrameReader bad_frame = []() -> FrameJob { return []() -> Frame { throw std::domain_error("bad frame"); }; };
-    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](Frame&&, Field&&) {}), std::domain_error);
+    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}), std::domain_error);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ SourceOptions in_colour() {
 std::vector<Field> fields_of(const scene::Scene& scene, const FieldOptions& options) {
     std::vector<Field> fields;
     compute_fields(*scene::open_scene(scene, in_colour()), options,
-                   [&](Frame&&, Field&& field) { fields.push_back(std::move(field)); });
+                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 

@@ -72,7 +72,7 @@ TEST_F(Store, GivesBackWhatItTook) {
     EXPECT_EQ(stored.info().frames, 10);
     EXPECT_EQ(stored.interval(3), 4);
     std::int64_t next = 0;
-    const FieldSummary summary = stored.read({.every = 2}, [&](Frame&& frame, Field&& field) {
+    const FieldSummary summary = stored.read({.every = 2}, [&](const SharedFrame& frame, Field&& field) {
         const Field expected = field_of(next);
         EXPECT_EQ(field.index, next);
         EXPECT_EQ(field.pts, expected.pts);
@@ -80,7 +80,7 @@ TEST_F(Store, GivesBackWhatItTook) {
         EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<Seed>{});
         EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
         if (next == 0 || next == 9) {
-            EXPECT_TRUE(std::ranges::equal(frame.colour.pixels(), frame_of(next).colour.pixels()));
+            EXPECT_TRUE(std::ranges::equal(frame->colour.pixels(), frame_of(next).colour.pixels()));
         }
         ++next;
     });
@@ -106,7 +106,7 @@ TEST_F(Store, ListsReplaceSeeds) {
     fs::remove(folder_ / "a" / stored::seed_file(6));
     ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
     std::size_t seeds = 0;
-    fewer.read({.flow = false, .every = 2}, [&](Frame&&, Field&& field) { seeds += field.seeds.size(); });
+    fewer.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) { seeds += field.seeds.size(); });
     EXPECT_EQ(seeds, 2U);
 }
 
@@ -141,7 +141,7 @@ class Scene final : public FieldSource {
                 for (int x = 0; x < 16; ++x) field.scalar.row(j)[static_cast<std::size_t>(place + x)] = 200;
             }
             field.scalar.row(3)[static_cast<std::size_t>(i % 64)] = 90;  // noise
-            sink({i, field.pts, {}, {}}, std::move(field));
+            sink(std::make_shared<const Frame>(Frame{i, field.pts, {}, {}}), std::move(field));
         }
         return {.frames = frames_, .damaged = 3, .reference = {}};
     }
@@ -156,8 +156,8 @@ std::vector<std::int64_t> kept(std::int64_t frames, std::vector<std::pair<std::i
                                double longest) {
     std::vector<std::int64_t> numbers;
     BusyFields busy(std::make_unique<Scene>(frames, std::move(motions)), longest);
-    const FieldSummary summary = busy.read({}, [&](Frame&& frame, Field&& field) {
-        EXPECT_EQ(frame.index, field.index);
+    const FieldSummary summary = busy.read({}, [&](const SharedFrame& frame, Field&& field) {
+        EXPECT_EQ(frame->index, field.index);
         numbers.push_back(field.index);
     });
     EXPECT_EQ(summary.frames, std::ssize(numbers));

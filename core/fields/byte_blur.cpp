@@ -1,0 +1,114 @@
+#include "core/fields/byte_blur.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fields/byte_blur.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace vvr::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Wide = hn::CappedTag<std::uint16_t, 32>;
+using Narrow = hn::Rebind<std::uint8_t, Wide>;
+
+/// Sums of bytes above each other, in 1/256.
+void down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::size_t terms,
+          std::uint16_t* HWY_RESTRICT out, std::size_t count) {
+    const Wide wide;
+    std::size_t i = 0;
+    for (; i + hn::Lanes(wide) <= count; i += hn::Lanes(wide)) {
+        auto sum = hn::Zero(wide);
+        for (std::size_t k = 0; k < terms; ++k) {
+            const auto value = hn::PromoteTo(wide, hn::LoadU(Narrow(), rows[k] + i));
+            sum = hn::Add(sum, hn::Mul(value, hn::Set(wide, taps[k])));
+        }
+        hn::StoreU(sum, wide, out + i);
+    }
+    for (; i < count; ++i) {
+        unsigned sum = 0;
+        for (std::size_t k = 0; k < terms; ++k) sum += static_cast<unsigned>(rows[k][i]) * taps[k];
+        out[i] = static_cast<std::uint16_t>(sum);
+    }
+}
+
+/// Sums along a row of such sums, `step` apart, as bytes again. Each product loses half of 1/256 on the way.
+void along(const std::uint16_t* in, std::size_t step, const std::uint16_t* taps, std::size_t terms,
+           std::uint8_t* HWY_RESTRICT out, std::size_t count) {
+    const Wide wide;
+    const hn::RebindToSigned<Wide> positive;
+    const auto rounding = static_cast<std::uint16_t>(128 + terms / 2);
+    std::size_t i = 0;
+    for (; i + hn::Lanes(wide) <= count; i += hn::Lanes(wide)) {
+        auto sum = hn::Set(wide, rounding);
+        for (std::size_t k = 0; k < terms; ++k) {
+            const auto tap = hn::Set(wide, static_cast<std::uint16_t>(taps[k] << 8));
+            sum = hn::Add(sum, hn::MulHigh(hn::LoadU(wide, in + i + k * step), tap));
+        }
+        hn::StoreU(hn::DemoteTo(Narrow(), hn::BitCast(positive, hn::ShiftRight<8>(sum))), Narrow(), out + i);
+    }
+    for (; i < count; ++i) {
+        unsigned sum = rounding;
+        for (std::size_t k = 0; k < terms; ++k) sum += static_cast<unsigned>(in[i + k * step]) * taps[k] >> 8;
+        out[i] = static_cast<std::uint8_t>(sum >> 8);
+    }
+}
+
+}  // namespace vvr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vvr {
+
+HWY_EXPORT(down);
+HWY_EXPORT(along);
+
+namespace {
+
+/// Weights in 1/256 that add up to 1.
+std::vector<std::uint16_t> taps_of(double sigma) {
+    const int radius = std::max(1, static_cast<int>(std::lround(1.5 * sigma)));
+    const auto weight = [sigma](int k) { return std::exp(-k * k / (2 * sigma * sigma)); };
+    double sum = 0;
+    for (int k = -radius; k <= radius; ++k) sum += weight(k);
+    std::vector<std::uint16_t> taps;
+    int rest = 256;
+    for (int k = -radius; k <= radius; ++k) {
+        taps.push_back(static_cast<std::uint16_t>(std::lround(256 * weight(k) / sum)));
+        rest -= taps.back();
+    }
+    auto& middle = taps[static_cast<std::size_t>(radius)];
+    middle = static_cast<std::uint16_t>(middle + rest);
+    return taps;
+}
+
+}  // namespace
+
+void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to) {
+    const std::vector<std::uint16_t> taps = taps_of(sigma);
+    const int radius = static_cast<int>(taps.size() / 2);
+    const auto step = static_cast<std::size_t>(channels);
+    const std::size_t stride = step * static_cast<std::size_t>(size.width);
+    const std::size_t edge = step * static_cast<std::size_t>(radius);
+    std::vector<const std::uint8_t*> rows(taps.size());
+    std::vector<std::uint16_t> sums(stride + 2 * edge);
+    for (int j = 0; j < size.height; ++j) {
+        for (std::size_t k = 0; k < taps.size(); ++k) {
+            const int row = std::clamp(j + static_cast<int>(k) - radius, 0, size.height - 1);
+            rows[k] = from.data() + static_cast<std::size_t>(row) * stride;
+        }
+        HWY_DYNAMIC_DISPATCH(down)(rows.data(), taps.data(), taps.size(), sums.data() + edge, stride);
+        for (std::size_t i = edge; i-- > 0;) sums[i] = sums[i + step];
+        for (std::size_t i = stride + edge; i < sums.size(); ++i) sums[i] = sums[i - step];
+        std::uint8_t* const out = to.data() + static_cast<std::size_t>(j) * stride;
+        HWY_DYNAMIC_DISPATCH(along)(sums.data(), step, taps.data(), taps.size(), out, stride);
+    }
+}
+
+}  // namespace vvr
+#endif
