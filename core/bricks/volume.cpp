@@ -20,8 +20,10 @@ void keep_stronger(Layer& kept, const Plane<std::uint8_t>& scalar, const Plane<B
             if (scalar.pixels()[i] > kept.scalar.pixels()[i]) kept.colour.pixels()[i] = colour.pixels()[i];
         }
     }
-    std::ranges::transform(kept.scalar.pixels(), scalar.pixels(), kept.scalar.pixels().begin(),
-                           [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    // A plain loop over bytes, so that the compiler makes vectors of it.
+    std::uint8_t* const strongest = kept.scalar.pixels().data();
+    const std::uint8_t* const added = scalar.pixels().data();
+    for (std::size_t i = 0; i < scalar.pixels().size(); ++i) strongest[i] = std::max(strongest[i], added[i]);
 }
 
 void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
@@ -40,7 +42,7 @@ Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t
     }
 }
 
-void Volume::add(const Field& field, const Plane<Bgr>& colour) {
+void Volume::add(Field field, const Plane<Bgr>& colour) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorKind::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
@@ -58,8 +60,8 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
     }
     const LeftOut passed = frames_ > 0 && field.index != next_index_ ? LeftOut{last_pts_, field.pts} : LeftOut{};
     if (layers_.empty() || layers_.back().frames == step_) {
-        layers_.push_back(
-            {field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed, field.scalar, colour});
+        layers_.push_back({field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed,
+                           std::move(field.scalar), colour});
     } else {
         Layer& layer = layers_.back();
         keep_stronger(layer, field.scalar, colour);

@@ -15,9 +15,12 @@ namespace {
 // A stream of nothing but errors has to end some time; a quarter of an hour of them is no clip any more.
 constexpr int max_failures = 20'000;
 
-// Each decoder thread holds frames of its own: fewer of them when the pictures are huge.
+// Each decoder thread holds frames of its own: fewer of them when the pictures are huge. Small ones are decoded sooner
+// than they are handed from thread to thread.
 int thread_count(int asked, std::int64_t pixels) {
     constexpr std::int64_t pixels_in_flight = 256'000'000;
+    constexpr std::int64_t small = 200'000;
+    if (asked <= 0 && pixels < small) return 1;
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const std::int64_t affordable = std::max<std::int64_t>(1, pixels_in_flight / std::max<std::int64_t>(1, pixels));
     return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
