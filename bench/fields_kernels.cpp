@@ -173,8 +173,8 @@ void fields_of_frames(benchmark::State& state, bool colour, const std::string& f
             if (next == frames.size()) return {};
             return [&frame = frames[next++]] { return frame; };
         };
-        done +=
-            compute_fields(read, scene, options, [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
+        done += compute_fields(read, scene, options,
+                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
     }
     state.SetItemsProcessed(done);
 }
@@ -197,8 +197,8 @@ void filter_of_frames(benchmark::State& state, const std::string& name) {
             if (next == 20) return {};
             return [&frame = walkers()[next++]] { return frame; };
         };
-        done +=
-            compute_fields(read, scene, options, [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
+        done += compute_fields(read, scene, options,
+                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
     }
     state.SetItemsProcessed(done);
 }

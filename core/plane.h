@@ -27,7 +27,8 @@ class Plane {
     Plane() = default;
     explicit Plane(Size size, T value = T{}) : Plane(for_overwrite(size)) { std::ranges::fill(pixels(), value); }
 
-    /// One whose values are all about to be written: at a frame's size the writing of zeros before shows in a run's time.
+    /// One whose values are all about to be written: at a frame's size the writing of zeros before shows in a run's
+    /// time.
     static Plane for_overwrite(Size size) {
         Plane plane;
         plane.count_ = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);

@@ -99,8 +99,8 @@ class Series {
         for (std::int64_t i = shown; i > 0; --i) {
             if (volume_.frames() == window_.frames()) drop_oldest();
             volume_.add_missing(next.index - i, next.pts - static_cast<double>(i) * length);
-            if (frames_of_newest_ == 0) first_of_bricks_.push_back(
-                    std::make_shared<const Frame>(Frame{next.index - i, next.pts, {}, {}}));
+            if (frames_of_newest_ == 0)
+                first_of_bricks_.push_back(std::make_shared<const Frame>(Frame{next.index - i, next.pts, {}, {}}));
             if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::no);
         }
     }
@@ -170,8 +170,8 @@ class Series {
     const PictureSink& sink_;
     RenderReport report_;
     std::optional<EventFinder> events_;
-    std::optional<Moment> begin_;        ///< of the clip
-    bool all_still_ = true;              ///< nothing was visible in any window
+    std::optional<Moment> begin_;              ///< of the clip
+    bool all_still_ = true;                    ///< nothing was visible in any window
     std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window
     SharedFrame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled

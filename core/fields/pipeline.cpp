@@ -80,12 +80,12 @@ std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& o
             if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
             return std::make_shared<Result>(Result{here->frame, work.finish(about)});
         });
-    const auto deliver = make_filter<std::shared_ptr<Result>, void>(
-        filter_mode::serial_in_order, [&](const std::shared_ptr<Result>& result) {
-            if (!result) return;
-            ++frames;
-            sink(result->frame, std::move(result->field));
-        });
+    const auto deliver = make_filter<std::shared_ptr<Result>, void>(filter_mode::serial_in_order,
+                                                                    [&](const std::shared_ptr<Result>& result) {
+                                                                        if (!result) return;
+                                                                        ++frames;
+                                                                        sink(result->frame, std::move(result->field));
+                                                                    });
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     run(source & begin & gather & finish & deliver, options.threads > 0 ? options.threads : cores);
     return frames;

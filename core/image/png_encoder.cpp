@@ -7,8 +7,9 @@
 #include <new>
 #include <string>
 
-#include <fmt/format.h>
 #include <png.h>
+
+#include <fmt/format.h>
 
 #include "core/error.h"
 
@@ -38,9 +39,9 @@ class Writer {
 
     std::vector<unsigned char> write(const PngImage& image, std::span<png_text> texts) {
         if (!try_to_write(image, texts)) {
-            throw Error(out_of_memory_ ? ErrorKind::limit : ErrorKind::io,
-                        fmt::format("cannot encode a PNG file of {}x{}: {}", image.size.width, image.size.height,
-                                    message_));
+            throw Error(
+                out_of_memory_ ? ErrorKind::limit : ErrorKind::io,
+                fmt::format("cannot encode a PNG file of {}x{}: {}", image.size.width, image.size.height, message_));
         }
         return std::move(bytes_);
     }
@@ -51,6 +52,7 @@ class Writer {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
         png_set_write_fn(png_, this, &Writer::take, nullptr);
         png_set_compression_level(png_, image.level);
+        png_set_filter(png_, PNG_FILTER_TYPE_BASE, image.filter == PngFilter::sub ? PNG_FILTER_SUB : PNG_FILTER_NONE);
         const auto width = static_cast<png_uint_32>(image.size.width);
         const auto height = static_cast<png_uint_32>(image.size.height);
         const auto* const colour = std::ranges::find(colour_types, image.channels, &ColourType::channels);

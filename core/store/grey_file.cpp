@@ -12,7 +12,7 @@ namespace {
 
 std::vector<unsigned char> encode(Size size, int channels, std::span<const std::uint8_t> values) {
     // Differences are mostly empty: the fastest level already leaves little of them.
-    return encode_png({.size = size, .channels = channels, .values = values, .level = 1});
+    return encode_png({.size = size, .channels = channels, .values = values, .level = 1, .filter = PngFilter::none});
 }
 
 void swap_red_and_blue(Plane<Bgr>& plane) {

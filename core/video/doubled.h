@@ -8,10 +8,9 @@
 
 namespace vvr {
 
-/// A plane of bytes at twice its width and height, linear between the old points, which lie between the new ones: chroma
-/// of 4:2:0 at luma's size. Within one level of cv::resize, which takes several times as long.
-/// \param from size.height rows, `stride` bytes apart
-/// \param to 4 * size.width * size.height bytes, row by row
+/// A plane of bytes at twice its width and height, linear between the old points, which lie between the new ones:
+/// chroma of 4:2:0 at luma's size. cv::resize takes several times as long. \param from
+/// size.height rows, `stride` bytes apart \param to 4 * size.width * size.height bytes, row by row
 void double_plane(Size size, const std::uint8_t* from, std::size_t stride, std::span<std::uint8_t> to);
 
 }  // namespace vvr

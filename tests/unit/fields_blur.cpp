@@ -42,7 +42,7 @@ TEST(BlurBytes, IsAGaussian) {
                     const int pixel = static_cast<int>(k) / channels;
                     const double expected = plain_blur(size, channels, from, sigma, radius, pixel % size.width,
                                                        pixel / size.width, static_cast<int>(k) % channels);
-                    ASSERT_NEAR(to[k], expected, 1.2) << size.width << "x" << size.height << ", sigma " << sigma;
+                    ASSERT_NEAR(to[k], expected, 1.5) << size.width << "x" << size.height << ", sigma " << sigma;
                 }
             }
         }
@@ -50,8 +50,8 @@ TEST(BlurBytes, IsAGaussian) {
 }
 
 TEST(BlurBytes, LeavesAPlainPictureAsItIs) {
-    for (const std::uint8_t level : {0, 1, 127, 254, 255}) {
-        const Bytes from(50 * 20, level);
+    for (const int level : {0, 1, 127, 254, 255}) {
+        const Bytes from(50 * 20, static_cast<std::uint8_t>(level));
         Bytes to(from.size());
         blur_bytes({50, 20}, 1, 0.7, from, to);
         EXPECT_EQ(from, to);

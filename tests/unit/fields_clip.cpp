@@ -108,7 +108,8 @@ TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
         FieldOptions options{.threads = 2};
         options.flow.area = area;
         std::int64_t zeros = 0;
-        run(options, [&](const SharedFrame&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
+        run(options,
+            [&](const SharedFrame&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
         return zeros;
     };
     EXPECT_EQ(still("auto"), still("all"));

@@ -54,7 +54,8 @@ std::vector<Field> fields_of(const FieldOptions& options, int count, Frame (*mak
         if (next == count) return {};
         return [make, index = next++] { return make(index); };
     };
-    compute_fields(read, scene_of(empty), options, [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
+    compute_fields(read, scene_of(empty), options,
+                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 
@@ -141,7 +142,8 @@ TEST(Filters, FlowIsItsMagnitude) {
         if (next == 3) return {};
         return [index = next++] { return test::texture_frame({96, 80}, index, 3, 0); };
     };
-    compute_fields(read, black({96, 80}), options, [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
+    compute_fields(read, black({96, 80}), options,
+                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
     EXPECT_NEAR(fields[1].scalar.at(48, 40), 24 * 3, 4);
     EXPECT_FALSE(fields[0].seeds.empty());
     EXPECT_TRUE(fields[1].seeds.empty()) << "flow was not asked for there, only needed";

@@ -163,9 +163,11 @@ TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
                                 }),
                  std::runtime_error);
     const FrameReader broken = []() -> FrameJob { throw std::range_error("the cable is cut"); };
-    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}), std::range_error);
+    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+                 std::range_error);
     const FrameReader bad_frame = []() -> FrameJob { return []() -> Frame { throw std::domain_error("bad frame"); }; };
-    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}), std::domain_error);
+    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+                 std::domain_error);
 }
 
 }  // namespace
