@@ -8,14 +8,16 @@
 
 namespace vvr::bench {
 
-Volume left_bag_volume(const std::string& filter) {
+Volume left_bag_volume(const std::string& filter, int frames) {
+    scene::Options scene;
+    scene.frames = frames;
     SourceOptions in_colour;
     in_colour.colour = true;
-    const auto source = scene::open_scene(scene::make_left_bag(), in_colour);
+    const auto source = scene::open_scene(scene::make_left_bag(scene), in_colour);
     FieldOptions options;
     options.filter = filter;
     options.flow.every = 16;
-    Volume volume(source->field_size(), 1600, 1, options.flow.every);
+    Volume volume(source->field_size(), frames, 1, options.flow.every);
     compute_fields(*source, options, [&](const SharedFrame&, Field&& field) { volume.add(field); });
     return volume;
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include <malloc.h>
+
+#include "core/error.h"
+
+namespace vvr::bench {
+
+/// The most memory that this process held at a time since this was made, beyond what it held then. Linux only: a
+/// process may set its own high-water mark back there. What a GPU holds isn't in it.
+class PeakMemory {
+  public:
+    PeakMemory() {
+        malloc_trim(0);  // else what others have freed would be used before anything shows
+        std::ofstream("/proc/self/clear_refs") << "5";
+        before_ = kilobytes("VmRSS:");
+    }
+
+    double megabytes() const { return static_cast<double>(kilobytes("VmHWM:") - before_) / 1024; }
+
+  private:
+    static long kilobytes(const std::string& row) {
+        std::ifstream status("/proc/self/status");
+        for (std::string line; std::getline(status, line);) {
+            if (line.starts_with(row)) return std::stol(line.substr(row.size()));
+        }
+        throw Error(ErrorKind::io, "/proc/self/status has no row " + row + "; this measures memory on Linux only");
+    }
+
+    long before_ = 0;
+};
+
+}  // namespace vvr::bench
