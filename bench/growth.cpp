@@ -2,7 +2,7 @@
 // much of the volume is occupied. Each row of one series is drawn in turn with the others. JSON on stdout;
 // scripts/bench makes plots of it.
 //
-//     growth [BACKEND] [RUNS] [FRAMES]
+//     growth [BACKEND] [RUNS] [SCALE]
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -17,12 +17,11 @@
 #include "bench/left_bag.h"
 #include "bench/lit_volume.h"
 #include "bench/memory.h"
+#include "bench/scale.h"
 
 namespace {
 
 using namespace vvr;
-
-constexpr Size common_size{800, 600};
 
 /// What one point of a curve draws.
 struct Point {
@@ -63,20 +62,21 @@ nlohmann::json measure(const Context& context, const std::vector<Point>& points,
     return curve;
 }
 
-nlohmann::json measure_all(const Context& context, int runs, int frames) {
-    const Volume bag = bench::left_bag_volume("difference", frames);
+nlohmann::json measure_all(const Context& context, int runs, double scale) {
+    const int frames = bench::scaled(1600, scale);
+    const Size common_size = bench::scaled(Size{800, 600}, scale);
+    const Volume bag = bench::left_bag_volume("difference", scale);
     std::vector<Point> pixels;
     for (const int width : {640, 896, 1280, 1792, 2560}) {
-        const Size size{width, width * 3 / 4};
+        const Size size = bench::scaled(Size{width, width * 3 / 4}, scale);
         pixels.push_back({1e-6 * size.width * size.height, &bag, 8, size});
     }
     std::vector<Point> bricks;
     for (const int k : {1, 2, 4, 8, 16, 32}) bricks.push_back({static_cast<double>(k), &bag, k, common_size});
 
-    const int short_clip = frames / 4;
     std::vector<Volume> coarse_to_fine;
     for (const int width : {96, 192, 288, 384, 576}) {
-        coarse_to_fine.push_back(bench::lit_volume({width, width * 3 / 4}, short_clip, 0.1));
+        coarse_to_fine.push_back(bench::lit_volume(bench::scaled(Size{width, width * 3 / 4}, scale), frames / 4, 0.1));
     }
     std::vector<Point> voxels;
     for (const Volume& volume : coarse_to_fine) {
@@ -85,7 +85,8 @@ nlohmann::json measure_all(const Context& context, int runs, int frames) {
 
     const std::vector<double> shares{0, 0.125, 0.25, 0.5, 0.75, 1};
     std::vector<Volume> lit;
-    for (const double share : shares) lit.push_back(bench::lit_volume({192, 144}, frames / 2, share));
+    const Size coarse = bench::scaled(Size{192, 144}, scale);
+    for (const double share : shares) lit.push_back(bench::lit_volume(coarse, frames / 2, share));
     std::vector<Point> occupied;
     for (std::size_t i = 0; i < shares.size(); ++i) occupied.push_back({shares[i], &lit[i], 8, common_size});
 
@@ -100,8 +101,8 @@ int main(int argc, char** argv) {
     try {
         const auto context = open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 5;
-        const int frames = argc > 3 ? std::stoi(argv[3]) : bench::left_bag_frames;
-        fmt::print("{}\n", measure_all(*context, runs, frames).dump());
+        const double scale = argc > 3 ? std::stod(argv[3]) : 1;
+        fmt::print("{}\n", measure_all(*context, runs, scale).dump());
     } catch (const std::exception& error) {
         fmt::print(stderr, "growth: {}\n", error.what());
         return 1;

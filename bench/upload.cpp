@@ -2,7 +2,7 @@
 // bare glTexSubImage3D of the same size, and as a memcpy of the same bytes, in turn. Each waits until OpenGL is done.
 // JSON on stdout.
 //
-//     upload [BACKEND] [RUNS] [LAYERS]
+//     upload [BACKEND] [RUNS] [SCALE]
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -16,6 +16,7 @@
 
 #include "bench/in_turn.h"
 #include "bench/lit_volume.h"
+#include "bench/scale.h"
 #include "gl/brick_textures.h"
 #include "gl/check.h"
 #include "gl/renderer.h"
@@ -23,8 +24,6 @@
 namespace {
 
 using namespace vvr;
-
-constexpr Size size{384, 288};
 
 std::span<const std::byte> bytes_of(const BrickTexels& texels) {
     if (texels.coloured.empty()) return std::as_bytes(std::span(texels.texels));
@@ -37,16 +36,17 @@ class BareTexture {
     BareTexture(const GladGLContext& gl, const BrickTexels& texels)
         : gl_(&gl), texels_(&texels), format_(texels.coloured.empty() ? GL_RED : GL_RGBA), texture_(gl) {
         gl.BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl.TexImage3D(GL_TEXTURE_3D, 0, texels.coloured.empty() ? GL_R8 : GL_RGBA8, size.width, size.height,
-                      static_cast<GLsizei>(texels.layers()), 0, format_, GL_UNSIGNED_BYTE, nullptr);
+        gl.TexImage3D(GL_TEXTURE_3D, 0, texels.coloured.empty() ? GL_R8 : GL_RGBA8, texels.size.width,
+                      texels.size.height, static_cast<GLsizei>(texels.layers()), 0, format_, GL_UNSIGNED_BYTE, nullptr);
         check_gl(gl, "making a texture of a brick's size");
     }
 
     void upload() const {
         gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl_->BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.width, size.height, static_cast<GLsizei>(texels_->layers()),
-                           format_, GL_UNSIGNED_BYTE, bytes_of(*texels_).data());
+        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, texels_->size.width, texels_->size.height,
+                           static_cast<GLsizei>(texels_->layers()), format_, GL_UNSIGNED_BYTE,
+                           bytes_of(*texels_).data());
     }
 
   private:
@@ -56,7 +56,9 @@ class BareTexture {
     GlTexture texture_;
 };
 
-nlohmann::json measure(const Context& context, int layers, bool coloured, int runs) {
+nlohmann::json measure(const Context& context, double scale, bool coloured, int runs) {
+    const Size size = bench::scaled(Size{384, 288}, scale);
+    const int layers = bench::scaled(200, scale);
     const GladGLContext& gl = context.gl();
     const Volume volume = bench::lit_volume(size, layers, 0.5, coloured);
     const Brick brick{0, layers};
@@ -106,11 +108,11 @@ int main(int argc, char** argv) {
     try {
         const auto context = open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 9;
-        const int layers = argc > 3 ? std::stoi(argv[3]) : 200;
+        const double scale = argc > 3 ? std::stod(argv[3]) : 1;
         const nlohmann::json report{
             {"renderer", context->renderer()},
             {"version", context->version()},
-            {"bricks", {measure(*context, layers, false, runs), measure(*context, layers, true, runs)}}};
+            {"bricks", {measure(*context, scale, false, runs), measure(*context, scale, true, runs)}}};
         fmt::print("{}\n", report.dump());
     } catch (const std::exception& error) {
         fmt::print(stderr, "upload: {}\n", error.what());
