@@ -15,7 +15,13 @@ class PeakMemory {
   public:
     PeakMemory() {
         malloc_trim(0);  // else what others have freed would be used before anything shows
-        std::ofstream("/proc/self/clear_refs") << "5";
+        std::ofstream reset("/proc/self/clear_refs");
+        reset << "5" << std::flush;
+        if (!reset) {
+            throw Error(ErrorKind::io,
+                        "/proc/self/clear_refs can't be written, by which a process sets its peak of memory back; this "
+                        "measures memory where Linux lets it, so run it outside of whatever takes /proc away");
+        }
         before_ = kilobytes("VmRSS:");
     }
 

@@ -79,7 +79,8 @@ def pipeline(rows, aims, path):
     left.set_xlim(0, max(1, 1.1 * max(row["share"]["render"] for row in rows)))
     left.set_xlabel("rate over that of FFmpeg decoding alone")
     begin = [0.0] * len(rows)
-    for key, label, colour in (("decoding", "decoding and scaling", BLUE), ("vvr", "the rest of vvr", ORANGE), ("neither", "idle, or others", "#e4e4e4")):
+    for key, label, colour in (("decoding", "decoding and scaling", BLUE), ("vvr", "the rest of vvr", ORANGE),
+                               ("neither", "idle, or others", "#e4e4e4")):
         values = [100 * row["cores"][key] for row in rows]
         right.barh(places, values, left=begin, height=0.62, color=colour, label=label)
         for place, value, start in zip(places, values, begin):

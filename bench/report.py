@@ -74,14 +74,17 @@ def introduction(about, given):
         "# Benchmark of vvr\n\n"
         "vvr turns hours of surveillance video into one still picture: the video as a volume, bent into a horseshoe, in which "
         "what moved stands out and what stood still is empty.\n\n"
-        f"**What was run.** {', '.join(f'`{name}`' for name in given.parts or parts.PARTS)}, on {about['date']}, with vvr {told['vvr']}. "
+        f"**What was run.** {', '.join(f'`{name}`' for name in given.parts or parts.PARTS)}, on {about['date']}, with vvr "
+        f"{told['vvr']}. "
         f"`{command}` runs the same again, and makes the clips that it needs; `scripts/bench PART...` runs only parts.\n\n"
-        f"**On what.** {about['cores']} cores of {about['processor']}, {about['memory_gb']} GB of memory, {about['system']}; the load before "
+        f"**On what.** {about['cores']} cores of {about['processor']}, {about['memory_gb']} GB of memory, {about['system']}; "
+        "the load before "
         f"it began was {about['load']:.1f}. Pictures are drawn by {told['renderer']}. vvr's libraries: "
         + ", ".join(f"{name} {version}" for name, version in told.items()
                     if name not in ("vvr", "ffmpeg", "renderer", "VTK", "compiler"))
         + f". Compared with: the program ffmpeg {told['ffmpeg']}, VTK {told['VTK']}. Compiler: {told['compiler']}.\n\n"
-        f"**How to read it.** What is compared runs in turn, {given.runs} times after a first time that isn't counted, so that what else "
+        f"**How to read it.** What is compared runs in turn, {given.runs} times after a first time that isn't counted, so that "
+        "what else "
         "the machine does meets all alike. Numbers are medians, with the least and the greatest in brackets. Where a ratio is "
         "given, trust it more than the times. All numbers of all runs are in `report.json`.\n"
         + ("" if given.scale == 1 else f"\n**This was only a try**: volumes and pictures were scaled by {given.scale:g}.\n")
@@ -96,7 +99,8 @@ def main():
     options.add_argument("--long", action="store_true", help="the clip of 6 hours too")
     options.add_argument("--backend", default="software", help="auto takes a GPU where there is one")
     options.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"), help="where the programs are")
-    options.add_argument("--clips", type=pathlib.Path, default=pathlib.Path(".cache/bench"), help="where the clips are that were made")
+    options.add_argument("--clips", type=pathlib.Path, default=pathlib.Path(".cache/bench"), help="where the clips are that "
+                                                                                                  "were made")
     options.add_argument("--out", type=pathlib.Path, default=HERE, help="where the report goes")
     options.add_argument("--scale", type=float, default=1,
                          help="of the volumes and pictures that are drawn; less than 1 only tries whether all works")

@@ -14,7 +14,7 @@ class Setting:
     reports: pathlib.Path  # where the plots go
     build: pathlib.Path
     clips: pathlib.Path  # those that scripts/bench makes
-    long: bool = False  # whether what takes an hour is measured too
+    long: bool = False  # whether a clip of 6 hours is measured too
     scale: float = 1  # of the volumes and pictures that are drawn; less only tries whether all works
 
     @property
