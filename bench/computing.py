@@ -34,16 +34,13 @@ def roofline(setting, jacobi, roof):
                    {"vvr's Jacobi steps, best of 30": (intensity, gflops * best),
                     "plain loop, -O2": (intensity, gflops * POINTS / jacobi["plain_ms"])}, setting.plot("roofline"))
     text = figure("roofline", "A roofline: what one core can reach at best, over the arithmetic (flop: a multiplication or an "
-                              "addition) that is done "
-                              "with each byte. The flat roof is arithmetic, the slanted ones what caches and memory deliver; a "
-                              "step of the flow is at "
-                              f"{STEP_FLOPS}/{STEP_BYTES} = {intensity:.2f} flop a byte.")
-    text += (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million "
-             "pixel-steps a "
-             f"second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
-             f"{jacobi['ratio']:.1f} times as long.\n\nA step takes {STEP_FLOPS} multiplications and additions a point and "
-             "reads or writes "
-             f"{STEP_BYTES} bytes. What bounds it, measured in the same run:\n\n")
+                              "addition) that is done with each byte. The flat roof is arithmetic, the slanted ones what caches "
+                              f"and memory deliver; a step of the flow is at {STEP_FLOPS}/{STEP_BYTES} = {intensity:.2f} flop a "
+                              "byte.")
+    text += (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million pixel-steps "
+             f"a second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
+             f"{jacobi['ratio']:.1f} times as long.\n\nA step takes {STEP_FLOPS} multiplications and additions a point and reads "
+             f"or writes {STEP_BYTES} bytes. What bounds it, measured in the same run:\n\n")
     text += table(["", "of this core", "million pixel-steps/s"], [
         ["arithmetic", f"{roof['peak_gflops']:.0f} GFLOP/s", f"{by_arithmetic:.0f}"],
         ["second-level cache (what 20 steps together touch)", f"{roof['gbytes_400k']:.0f} GB/s", f"{by_cache:.0f}"],
@@ -59,8 +56,7 @@ def kernels(setting):
     text, reached, by_memory = roofline(setting, jacobi, compared["Roofline"][0])
     grid = compared["MultigridAgainstJacobi"][0]
     text += (f"\nThe multigrid solver takes {grid['multigrid_ms']:.2f} ms and leaves {grid['multigrid_residual']:.1e} of the "
-             "residual, "
-             f"where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
+             f"residual, where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
 
     def rows_of(prefix, frames):
         return [[name.split("/")[1], spread([row["cpu_time"] / frames for row in rows])]
@@ -73,12 +69,10 @@ def kernels(setting):
     text += f"\nFields of `{pathlib.Path(setting.clip).name}` on two threads:\n\n" + table(
         ["", "frames/s"], [[name, spread(values, 0)] for name, values in rates.items()])
     meaning = (f"The best run of the steps reaches {reached:.2f} of the lowest roof over what it does, {jacobi['ratio']:.1f} "
-               "times a plain "
-               f"loop. Steps that each went through memory could not pass {by_memory:.0f} million pixel-steps a second: running "
-               "several "
-               "together in the cache is what lifts them above.")
-    return (section("Kernels", "How fast the computing of the fields is on one core, beside plain loops and beside what the "
-                               "core can do at all.",
+               f"times a plain loop. Steps that each went through memory could not pass {by_memory:.0f} million pixel-steps a "
+               "second: running several together in the cache is what lifts them above.")
+    return (section("Kernels", "How fast the computing of the fields is on one core, beside plain loops and beside what the core "
+                               "can do at all.",
                     text, meaning), {"benchmarks": compared | single, "rates": rates})
 
 
@@ -101,10 +95,8 @@ def peers(setting):
              "the same clip:\n\n" + table(["", "s", "ratio"], [[name, spread([r.seconds for r in of]),
                                                                f"{median([r.seconds for r in of]) / theirs:.2f}"] for name, of in motion.items()]))
     measured = ("The flow of a frame of 384×288 on one core (median time, and the mean angle between (u, v, 1) and the truth: "
-                "less is "
-                "better), on generated scenes with the noise of a camera.")
+                "less is better), on generated scenes with the noise of a camera.")
     meaning = (f"No method is the fastest and the most accurate in every scene; a picture of a clip takes {ours / theirs:.2f} "
-               "times as long as "
-               "the usual scan for motion, which only says when something moved.")
+               "times as long as the usual scan for motion, which only says when something moved.")
     return section("Beside OpenCV", measured, text, meaning), {
         "flow": report, "motion": {name: [r.seconds for r in of] for name, of in motion.items()}}

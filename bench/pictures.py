@@ -42,10 +42,8 @@ def upload(setting):
                 "and a bare OpenGL call, in turn; each waits until OpenGL is done.")
     meaning = (f"Uploading reaches {median(ratios(grey['bare'], grey['textures'])):.2f} of the rate of the bare call and "
                f"{median(ratios(grey['memcpy'], grey['textures'])):.2f} of memcpy's: near 1 there is nothing to win in it. The "
-               "renderer also looks for "
-               f"cells that hold nothing, once for each brick, which takes {cells:.0f} ms and spares drawing them in every "
-               "picture; and before "
-               "that the layers are put together as texels.")
+               f"renderer also looks for cells that hold nothing, once for each brick, which takes {cells:.0f} ms and spares "
+               "drawing them in every picture; and before that the layers are put together as texels.")
     return section("Brick upload", measured, text, meaning), report
 
 
@@ -75,31 +73,27 @@ def slicing(setting):
         volume["shares"] = {way: ratios(volume["seconds"]["fetch"], volume["seconds"][way]) for way in WAYS_TO_SLICE}
     plots.slicing(volumes, VOLUMES, WAYS_TO_SLICE, setting.plot("slicing"))
     text = figure("slicing", "Samples a second: a fragment of a slice for which a voxel is fetched and blended. Grey: a shader "
-                             "that does "
-                             "nothing else; blue: vvr's. In brackets the share of the bare shader's rate.")
+                             "that does nothing else; blue: vvr's. In brackets the share of the bare shader's rate.")
     for name, volume in volumes.items():
         samples = volume["by_adding"]
         took = {way: median(seconds) for way, seconds in volume["seconds"].items()}
         text += (f"The left-bag volume through the `{name}` filter, {100 * volume['occupied']:.1f} % of the voxels not empty: "
-                 f"{agreement(volume)}, in "
-                 f"{volume['triangles']} triangles, {samples / volume['triangles']:.0f} samples each. To cut them takes one core "
-                 f"{1e3 * took['cutting']:.1f} ms.\n\n")
+                 f"{agreement(volume)}, in {volume['triangles']} triangles, {samples / volume['triangles']:.0f} samples each. To "
+                 f"cut them takes one core {1e3 * took['cutting']:.1f} ms.\n\n")
         text += table(["", "ms", "million samples/s", "of the bare rate"],
                       [[label, spread([1e3 * s for s in volume["seconds"][way]], 1), f"{samples / took[way] / 1e6:.1f}",
                         spread(volume["shares"][way])] for way, label in WAYS_TO_SLICE.items()]) + "\n"
     measured = (f"Samples a second that vvr's volume slicer draws, into {report['width']}×{report['height']} pixels on "
-                f"{report['renderer']}, "
-                "against a bare shader that fetches a voxel and blends it and does nothing else: no inverse of the map, no "
-                "transfer "
-                "function, no length of the ray. Same polygons, same textures, same framebuffer, in turn.")
+                f"{report['renderer']}, against a bare shader that fetches a voxel and blends it and does nothing else: no "
+                "inverse of the map, no transfer function, no length of the ray. Same polygons, same textures, same framebuffer, "
+                "in turn.")
     def shares(way):
         return " and ".join(f"{median(volume['shares'][way]):.2f}" for volume in volumes.values())
 
     meaning = (f"On polygons that are ready vvr's shader reaches {shares('shader')} of the bare rate (of the volume as one sees "
-               "it, and where "
-               f"nothing is empty); with all that a picture takes, the cutting of the slices too, {shares('slicer')}. What is "
-               "missing to 1 is "
-               "the price of a bent volume, of a transfer function, and of opacity that doesn't depend on the number of slices.")
+               "it, and where nothing is empty); with all that a picture takes, the cutting of the slices too, "
+               f"{shares('slicer')}. What is missing to 1 is the price of a bent volume, of a transfer function, and of opacity "
+               "that doesn't depend on the number of slices.")
     return section("Slicing", measured, text, meaning), report
 
 
@@ -127,20 +121,16 @@ def table1(setting):
     cells, least = table1_of(report)
     dense_cells, least_dense = table1_of(dense)
     measured = (f"Pictures a second of a left-bag volume of 384×288×1600 voxels, {100 * report['occupied']:.2f} % of them not "
-                "empty, "
-                f"{report['seeds']} seeds, drawn by {report['renderer']}; in brackets the paper's on a GeForce 7800 GTX. V: "
-                "volume, "
-                "S: in bricks (8), -S: in one, G: with arrows, DS: a new brick for each picture. One sample a pixel.")
+                f"empty, {report['seeds']} seeds, drawn by {report['renderer']}; in brackets the paper's on a GeForce 7800 GTX. "
+                "V: volume, S: in bricks (8), -S: in one, G: with arrows, DS: a new brick for each picture. One sample a pixel.")
     body = (figure("table1", "Pictures a second for each style of the paper's Table 1 and each size of picture. Grey: the paper "
-                             "on a graphics card of "
-                             "2005; blue: vvr on the same kind of volume; orange: vvr where no voxel is empty, which the paper "
-                             "doesn't have.")
-            + cells + f"\nThe dense case, the `luminance` filter, in which {100 * dense['occupied']:.0f} % of the voxels are "
-                      "not empty:\n\n"
+                             "on a graphics card of 2005; blue: vvr on the same kind of volume; orange: vvr where no voxel is "
+                             "empty, which the paper doesn't have.")
+            + cells + f"\nThe dense case, the `luminance` filter, in which {100 * dense['occupied']:.0f} % of the voxels are not "
+                      "empty:\n\n"
             + dense_cells)
     meaning = (f"The slowest cell against the paper is {least:.2f} times its rate; in the dense case, which no surveillance "
-               "video comes near, "
-               f"{least_dense:.2f}.")
+               f"video comes near, {least_dense:.2f}.")
     return section("Table 1 of the paper", measured, body, meaning), {"difference": report, "luminance": dense}
 
 
@@ -160,13 +150,12 @@ def vtk(setting):
     plots.side_by_side([("vvr", setting.scratch / "vvr.png")] + [(name, setting.scratch / f"{key}.png") for key, name in names.items()],
                        setting.reports / "report-vtk.png")
     measured = ("Milliseconds of a picture of the same volume of 384×288×1600 voxels as a straight box, 800×600, one sample a "
-                "voxel along each ray "
-                f"({scene['slices']} slices), the same camera and colours, by vvr and by VTK {theirs['version']}.")
+                f"voxel along each ray ({scene['slices']} slices), the same camera and colours, by vvr and by VTK "
+                f"{theirs['version']}.")
     body = (table(["", "ms", "times as long as vvr", "PSNR to vvr's picture, dB"], rows)
             + "\n![The same volume by vvr and VTK](report-vtk.png)\n")
     meaning = ("The pictures are the same to the eye (above 40 dB), so the times are of the same work: VTK's mapper for GPUs "
-               "takes "
-               f"{median(theirs['vtk_gpu']) / median(ours):.1f} times as long on the same rasteriser, its mapper for CPUs "
+               f"takes {median(theirs['vtk_gpu']) / median(ours):.1f} times as long on the same rasteriser, its mapper for CPUs "
                f"{median(theirs['vtk_cpu']) / median(ours):.1f} times.")
     return section("Beside VTK", measured, body, meaning), {"vvr": ours} | theirs
 
@@ -191,23 +180,16 @@ def growth(setting):
         rows += [[label.replace("\n", " ") if point is first else "", f"{point['x']:.4g}", spread([1e3 * s for s in point["seconds"]], 1),
                   f"{point['megabytes']:.0f}"] for point in curves[name]]
     measured = ("Time to draw one picture, and the most memory that the renderer holds for it beside the volume, as one thing "
-                "grows and all "
-                "others stay: the left-bag volume of 384×288×1600 voxels, and for the last two curves volumes of which the left "
-                "part of "
-                "each frame is lit (400 frames of which 10 % are lit; 192×144×800 voxels).")
+                "grows and all others stay: the left-bag volume of 384×288×1600 voxels, and for the last two curves volumes of "
+                "which the left part of each frame is lit (400 frames of which 10 % are lit; 192×144×800 voxels).")
     body = (figure("growth", "One picture over its size, the bricks that the volume is cut into, the size of a frame of the "
-                             "volume, and the share "
-                             "of it that isn't empty. Above time, with a band from the least to the greatest; below memory.")
+                             "volume, and the share of it that isn't empty. Above time, with a band from the least to the "
+                             "greatest; below memory.")
             + table(["over", "", "ms", "MB"], rows))
     meaning = (f"Pixels ×{curves['pixels'][-1]['x'] / curves['pixels'][0]['x']:.0f} take {said['pixels'][0]:.1f} times the time "
-               "and "
-               f"{said['pixels'][1]:.2f} times the memory, as large pictures are drawn in tiles; 32 bricks take "
-               f"{said['bricks'][0]:.2f} times the "
-               f"time of one and {said['bricks'][1]:.2f} times its memory, as only one brick's texels stand beside the "
-               "textures; frames of "
-               f"{curves['voxels'][-1]['x'] / curves['voxels'][0]['x']:.0f} times the pixels take {said['voxels'][0]:.1f} times "
-               "the time, for "
-               "there are more slices, and nearly all memory is theirs. What is occupied costs time, and no memory. On a GPU "
-               "the memory that is "
-               "given here is the processor's.")
+               f"and {said['pixels'][1]:.2f} times the memory, as large pictures are drawn in tiles; 32 bricks take "
+               f"{said['bricks'][0]:.2f} times the time of one and {said['bricks'][1]:.2f} times its memory, as only one brick's "
+               f"texels stand beside the textures; frames of {curves['voxels'][-1]['x'] / curves['voxels'][0]['x']:.0f} times "
+               f"the pixels take {said['voxels'][0]:.1f} times the time, for there are more slices, and nearly all memory is "
+               "theirs. What is occupied costs time, and no memory. On a GPU the memory that is given here is the processor's.")
     return section("Growth", measured, body, meaning), report

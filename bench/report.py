@@ -14,6 +14,7 @@ import parts
 from setting import Setting
 
 HERE = pathlib.Path(__file__).parent
+RUNS = 5
 
 
 def first_line(command):
@@ -69,24 +70,23 @@ def machine(setting):
 
 def introduction(about, given):
     told = about["versions"]
-    command = " ".join(["scripts/bench", *(["--long"] if given.long else []), *given.parts])
+    options = (["--long"] if given.long else []) + ([f"--runs {given.runs}"] if given.runs != RUNS else [])
+    command = " ".join(["scripts/bench", *options, *given.parts])
     return (
         "# Benchmark of vvr\n\n"
         "vvr turns hours of surveillance video into one still picture: the video as a volume, bent into a horseshoe, in which "
         "what moved stands out and what stood still is empty.\n\n"
         f"**What was run.** {', '.join(f'`{name}`' for name in given.parts or parts.PARTS)}, on {about['date']}, with vvr "
-        f"{told['vvr']}. "
-        f"`{command}` runs the same again, and makes the clips that it needs; `scripts/bench PART...` runs only parts.\n\n"
+        f"{told['vvr']}. `{command}` runs the same again, and makes the clips that it needs; `scripts/bench PART...` runs only "
+        "parts.\n\n"
         f"**On what.** {about['cores']} cores of {about['processor']}, {about['memory_gb']} GB of memory, {about['system']}; "
-        "the load before "
-        f"it began was {about['load']:.1f}. Pictures are drawn by {told['renderer']}. vvr's libraries: "
+        f"the load before it began was {about['load']:.1f}. Pictures are drawn by {told['renderer']}. vvr's libraries: "
         + ", ".join(f"{name} {version}" for name, version in told.items()
                     if name not in ("vvr", "ffmpeg", "renderer", "VTK", "compiler"))
         + f". Compared with: the program ffmpeg {told['ffmpeg']}, VTK {told['VTK']}. Compiler: {told['compiler']}.\n\n"
         f"**How to read it.** What is compared runs in turn, {given.runs} times after a first time that isn't counted, so that "
-        "what else "
-        "the machine does meets all alike. Numbers are medians, with the least and the greatest in brackets. Where a ratio is "
-        "given, trust it more than the times. All numbers of all runs are in `report.json`.\n"
+        "what else the machine does meets all alike. Numbers are medians, with the least and the greatest in brackets; in plots "
+        "a pale band lies between these. Where a ratio is given, trust it more than the times. All numbers of all runs are in `report.json`.\n"
         + ("" if given.scale == 1 else f"\n**This was only a try**: volumes and pictures were scaled by {given.scale:g}.\n")
     )
 
@@ -95,7 +95,7 @@ def main():
     options = argparse.ArgumentParser(prog="scripts/bench", description=__doc__)
     options.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(parts.PARTS)}; all if none is given")
     options.add_argument("--clip", required=True, help="footage")
-    options.add_argument("--runs", type=int, default=5)
+    options.add_argument("--runs", type=int, default=RUNS, help="of which medians are taken")
     options.add_argument("--long", action="store_true", help="the clip of 6 hours too")
     options.add_argument("--backend", default="software", help="auto takes a GPU where there is one")
     options.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build/release"), help="where the programs are")

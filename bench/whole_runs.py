@@ -62,30 +62,26 @@ def pipeline(setting):
         cores_did = core_shares(results["render"], results["ffmpeg"], cores)
         took = stages(setting, clip)
         bounds.append(f"- `{name}`: of what {cores} cores could do meanwhile, decoding and scaling took "
-                      f"{100 * cores_did['decoding']:.0f} %, "
-                      f"the rest of vvr {100 * cores_did['vvr']:.0f} %; {100 * cores_did['neither']:.0f} % lay idle or went to "
-                      "others. Stages of one run: "
+                      f"{100 * cores_did['decoding']:.0f} %, the rest of vvr {100 * cores_did['vvr']:.0f} %; "
+                      f"{100 * cores_did['neither']:.0f} % lay idle or went to others. Stages of one run: "
                       + ", ".join(f"{stage} {seconds:.2f} s" for stage, seconds in took.items()) + ".")
         drawn.append({"clip": name, "share": share, "cores": cores_did})
         numbers[clip] = {"frames": frames, "rates": rate, "shares": shares, "stages": took, "cores": cores_did} | {
             key: numbers_of(of) for key, of in results.items()}
     plots.pipeline(drawn, AIMS, setting.plot("pipeline"))
-    measured = ("Frames a second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside "
-                f"`ffmpeg -threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does "
-                "nothing "
+    measured = ("Frames a second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
+                f"-threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing "
                 "else: no program that looks at every frame can be faster. A share is a rate over FFmpeg's.")
     head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render's share", "extract's share",
             "render, s", "MB"]
-    body = (figure("pipeline", "Left: vvr's rate over that of FFmpeg which only decodes; 1 can't be passed, dashed are the "
-                               "aims of "
-                               f"{AIMS[0]} and {AIMS[1]}. Right: what the processor's cores did during `vvr render`.")
+    body = (figure("pipeline", "Left: vvr's rate over that of FFmpeg which only decodes; 1 can't be passed, dashed are the aims "
+                               f"of {AIMS[0]} and {AIMS[1]}. Right: what the processor's cores did during `vvr render`.")
             + table(head, rows) + "\nWhat bounds `vvr render`:\n\n" + "\n".join(bounds))
     reached = [f"`{row['clip']}` {row['share']['render']:.2f}" for row in drawn]
     meaning = (f"`vvr render` reaches {', '.join(reached)} of the rate of decoding alone. Where the blue part of the right bars "
-               "is the "
-               "largest, a faster vvr would hardly make the run faster; where the orange one is, it is vvr's own work and what a "
-               "run costs once, which weighs most on short clips; where the pale one is, one thread waits for another, or other "
-               "programs had the cores.")
+               "is the largest, a faster vvr would hardly make the run faster; where the orange one is, it is vvr's own work and "
+               "what a run costs once, which weighs most on short clips; where the pale one is, one thread waits for another, or "
+               "other programs had the cores.")
     return section("A whole run against decoding alone", measured, body, meaning), numbers
 
 
@@ -108,18 +104,16 @@ def length(setting):
                      f"{median(held) / median(first['megabytes']):.3f}"])
         numbers[name] = {"frames": frames, "runs": numbers_of(results)}
     plots.length(drawn, setting.plot("length"))
-    measured = ("Time a frame and the most memory that `vvr render` takes, over the length of a clip: the left-bag clip over "
-                "and over"
+    measured = ("Time a frame and the most memory that `vvr render` takes, over the length of a clip: the left-bag clip over and "
+                "over"
                 + ("." if setting.long else "; `scripts/bench --long length` measures 6 hours as well."))
     body = (figure("length", "Time for each frame, and the most memory of the run, over the length of the clip (logarithmic); "
-                             "bands are from "
-                             "the least to the greatest of the runs.")
+                             "bands are from the least to the greatest of the runs.")
             + table(["clip", "frames", "ms a frame", "of the first", "MB", "of the first"], rows))
     times = drawn[-1]["frames"] / drawn[0]["frames"]
     memory = median(drawn[-1]["megabytes"]) / median(drawn[0]["megabytes"])
     meaning = (f"A clip {times:.0f} times as long takes {memory:.2f} times the memory: it depends on the volume that is drawn "
-               "and not on "
-               "the clip's length. Time a frame falls, as what a run costs once is spread over more frames.")
+               "and not on the clip's length. Time a frame falls, as what a run costs once is spread over more frames.")
     return section("Length of the clip", measured, body, meaning), numbers
 
 
@@ -169,11 +163,9 @@ def options(setting):
     plots.options(drawn, setting.plot("options"))
     measured = (f"Seconds and the most memory of `vvr render` of `{pathlib.Path(setting.clip).name}` as one option after another "
                 "leaves its default.")
-    body = (figure("options", "A whole run over the number of threads, the size of the fields that are computed, the bricks "
-                              "that the volume "
-                              "is cut into, and the size of the picture. Above time, below the most memory; bands are from the "
-                              "least to "
-                              "the greatest of the runs.")
+    body = (figure("options", "A whole run over the number of threads, the size of the fields that are computed, the bricks that "
+                              "the volume is cut into, and the size of the picture. Above time, below the most memory; bands are "
+                              "from the least to the greatest of the runs.")
             + table(["run", "s", "of the defaults", "MB", "of the defaults"], rows))
     parts = []
     for option, _, values, default in varied:
@@ -193,8 +185,7 @@ def startup(setting):
                       setting.runs)
     rows = [[name, spread([1000 * r.seconds for r in of], 0)] for name, of in results.items()]
     meaning = ("The first is what a script pays to ask; the second, nearly all of it libraries and shaders that are made ready, "
-               "is what "
-               "each run pays before its first frame counts.")
+               "is what each run pays before its first frame counts.")
     return (section("Start-up", "Milliseconds of runs that do nearly nothing.", table(["run", "ms"], rows), meaning),
             {name: [r.seconds for r in of] for name, of in results.items()})
 
@@ -234,10 +225,8 @@ def archive(setting):
         numbers[name] = {"clips": len(files), "frames": frames, "bytes": written, "again": [r.seconds for r in again]} | {
             kind: [[r.seconds, r.processor] for r in of] for kind, of in results.items()}
     measured = ("`vvr archive CLIPS -o OUT`, all defaults, with pages and with `--no-pages`, beside `ffmpeg -i CLIP -f null -` "
-                "for one clip "
-                "after another, which decodes and throws away. Clips of a minute or so: hd 1920×1080 at 25 frames/s, H.264; sd "
-                "768×576 "
-                "at 10 frames/s, MPEG-4.")
+                "for one clip after another, which decodes and throws away. Clips of a minute or so: hd 1920×1080 at 25 "
+                "frames/s, H.264; sd 768×576 at 10 frames/s, MPEG-4.")
     head = ["clips", "number", "frames", "FFmpeg, frames/s", "pictures, frames/s", "pages, frames/s", "pictures to FFmpeg",
             "pages to FFmpeg", "pictures, by CPU time", "pages, by CPU time", "nothing new, ms", "MB a clip"]
     return section("An archive", measured, table(head, rows), f"On this machine {' and '.join(said)}."), numbers
