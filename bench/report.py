@@ -86,7 +86,8 @@ def introduction(about, given):
         + f". Compared with: the program ffmpeg {told['ffmpeg']}, VTK {told['VTK']}. Compiler: {told['compiler']}.\n\n"
         f"**How to read it.** What is compared runs in turn, {given.runs} times after a first time that isn't counted, so that "
         "what else the machine does meets all alike. Numbers are medians, with the least and the greatest in brackets; in plots "
-        "a pale band lies between these. Where a ratio is given, trust it more than the times. All numbers of all runs are in `report.json`.\n"
+        "a pale band lies between these. A difference that is smaller than this spread is noise. Where a ratio is given, trust "
+        "it more than the times. All numbers of all runs are in `report.json`.\n"
         + ("" if given.scale == 1 else f"\n**This was only a try**: volumes and pictures were scaled by {given.scale:g}.\n")
     )
 
