@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/bricks/volume.h"
@@ -10,18 +12,25 @@
 
 namespace vvr::bench {
 
+/// What becomes of a brick's texels when they are in their texture: `vvr render` drops them; kept ones can enter again.
+enum class Texels { kept, dropped };
+
 /// A renderer with the whole of a volume in it, one sample a pixel, as the paper drew.
 class Drawing {
   public:
-    Drawing(const Context& context, const Volume& volume, const std::string& layout, int bricks, RenderOptions options)
+    Drawing(const Context& context, const Volume& volume, const std::string& layout, int bricks, RenderOptions options,
+            Texels texels = Texels::kept)
         : layout_(make_layout(layout, shape_for(volume.size()))),
           renderer_(context, *layout_, complete(options, volume, bricks)) {
         renderer_.set_transfer(default_transfer_function());
-        for (const Brick& brick : cut_into(volume.layers(), bricks)) texels_.push_back(brick_texels(volume, brick));
-        for (std::size_t i = 0; i < texels_.size(); ++i) push();
+        for (const Brick& brick : cut_into(volume.layers(), bricks)) {
+            BrickTexels made = brick_texels(volume, brick);
+            renderer_.push_brick(next_++, made);
+            if (texels == Texels::kept) texels_.push_back(std::move(made));
+        }
     }
 
-    /// The next brick enters, the oldest leaves; after the last comes the first again.
+    /// The next brick enters, the oldest leaves; after the last comes the first again. For kept texels.
     void push() {
         renderer_.push_brick(next_, texels_[static_cast<std::size_t>(next_) % texels_.size()]);
         ++next_;

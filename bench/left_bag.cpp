@@ -2,20 +2,24 @@
 
 #include <algorithm>
 
+#include "bench/scale.h"
 #include "core/fields/pipeline.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
 
 namespace vvr::bench {
 
-Volume left_bag_volume(const std::string& filter) {
+Volume left_bag_volume(const std::string& filter, double scale) {
+    scene::Options scene;
+    scene.frames = scaled(1600, scale);
+    scene.size = scaled(scene.size, scale);
     SourceOptions in_colour;
     in_colour.colour = true;
-    const auto source = scene::open_scene(scene::make_left_bag(), in_colour);
+    const auto source = scene::open_scene(scene::make_left_bag(scene), in_colour);
     FieldOptions options;
     options.filter = filter;
     options.flow.every = 16;
-    Volume volume(source->field_size(), 1600, 1, options.flow.every);
+    Volume volume(source->field_size(), scene.frames, 1, options.flow.every);
     compute_fields(*source, options, [&](const SharedFrame&, Field&& field) { volume.add(field); });
     return volume;
 }

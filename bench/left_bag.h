@@ -7,7 +7,8 @@
 namespace vvr::bench {
 
 /// The volume of the left-bag scene, 384x288x1600 voxels, seen through a filter, with the seeds of every 16th frame.
-Volume left_bag_volume(const std::string& filter);
+/// \param scale of each side of it; less than 1 is for trying whether all works
+Volume left_bag_volume(const std::string& filter, double scale = 1);
 
 /// The share of the voxels that aren't 0.
 double occupied_share(const Volume& volume);

@@ -51,6 +51,11 @@ def spread(values, digits=2):
     return f"{median(values):.{digits}f} ({min(values):.{digits}f} to {max(values):.{digits}f})"
 
 
+def ratios(ones, others):
+    """Of what ran in turn, turn by turn: what slows one turn slows both sides of it."""
+    return [one / other for one, other in zip(ones, others)]
+
+
 def table(head, rows):
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines) + "\n"

@@ -1,9 +1,10 @@
 // Table 1 of the paper: frames a second of its five styles at three picture sizes, on a left-bag volume of 384x288x1600
 // voxels. The styles are drawn in turn. JSON on stdout; scripts/bench makes a table of it.
 //
-//     table1 [FILTER] [BACKEND] [RUNS]
+//     table1 [FILTER] [BACKEND] [RUNS] [SCALE]
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "bench/drawing.h"
 #include "bench/in_turn.h"
 #include "bench/left_bag.h"
+#include "bench/scale.h"
 #include "core/scene/glyph.h"
 
 namespace {
@@ -56,27 +58,38 @@ std::vector<std::vector<double>> seconds_of_styles(const Context& context, const
     return bench::in_turn(works, runs);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const std::string filter = argc > 1 ? argv[1] : "difference";
-    const auto context = open_context(argc > 2 ? argv[2] : "auto");
-    const int runs = argc > 3 ? std::stoi(argv[3]) : 5;
-    const Volume volume = bench::left_bag_volume(filter);
-    nlohmann::json report{{"renderer", context->renderer()},
+nlohmann::json measure(const Context& context, const std::string& filter, int runs, double scale) {
+    const Volume volume = bench::left_bag_volume(filter, scale);
+    nlohmann::json report{{"renderer", context.renderer()},
+                          {"version", context.version()},
                           {"filter", filter},
                           {"occupied", bench::occupied_share(volume)},
                           {"seeds", volume.seeds().size()},
                           {"rows", nlohmann::json::array()}};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto seconds = seconds_of_styles(*context, volume, sizes[i], runs);
+        const Size size = bench::scaled(sizes[i], scale);
+        const auto seconds = seconds_of_styles(context, volume, size, runs);
         for (std::size_t s = 0; s < styles.size(); ++s) {
             report["rows"].push_back({{"style", styles[s].name},
-                                      {"width", sizes[i].width},
-                                      {"height", sizes[i].height},
+                                      {"width", size.width},
+                                      {"height", size.height},
                                       {"paper_fps", styles[s].paper[i]},
                                       {"seconds", seconds[s]}});
         }
     }
-    fmt::print("{}\n", report.dump());
+    return report;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const auto context = open_context(argc > 2 ? argv[2] : "auto");
+        const int runs = argc > 3 ? std::stoi(argv[3]) : 5;
+        const double scale = argc > 4 ? std::stod(argv[4]) : 1;
+        fmt::print("{}\n", measure(*context, argc > 1 ? argv[1] : "difference", runs, scale).dump());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "table1: {}\n", error.what());
+        return 1;
+    }
 }

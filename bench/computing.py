@@ -1,0 +1,102 @@
+"""The kernels of the fields: against the machine, against plain loops, and against others' libraries."""
+
+import pathlib
+
+import plots
+from measure import in_turn, median, output_of, spread, table
+from setting import figure, section
+
+# Of a point in a step, core/fields/flows/linear_kernels.cpp: multiplications and additions, bytes of its nine planes.
+STEP_FLOPS, STEP_BYTES = 24, 36
+POINTS = 384 * 288 * 60 / 1e3  # pixels times steps, per millisecond: thousands a second
+
+
+def benchmarks(setting, names, *options):
+    """Rows of Google Benchmark by name, each a list of repetitions."""
+    report = output_of([setting.program("bench_fields"), "--benchmark_format=json", f"--benchmark_filter={names}", *options])
+    rows = {}
+    for row in report["benchmarks"]:
+        if row["run_type"] == "iteration":
+            rows.setdefault(row["name"].split("/iterations")[0].split("/real_time")[0], []).append(row)
+    return rows
+
+
+def roofline(setting, jacobi, roof):
+    """What this machine lets the Jacobi steps reach, and what they do reach."""
+    rate, best = POINTS / jacobi["jacobi_ms"], POINTS / jacobi["best_jacobi_ms"]
+    by_arithmetic = 1e3 * roof["peak_gflops"] / STEP_FLOPS
+    by_cache = 1e3 * roof["gbytes_400k"] / STEP_BYTES
+    by_memory = 1e3 * roof["gbytes_64m"] / STEP_BYTES
+    limit = min(by_arithmetic, by_cache)
+    intensity, gflops = STEP_FLOPS / STEP_BYTES, STEP_FLOPS / 1e3
+    plots.roofline(roof["peak_gflops"],
+                   {"first-level cache": roof["gbytes_16k"], "second-level cache": roof["gbytes_400k"], "memory": roof["gbytes_64m"]},
+                   {"vvr's Jacobi steps, best of 30": (intensity, gflops * best),
+                    "plain loop, -O2": (intensity, gflops * POINTS / jacobi["plain_ms"])}, setting.plot("roofline"))
+    text = figure("roofline", "A roofline: what one core can reach at best, over the arithmetic (flop: a multiplication or an "
+                              "addition) that is done with each byte. The flat roof is arithmetic, the slanted ones what caches "
+                              f"and memory deliver; a step of the flow is at {STEP_FLOPS}/{STEP_BYTES} = {intensity:.2f} flop a "
+                              "byte.")
+    text += (f"Horn–Schunck, 60 Jacobi steps at 384×288, one core: {jacobi['jacobi_ms']:.2f} ms = {rate:.0f} million pixel-steps "
+             f"a second, the best of 30 runs {best:.0f}; a plain loop compiled with -O2 takes {jacobi['plain_ms']:.1f} ms, "
+             f"{jacobi['ratio']:.1f} times as long.\n\nA step takes {STEP_FLOPS} multiplications and additions a point and reads "
+             f"or writes {STEP_BYTES} bytes. What bounds it, measured in the same run:\n\n")
+    text += table(["", "of this core", "million pixel-steps/s"], [
+        ["arithmetic", f"{roof['peak_gflops']:.0f} GFLOP/s", f"{by_arithmetic:.0f}"],
+        ["second-level cache (what 20 steps together touch)", f"{roof['gbytes_400k']:.0f} GB/s", f"{by_cache:.0f}"],
+        ["memory, were each step to go through it all", f"{roof['gbytes_64m']:.0f} GB/s", f"{by_memory:.0f}"]])
+    return text, best / limit, by_memory
+
+
+def kernels(setting):
+    """The fields' kernels against plain loops and the machine, and rates of all fields."""
+    compared = benchmarks(setting, "Against|Roofline")
+    single = benchmarks(setting, "flow_of|filter_of|seeds_of", f"--benchmark_repetitions={setting.runs}", "--benchmark_min_time=0.1")
+    jacobi = compared["JacobiAgainstPlainLoop"][0]
+    text, reached, by_memory = roofline(setting, jacobi, compared["Roofline"][0])
+    grid = compared["MultigridAgainstJacobi"][0]
+    text += (f"\nThe multigrid solver takes {grid['multigrid_ms']:.2f} ms and leaves {grid['multigrid_residual']:.1e} of the "
+             f"residual, where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
+
+    def rows_of(prefix, frames):
+        return [[name.split("/")[1], spread([row["cpu_time"] / frames for row in rows])]
+                for name, rows in single.items() if name.startswith(prefix)]
+
+    text += table(["flow of a frame, 384×288, one core", "ms"], rows_of("flow_of_a_frame", 1)) + "\n"
+    text += table(["filter of a frame in colour, 384×288, one core", "ms"], rows_of("filter_of_frames", 20))
+    text += f"\nSeeds of a frame in which all moves: {spread([row['cpu_time'] for row in single['seeds_of_a_frame']], 0)} µs.\n"
+    rates = output_of([setting.program("fields_rate"), setting.clip])
+    text += f"\nFields of `{pathlib.Path(setting.clip).name}` on two threads:\n\n" + table(
+        ["", "frames/s"], [[name, spread(values, 0)] for name, values in rates.items()])
+    meaning = (f"The best run of the steps reaches {reached:.2f} of the lowest roof over what it does, {jacobi['ratio']:.1f} "
+               f"times a plain loop. Steps that each went through memory could not pass {by_memory:.0f} million pixel-steps a "
+               "second: running several together in the cache is what lifts them above.")
+    return (section("Kernels", "How fast the computing of the fields is on one core, beside plain loops and beside what the core "
+                               "can do at all.",
+                    text, meaning), {"benchmarks": compared | single, "rates": rates})
+
+
+def peers(setting):
+    """Flow methods beside OpenCV's, and the loop that people script to find motion."""
+    report = output_of([setting.program("peers"), "flow"])
+    scenes = list(dict.fromkeys(row["scene"] for row in report))
+    cell = {(row["method"], row["scene"]): row for row in report}
+    rows = [[method, *[f"{1000 * median(cell[method, s]['seconds']):.1f} ms, {cell[method, s]['degrees']:.1f}°" for s in scenes]]
+            for method in dict.fromkeys(row["method"] for row in report)]
+    text = table(["method", *scenes], rows)
+    width, height = 768, 576
+    piped = ["bash", "-c", f"ffmpeg -v error -i {setting.clip} -vf scale={width}:{height} -f rawvideo -pix_fmt bgr24 - | "
+             f"{setting.program('peers')} motion {width} {height}"]
+    motion = in_turn({"FFmpeg, OpenCV's MOG2, opening, blobs": piped, "vvr render, all defaults": setting.render(setting.clip)},
+                     setting.runs)
+    theirs, ours = [median([r.seconds for r in of]) for of in motion.values()]
+    text += (f"\nA scan for motion as people script it, over `{pathlib.Path(setting.clip).name}` at its own size, and a picture "
+             "of "
+             "the same clip:\n\n" + table(["", "s", "ratio"], [[name, spread([r.seconds for r in of]),
+                                                               f"{median([r.seconds for r in of]) / theirs:.2f}"] for name, of in motion.items()]))
+    measured = ("The flow of a frame of 384×288 on one core (median time, and the mean angle between (u, v, 1) and the truth: "
+                "less is better), on generated scenes with the noise of a camera.")
+    meaning = (f"No method is the fastest and the most accurate in every scene; a picture of a clip takes {ours / theirs:.2f} "
+               "times as long as the usual scan for motion, which only says when something moved.")
+    return section("Beside OpenCV", measured, text, meaning), {
+        "flow": report, "motion": {name: [r.seconds for r in of] for name, of in motion.items()}}
