@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "gl/check.h"
+#include "gl/fence.h"
 #include "gl/flow_geometry.h"
 #include "gl/layout_shader.h"
 #include "shaders.h"
@@ -146,6 +148,8 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
 
     std::vector<double> borders = {bricks.front().t_begin};
     for (const PlacedBrick& brick : bricks) borders.push_back(brick.t_end);
+    Fence last;
+    Fence before_last;
     // Parallel rays come from infinitely far behind the eye.
     const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
     for (const int i : layout_->back_to_front(from, borders)) {
@@ -157,14 +161,15 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
         const double layers = static_cast<double>(brick.layers);
         const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
         program.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
-        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each; the next brick was cut
-        // while it drew the last one, so waiting costs nothing.
-        gl.Finish();
+        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of one
+        // brick wait while it draws another.
+        before_last.wait();
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                       mesh.indices.data(), GL_STREAM_DRAW);
         draw(brick, mesh);
+        before_last = std::exchange(last, Fence(gl));
     }
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the volume");
