@@ -161,8 +161,8 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
         const double layers = static_cast<double>(brick.layers);
         const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
         program.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
-        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of one
-        // brick wait while it draws another.
+        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
+        // one brick wait while it draws another.
         before_last.wait();
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/codec.h"
+#include "core/image/jpeg_encoder.h"
 #include "core/image/layer_channels.h"
 #include "core/image/png_encoder.h"
 #include "core/image/samples.h"
@@ -23,6 +24,7 @@ namespace vvr {
 namespace {
 
 constexpr std::string_view setting_prefix = "vvr:";
+constexpr const char* lines_attribute = "ImageDescription";
 
 struct Format;
 
@@ -37,6 +39,7 @@ struct Job {
 };
 
 std::vector<unsigned char> as_png(const Job& job);
+std::vector<unsigned char> as_jpeg(const Job& job);
 std::vector<unsigned char> by_library(const Job& job);
 
 /// One kind of picture file.
@@ -44,19 +47,18 @@ struct Format {
     std::string_view ending;
     std::vector<unsigned char> (*encode)(const Job& job);
     Stored stored;
-    std::string_view compression;
     bool alpha;     ///< holds transparency
     bool settings;  ///< holds attributes of any name; else the settings become lines of the description
     bool layers;    ///< holds further channels of floats
 };
 
 constexpr std::array formats{
-    Format{".png", as_png, Stored::uint8, "zip", true, true, false},
-    Format{".exr", by_library, Stored::half, "zip", true, true, true},
-    Format{".tif", by_library, Stored::uint16, "zip", true, false, false},
-    Format{".tiff", by_library, Stored::uint16, "zip", true, false, false},
-    Format{".jpg", by_library, Stored::uint8, "jpeg", false, false, false},
-    Format{".jpeg", by_library, Stored::uint8, "jpeg", false, false, false},
+    Format{".png", as_png, Stored::uint8, true, true, false},
+    Format{".exr", by_library, Stored::half, true, true, true},
+    Format{".tif", by_library, Stored::uint16, true, false, false},
+    Format{".tiff", by_library, Stored::uint16, true, false, false},
+    Format{".jpg", as_jpeg, Stored::uint8, false, false, false},
+    Format{".jpeg", as_jpeg, Stored::uint8, false, false, false},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -111,7 +113,7 @@ Metadata attributes_of(const Format& format, const Metadata& metadata) {
         if (format.settings) attributes.emplace_back(full_name, value);
         lines += fmt::format("{}={}\n", full_name, value);
     }
-    if (!format.settings && !lines.empty()) attributes.emplace_back("ImageDescription", lines);
+    if (!format.settings && !lines.empty()) attributes.emplace_back(lines_attribute, lines);
     return attributes;
 }
 
@@ -129,13 +131,11 @@ std::vector<unsigned char> by_library(const Job& job) {
     }
     file.values = values;
     const bool linear = job.picture.encoding == Encoding::linear && format.stored == Stored::half;
-    const bool jpeg = format.compression == "jpeg";
     file.attributes = attributes_of(format, job.metadata);
-    file.attributes.emplace_back("Compression",
-                                 jpeg ? fmt::format("jpeg:{}", job.jpeg_quality) : std::string(format.compression));
+    file.attributes.emplace_back("Compression", "zip");
     // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
     file.attributes.emplace_back("DateTime", "");
-    // TIFF and JPEG would need an Exif block to say it, and integers in them are taken for sRGB anyway.
+    // TIFF would need an Exif block to say it, and integers in it are taken for sRGB anyway.
     if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     return picture_codec().encode(file);
 }
@@ -145,7 +145,8 @@ std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + 0.5F);
 }
 
-std::vector<unsigned char> as_png(const Job& job) {
+/// The values of a format of integers, pixel by pixel.
+std::vector<std::uint8_t> bytes_of(const Job& job) {
     const auto pixels = job.picture.pixels.pixels();
     const auto channels = static_cast<std::size_t>(job.channels);
     const bool encode = job.picture.encoding == Encoding::linear;
@@ -160,10 +161,24 @@ std::vector<unsigned char> as_png(const Job& job) {
         }
         if (channels == 4) *out++ = byte_of(pixel[3]);
     }
+    return values;
+}
+
+std::vector<unsigned char> as_png(const Job& job) {
     return encode_png({.size = job.picture.pixels.size(),
                        .channels = job.channels,
-                       .values = values,
+                       .values = bytes_of(job),
                        .texts = attributes_of(job.format, job.metadata)});
+}
+
+std::vector<unsigned char> as_jpeg(const Job& job) {
+    // The only place for words that needs no Exif block.
+    std::string comment;
+    for (const auto& [name, value] : attributes_of(job.format, job.metadata)) {
+        if (name == lines_attribute) comment = value;
+    }
+    return encode_jpeg(
+        {.size = job.picture.pixels.size(), .values = bytes_of(job), .quality = job.jpeg_quality, .comment = comment});
 }
 
 }  // namespace
@@ -233,7 +248,7 @@ Metadata read_metadata(const std::filesystem::path& path) {
     std::istringstream description;
     for (const auto& [name, value] : picture_codec().attributes(path)) {
         if (name.starts_with(setting_prefix)) metadata.emplace_back(name.substr(setting_prefix.size()), value);
-        if (name == "ImageDescription") description.str(value);
+        if (name == lines_attribute) description.str(value);
     }
     for (std::string line; std::getline(description, line);) {
         const auto equals = line.find('=');
