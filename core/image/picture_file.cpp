@@ -78,15 +78,20 @@ float linear_to_srgb(float value) {
     return 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
 }
 
+/// A linear pixel in sRGB, its colours still multiplied by alpha.
+Rgba in_srgb(Rgba pixel) {
+    if (pixel[3] <= 0) return pixel;
+    for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel[3]) * pixel[3];
+    return pixel;
+}
+
 /// The colours' values as the file wants them, without alpha where `channels` is 3.
 std::vector<float> file_values(const Picture& picture, const Format& format, int channels) {
     const bool encode = picture.encoding == Encoding::linear && format.stored != Stored::half;
     std::vector<float> values;
     values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
     for (Rgba pixel : picture.pixels.pixels()) {
-        if (encode && pixel[3] > 0) {
-            for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel[3]) * pixel[3];
-        }
+        if (encode) pixel = in_srgb(pixel);
         values.insert(values.end(), pixel.begin(), pixel.begin() + channels);
     }
     return values;
@@ -145,20 +150,18 @@ std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + 0.5F);
 }
 
-/// The values of a format of integers, pixel by pixel.
+/// The 8-bit values of a file, pixel by pixel.
 std::vector<std::uint8_t> bytes_of(const Job& job) {
     const auto pixels = job.picture.pixels.pixels();
     const auto channels = static_cast<std::size_t>(job.channels);
     const bool encode = job.picture.encoding == Encoding::linear;
     std::vector<std::uint8_t> values(channels * pixels.size());
     std::uint8_t* out = values.data();
-    for (const Rgba& pixel : pixels) {
-        // A file's colours are not multiplied by alpha.
+    for (Rgba pixel : pixels) {
+        if (encode) pixel = in_srgb(pixel);
+        // Where a file holds alpha, its colours are not multiplied by it.
         const float over_alpha = channels == 4 && pixel[3] > 0 ? 1 / pixel[3] : 1;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float colour = over_alpha * pixel[c];
-            *out++ = byte_of(encode ? linear_to_srgb(colour) : colour);
-        }
+        for (std::size_t c = 0; c < 3; ++c) *out++ = byte_of(over_alpha * pixel[c]);
         if (channels == 4) *out++ = byte_of(pixel[3]);
     }
     return values;

@@ -15,7 +15,7 @@ class Decoder {
     /// More than one thread decodes an intact stream to the same frames as one thread does. What libav makes of a
     /// damaged one depends on which thread was the faster, so such a decoder stops at the first damage instead.
     ///
-    /// \param threads 0 = one for each core
+    /// \param threads 0 = one for each core, or one alone for small pictures
     /// \throws Error not_video when there is no decoder for the stream
     Decoder(Demuxer& demuxer, const std::string& name, int threads);
 

@@ -28,7 +28,7 @@ struct VideoInfo {
 struct SourceOptions {
     Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
     bool colour = false;    ///< fill Frame::colour as well
-    int threads = 0;        ///< decoder threads; 0 = one for each core
+    int threads = 0;        ///< decoder threads; 0 = one for each core, or one alone for small pictures
     double rate = 25;       ///< frames a second of what carries no times: image sequences, raw streams
 };
 
