@@ -27,7 +27,9 @@ Volume left_bag_volume(const std::string& filter, double scale) {
 double occupied_share(const Volume& volume) {
     std::int64_t lit = 0;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        lit += std::ranges::count_if(volume.layer(i).scalar.pixels(), [](std::uint8_t value) { return value > 0; });
+        volume.layer(i).scalar.each_run([&](int, int, std::span<const std::uint8_t> values) {
+            lit += std::ranges::count_if(values, [](std::uint8_t value) { return value > 0; });
+        });
     }
     const double voxels = 1.0 * volume.size().width * volume.size().height * static_cast<double>(volume.layers());
     return static_cast<double>(lit) / voxels;

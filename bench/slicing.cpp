@@ -45,12 +45,13 @@ constexpr std::string_view bare_vert = R"(
 layout(location = 0) in vec3 p;
 layout(location = 1) in float t_reference;
 uniform mat4 clip_from_p;
-uniform vec2 brick_from_t;
+uniform vec3 brick_scale;
+uniform vec3 brick_offset;
 out vec3 texel;
 void main() {
     gl_Position = clip_from_p * vec4(p, 1.0);
     vec3 c = c_from_local(local_from_p(p, t_reference), t_reference);
-    texel = vec3(c.xy, c.z * brick_from_t.x + brick_from_t.y);
+    texel = c * brick_scale + brick_offset;
 }
 )";
 constexpr std::string_view fetch_frag = R"(
@@ -78,11 +79,11 @@ struct Bricks {
             const BrickTexels texels = brick_texels(volume, brick);
             textures.upload(static_cast<std::int64_t>(cells.size()), texels);
             cells.push_back(brick_cells(texels, static_cast<double>(brick.count) / n, *layout));
+            placed.push_back({static_cast<std::int64_t>(placed.size()), brick.count,
+                              static_cast<double>(brick.first) / n,
+                              static_cast<double>(brick.first + brick.count) / n, texels.size, texels.box, nullptr});
         }
-        for (std::size_t i = 0; i < cut.size(); ++i) {
-            placed.push_back({static_cast<std::int64_t>(i), cut[i].count, static_cast<double>(cut[i].first) / n,
-                              static_cast<double>(cut[i].first + cut[i].count) / n, &cells[i]});
-        }
+        for (std::size_t i = 0; i < cut.size(); ++i) placed[i].cells = &cells[i];
     }
 
     std::vector<SliceMesh> cut_all() const {
@@ -117,15 +118,15 @@ class ReadyPolygons {
     void draw() const {
         GLint program = 0;
         gl_->GetIntegerv(GL_CURRENT_PROGRAM, &program);
-        const GLint brick_from_t = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_from_t");
+        const GLint scale = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_scale");
+        const GLint offset = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_offset");
         for (const int i : order_) {
             const Mesh& mesh = meshes_[static_cast<std::size_t>(i)];
             const PlacedBrick& brick = bricks_->placed[static_cast<std::size_t>(i)];
             bricks_->textures.bind(brick.number);
-            const double layers = static_cast<double>(brick.layers);
-            const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
-            gl_->Uniform2f(brick_from_t, static_cast<float>(scale),
-                           static_cast<float>(1 / (layers + 2) - brick.t_begin * scale));
+            const TextureMap map = texture_from_c(brick);
+            gl_->Uniform3fv(scale, 1, &map.scale.x);
+            gl_->Uniform3fv(offset, 1, &map.offset.x);
             gl_->BindVertexArray(mesh.array.id());
             gl_->DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
             // As the slicer does: Mesa's rasteriser would keep the triangles of all bricks, out of the caches.

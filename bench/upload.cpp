@@ -36,15 +36,15 @@ class BareTexture {
     BareTexture(const GladGLContext& gl, const BrickTexels& texels)
         : gl_(&gl), texels_(&texels), format_(texels.coloured.empty() ? GL_RED : GL_RGBA), texture_(gl) {
         gl.BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl.TexImage3D(GL_TEXTURE_3D, 0, texels.coloured.empty() ? GL_R8 : GL_RGBA8, texels.size.width,
-                      texels.size.height, static_cast<GLsizei>(texels.layers()), 0, format_, GL_UNSIGNED_BYTE, nullptr);
+        gl.TexImage3D(GL_TEXTURE_3D, 0, texels.coloured.empty() ? GL_R8 : GL_RGBA8, texels.box.width(),
+                      texels.box.height(), static_cast<GLsizei>(texels.layers()), 0, format_, GL_UNSIGNED_BYTE, nullptr);
         check_gl(gl, "making a texture of a brick's size");
     }
 
     void upload() const {
         gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl_->BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, texels_->size.width, texels_->size.height,
+        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, texels_->box.width(), texels_->box.height(),
                            static_cast<GLsizei>(texels_->layers()), format_, GL_UNSIGNED_BYTE,
                            bytes_of(*texels_).data());
     }
@@ -97,7 +97,7 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
     nlohmann::json row{{"bytes", copy.size()},
                        {"texels", copy.size() / (coloured ? 4 : 1)},
                        {"format", coloured ? "RGBA8" : "R8"},
-                       {"size", {size.width, size.height, texels.layers()}}};
+                       {"size", {texels.box.width(), texels.box.height(), texels.layers()}}};
     for (std::size_t i = 0; i < ways.size(); ++i) row["seconds"][ways[i].name] = seconds[i];
     return row;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace vvr {
 
 /// Part of a picture or a field: columns left to right - 1, rows top to bottom - 1.
@@ -25,5 +27,17 @@ struct PixelBox {
 
     friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
+
+/// The least box that holds both; an empty one adds nothing.
+inline PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
+/// What two boxes have in common; empty where they don't meet.
+inline PixelBox common(const PixelBox& a, const PixelBox& b) {
+    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
+}
 
 }  // namespace vvr

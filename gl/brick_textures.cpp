@@ -33,22 +33,23 @@ void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
     const GladGLContext& gl = *gl_;
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
-    const std::int64_t longest = std::max<std::int64_t>({texels.size.width, texels.size.height, texels.layers()});
+    const std::int64_t longest = std::max<std::int64_t>({texels.box.width(), texels.box.height(), texels.layers()});
     if (longest > largest) {
         throw Error(ErrorKind::limit,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
                                 "take a smaller --field-size or a shorter --brick",
-                                texels.size.width, texels.size.height, texels.brick.count, largest));
+                                texels.box.width(), texels.box.height(), texels.brick.count, largest));
     }
 
     Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const auto width = static_cast<GLsizei>(texels.size.width);
-    const auto height = static_cast<GLsizei>(texels.size.height);
+    const auto width = static_cast<GLsizei>(texels.box.width());
+    const auto height = static_cast<GLsizei>(texels.box.height());
     const auto depth = static_cast<GLsizei>(texels.layers());
     const bool coloured = !texels.coloured.empty();
     const bool fits =
-        slot.texture && slot.size == texels.size && slot.layers == texels.layers() && slot.coloured == coloured;
+        slot.texture && slot.box.width() == texels.box.width() && slot.box.height() == texels.box.height() &&
+        slot.layers == texels.layers() && slot.coloured == coloured;
     const Storage storage = storage_of(texels);
     if (fits) {
         gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
@@ -67,20 +68,24 @@ void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
     }
     check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, texels.brick.count));
     slot.number = number;
-    slot.size = texels.size;
+    slot.box = texels.box;
     slot.layers = texels.layers();
     slot.coloured = coloured;
 }
 
 void BrickTextures::upload_ends(std::int64_t number, const BrickTexels& texels) {
     const Slot& slot = slot_of(number);
+    if (slot.box != texels.box) {
+        upload(number, texels);
+        return;
+    }
     const Storage storage = storage_of(texels);
     const std::size_t layer_bytes =
-        storage.texel_bytes * static_cast<std::size_t>(slot.size.width) * static_cast<std::size_t>(slot.size.height);
+        storage.texel_bytes * static_cast<std::size_t>(slot.box.width()) * static_cast<std::size_t>(slot.box.height());
     gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
     for (const std::int64_t layer : {std::int64_t{0}, slot.layers - 1}) {
-        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(layer), slot.size.width, slot.size.height, 1,
+        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(layer), slot.box.width(), slot.box.height(), 1,
                            storage.format, GL_UNSIGNED_BYTE,
                            storage.texels + layer_bytes * static_cast<std::size_t>(layer));
     }

@@ -19,7 +19,7 @@ class BrickTextures {
     void upload(std::int64_t number, const BrickTexels& texels);
 
     /// Replaces the first and the last texel layer of a brick in the ring, which are its neighbours': they have
-    /// changed.
+    /// changed. If they hold something outside of the brick's box all of it is uploaded.
     void upload_ends(std::int64_t number, const BrickTexels& texels);
 
     /// Binds the texture that holds brick `number` to the texture unit in use.
@@ -29,7 +29,7 @@ class BrickTextures {
     struct Slot {
         GlTexture texture;
         std::int64_t number = -1;
-        Size size;
+        PixelBox box;  ///< of the layers' texels
         std::int64_t layers = 0;
         bool coloured = false;
     };

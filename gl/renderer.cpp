@@ -51,12 +51,14 @@ void Renderer::set_window(int ring, std::int64_t layers) {
 void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
     textures_.upload(number, texels);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, texels.brick.count, texels.size, brick_cells(texels, t_span(texels), *layout_)});
+    window_.push_back(
+        {number, texels.brick.count, texels.size, texels.box, brick_cells(texels, t_span(texels), *layout_)});
 }
 
 void Renderer::renew_ends(std::int64_t number, const BrickTexels& texels) {
     textures_.upload_ends(number, texels);
     const auto held = std::ranges::find(window_, number, &Held::number);
+    held->box = texels.box;
     held->cells = brick_cells(texels, t_span(texels), *layout_);
 }
 
@@ -71,7 +73,8 @@ std::vector<PlacedBrick> Renderer::place() const {
     for (const Held& brick : window_) {
         const double t_begin = static_cast<double>(before) / n;
         before += brick.layers;
-        placed.push_back({brick.number, brick.layers, t_begin, static_cast<double>(before) / n, &brick.cells});
+        placed.push_back({brick.number, brick.layers, t_begin, static_cast<double>(before) / n, brick.size, brick.box,
+                          &brick.cells});
     }
     return placed;
 }

@@ -101,7 +101,8 @@ class Renderer {
     struct Held {
         std::int64_t number = 0;
         std::int64_t layers = 0;
-        Size size;  ///< of its frames
+        Size size;  ///< of its layers
+        PixelBox box;
         BrickCells cells;
     };
 

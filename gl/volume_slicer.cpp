@@ -157,10 +157,9 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
         const SliceMesh mesh = cut_slices(bricks, static_cast<std::size_t>(i), *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
         textures.bind(brick.number);
-        // The texture has a layer more at each end than the brick.
-        const double layers = static_cast<double>(brick.layers);
-        const double scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
-        program.set("brick_from_t", glm::vec2(scale, 1 / (layers + 2) - brick.t_begin * scale));
+        const TextureMap map = texture_from_c(brick);
+        program.set("brick_scale", map.scale);
+        program.set("brick_offset", map.offset);
         // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
         // one brick wait while it draws another.
         before_last.wait();

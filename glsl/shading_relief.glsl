@@ -7,7 +7,7 @@ float scalar_at(vec3 at) { return scalar_of(texture(brick, texture_from_c(c_from
 // so that of two trails that cross one sees which is in front.
 vec3 shaded(vec3 colour) {
     // Three voxels: less would show the noise of the video.
-    float reach = 3.0 * layout_shape.z / float(textureSize(brick, 0).y);
+    float reach = 3.0 * layout_shape.z / (float(textureSize(brick, 0).y) * brick_scale.y);
     vec3 gradient = vec3(scalar_at(local + vec3(reach, 0.0, 0.0)) - scalar_at(local - vec3(reach, 0.0, 0.0)),
                          scalar_at(local + vec3(0.0, reach, 0.0)) - scalar_at(local - vec3(0.0, reach, 0.0)),
                          scalar_at(local + vec3(0.0, 0.0, reach)) - scalar_at(local - vec3(0.0, 0.0, reach)));

@@ -3,10 +3,11 @@ in float t_near;
 in vec3 ray;
 
 uniform sampler3D brick;
-uniform vec2 brick_from_t;   // texture coordinate of the brick from t_C: scale and offset
-uniform float spacing;       // of the slices
+uniform vec3 brick_scale;   // texture coordinates of the brick from C-space
+uniform vec3 brick_offset;
+uniform float spacing;      // of the slices
 
-vec3 texture_from_c(vec3 c) { return vec3(c.xy, c.z * brick_from_t.x + brick_from_t.y); }
+vec3 texture_from_c(vec3 c) { return c * brick_scale + brick_offset; }
 
 // Where in the texture the fragment lies; outside of the volume, where straight cells reach a little over, `inside` is 0.
 vec3 texture_position(out float inside) {

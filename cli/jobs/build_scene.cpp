@@ -111,7 +111,7 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& 
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        if (transfer.visible({0, std::ranges::max(volume.layer(i).scalar.pixels())})) return false;
+        if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
     }
     return true;
 }

@@ -48,20 +48,30 @@ Reach layers_reach(int i, int cells, const BrickTexels& texels) {
     return {std::max<std::int64_t>(low, 0), std::min(high, texels.layers() - 1)};
 }
 
+Reach common(Reach a, Reach b) {
+    return {std::max(a.first, b.first), std::min(a.last, b.last)};
+}
+
 /// The extremes over some layers of each texel of a strip of rows. Whole rows at a time: the compiler makes vectors of
-/// that, and it is as fast as the texels can be read.
+/// that, and it is as fast as the texels can be read. Outside of the texels' box all is 0.
 class Strip {
   public:
-    explicit Strip(int width) : width_(static_cast<std::size_t>(width)) {}
+    explicit Strip(const BrickTexels& texels)
+        : texels_(&texels),
+          box_columns_{texels.box.left, texels.box.right - 1},
+          box_rows_{texels.box.top, texels.box.bottom - 1},
+          width_(static_cast<std::size_t>(texels.box.width())) {}
 
-    void join(const BrickTexels& texels, Reach rows, Reach layers) {
-        rows_ = rows;
-        const auto first = static_cast<std::size_t>(rows.first) * width_;
-        const std::size_t count = static_cast<std::size_t>(rows.last - rows.first + 1) * width_;
+    void join(Reach rows, Reach layers) {
+        rows_ = common(rows, box_rows_);
+        whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;
+        if (rows_.first > rows_.last) return;
+        const auto first = static_cast<std::size_t>(rows_.first - box_rows_.first) * width_;
+        const std::size_t count = static_cast<std::size_t>(rows_.last - rows_.first + 1) * width_;
         low_.assign(count, 255);
         high_.assign(count, 0);
         for (std::int64_t layer = layers.first; layer <= layers.last; ++layer) {
-            const auto strip = texels.layer(layer).subspan(first, count);
+            const auto strip = texels_->layer(layer).subspan(first, count);
             for (std::size_t i = 0; i < count; ++i) {
                 low_[i] = std::min(low_[i], strip[i]);
                 high_[i] = std::max(high_[i], strip[i]);
@@ -70,8 +80,10 @@ class Strip {
     }
 
     ValueRange range(Reach columns) const {
+        const Reach held = common(columns, box_columns_);
         ValueRange range;
-        each(columns, [&](std::int64_t, std::int64_t, std::size_t at) {
+        if (!whole_rows_ || held.first != columns.first || held.last != columns.last) range = {0, 0};
+        each(held, [&](std::int64_t, std::int64_t, std::size_t at) {
             range.low = std::min(range.low, low_[at]);
             range.high = std::max(range.high, high_[at]);
         });
@@ -82,7 +94,7 @@ class Strip {
     std::array<Reach, 2> occupied(Reach columns) const {
         std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1},
                                       Reach{rows_.last + 1, rows_.first - 1}};
-        each(columns, [&](std::int64_t column, std::int64_t row, std::size_t at) {
+        each(common(columns, box_columns_), [&](std::int64_t column, std::int64_t row, std::size_t at) {
             if (high_[at] == 0) return;
             found[0] = {std::min(found[0].first, column), std::max(found[0].last, column)};
             found[1] = {std::min(found[1].first, row), std::max(found[1].last, row)};
@@ -96,13 +108,17 @@ class Strip {
         for (std::int64_t row = rows_.first; row <= rows_.last; ++row) {
             const std::size_t begin = static_cast<std::size_t>(row - rows_.first) * width_;
             for (std::int64_t column = columns.first; column <= columns.last; ++column) {
-                visit(column, row, begin + static_cast<std::size_t>(column));
+                visit(column, row, begin + static_cast<std::size_t>(column - box_columns_.first));
             }
         }
     }
 
+    const BrickTexels* texels_;
+    Reach box_columns_;
+    Reach box_rows_;
     std::size_t width_;
     Reach rows_{0, -1};
+    bool whole_rows_ = true;  ///< the box holds all of the rows that were asked for
     std::vector<std::uint8_t> low_;
     std::vector<std::uint8_t> high_;
 };
@@ -131,10 +147,10 @@ BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& l
     std::vector<Reach> columns;
     for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, texels.size.width, bend * texels.size.width));
 
-    Strip strip(texels.size.width);
+    Strip strip(texels);
     for (int t = 0; t < nt; ++t) {
         for (int j = 0; j < ny; ++j) {
-            strip.join(texels, reach(j, ny, texels.size.height, 0), layers_reach(t, nt, texels));
+            strip.join(reach(j, ny, texels.size.height, 0), layers_reach(t, nt, texels));
             const auto row = static_cast<std::size_t>(j);
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 cells.ranges.push_back(strip.range(columns[i]));
@@ -149,6 +165,16 @@ BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& l
         }
     }
     return cells;
+}
+
+TextureMap texture_from_c(const PlacedBrick& brick) {
+    const auto layers = static_cast<double>(brick.layers);
+    // The texture has a layer more at each end than the brick.
+    const double t_scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
+    const double width = brick.box.width();
+    const double height = brick.box.height();
+    return {{brick.size.width / width, brick.size.height / height, t_scale},
+            {-brick.box.left / width, -brick.box.top / height, 1 / (layers + 2) - brick.t_begin * t_scale}};
 }
 
 }  // namespace vvr

@@ -61,7 +61,18 @@ struct PlacedBrick {
     std::int64_t layers = 0;
     double t_begin = 0;  ///< t_C
     double t_end = 1;
+    Size size;     ///< of its layers
+    PixelBox box;  ///< of their texels those that its texture holds
     const BrickCells* cells = nullptr;
 };
+
+/// Texture coordinates from C-space: scale and offset.
+struct TextureMap {
+    glm::vec3 scale;
+    glm::vec3 offset;
+};
+
+/// Where a brick's texture lies.
+TextureMap texture_from_c(const PlacedBrick& brick);
 
 }  // namespace vvr

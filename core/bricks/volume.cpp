@@ -14,16 +14,54 @@ namespace vvr {
 namespace {
 
 /// Joins two layers' values; each voxel keeps the colour of the stronger one.
-void keep_stronger(Layer& kept, const Plane<std::uint8_t>& scalar, const Plane<Bgr>& colour) {
+void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour) {
     if (!colour.empty()) {
-        for (std::size_t i = 0; i < scalar.pixels().size(); ++i) {
-            if (scalar.pixels()[i] > kept.scalar.pixels()[i]) kept.colour.pixels()[i] = colour.pixels()[i];
-        }
+        scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
+            for (const std::uint8_t value : values) {
+                if (value > kept.scalar.at(column, row)) kept.colour.at(column, row) = colour.at(column, row);
+                ++column;
+            }
+        });
     }
-    // A plain loop over bytes, so that the compiler makes vectors of it.
-    std::uint8_t* const strongest = kept.scalar.pixels().data();
-    const std::uint8_t* const added = scalar.pixels().data();
-    for (std::size_t i = 0; i < scalar.pixels().size(); ++i) strongest[i] = std::max(strongest[i], added[i]);
+    kept.scalar.keep_greater(scalar);
+}
+
+/// The same part of a picture, its columns and rows counted from the other end.
+PixelBox against_image(const PixelBox& box, Size size) {
+    return {size.width - box.right, size.height - box.bottom, size.width - box.left, size.height - box.top};
+}
+
+std::size_t area_of(const PixelBox& box) {
+    return static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height());
+}
+
+/// Where any of the layers holds something and one pixel around it; the first pixel if none does.
+PixelBox occupied_box(std::span<const Layer* const> layers, Size size) {
+    PixelBox box;
+    for (const Layer* layer : layers) box = hull_of(box, layer->scalar.box());
+    if (box.empty()) return {0, 0, 1, 1};
+    return common(box.grown(1, 1), {0, 0, size.width, size.height});
+}
+
+/// Both axes of texels run against the image's.
+void lay_out(const SparsePlane& scalar, const PixelBox& box, std::span<std::uint8_t> texels) {
+    const Size size = scalar.size();
+    scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
+        const int x = size.width - column - static_cast<int>(values.size()) - box.left;
+        const int y = size.height - 1 - row - box.top;
+        std::ranges::reverse_copy(values, texels.begin() + y * box.width() + x);
+    });
+}
+
+void lay_out(const Plane<Bgr>& colour, std::span<const std::uint8_t> scalars, const PixelBox& box,
+             std::span<std::array<std::uint8_t, 4>> texels) {
+    auto into = texels.begin();
+    auto scalar = scalars.begin();
+    for (int y = box.top; y < box.bottom; ++y) {
+        const auto row = colour.row(colour.height() - 1 - y).subspan(
+            static_cast<std::size_t>(colour.width() - box.right), static_cast<std::size_t>(box.width()));
+        for (const Bgr& bgr : row | std::views::reverse) *into++ = {bgr[2], bgr[1], bgr[0], *scalar++};
+    }
 }
 
 void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
@@ -61,10 +99,10 @@ void Volume::add(Field field, const Plane<Bgr>& colour) {
     const LeftOut passed = frames_ > 0 && field.index != next_index_ ? LeftOut{last_pts_, field.pts} : LeftOut{};
     if (layers_.empty() || layers_.back().frames == step_) {
         layers_.push_back({field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed,
-                           std::move(field.scalar), colour});
+                           SparsePlane(field.scalar), colour});
     } else {
         Layer& layer = layers_.back();
-        keep_stronger(layer, field.scalar, colour);
+        keep_stronger(layer, SparsePlane(field.scalar), colour);
         layer.last_frame = field.index;
         layer.last_pts = field.pts;
         pass_over(layer, passed.length(), passed);
@@ -197,28 +235,25 @@ std::vector<Brick> cut_by_clock(const Volume& volume, double length, double cloc
 }
 
 std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {
-    const std::size_t area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t area = area_of(box);
     return std::span(texels).subspan(static_cast<std::size_t>(i) * area, area);
 }
 
 BrickTexels brick_texels(const Volume& volume, const Brick& brick) {
-    BrickTexels result{brick, volume.size(), {}, {}};
-    const std::size_t area =
-        static_cast<std::size_t>(volume.size().width) * static_cast<std::size_t>(volume.size().height);
-    result.texels.resize(area * static_cast<std::size_t>(result.layers()));
-    if (volume.coloured()) result.coloured.resize(result.texels.size());
+    BrickTexels result{brick, volume.size(), {}, {}, {}};
+    std::vector<const Layer*> layers;
     for (std::int64_t i = 0; i < result.layers(); ++i) {
-        const std::int64_t layer = std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1);
-        // Both axes run against the image's, so a layer is its pixels from the last to the first.
-        const auto at = static_cast<std::ptrdiff_t>(area * static_cast<std::size_t>(i));
-        const auto scalar = volume.layer(layer).scalar.pixels();
-        std::ranges::reverse_copy(scalar, result.texels.begin() + at);
+        layers.push_back(&volume.layer(std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1)));
+    }
+    result.box = against_image(occupied_box(layers, volume.size()), volume.size());
+    const std::size_t area = area_of(result.box);
+    result.texels.resize(area * layers.size());
+    if (volume.coloured()) result.coloured.resize(result.texels.size());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        lay_out(layers[i]->scalar, result.box, std::span(result.texels).subspan(i * area, area));
         if (!volume.coloured()) continue;
-        const auto coloured = [](const Bgr& bgr, std::uint8_t value) {
-            return std::array<std::uint8_t, 4>{bgr[2], bgr[1], bgr[0], value};
-        };
-        std::ranges::transform(volume.layer(layer).colour.pixels() | std::views::reverse, scalar | std::views::reverse,
-                               result.coloured.begin() + at, coloured);
+        lay_out(layers[i]->colour, std::span(result.texels).subspan(i * area, area), result.box,
+                std::span(result.coloured).subspan(i * area, area));
     }
     return result;
 }

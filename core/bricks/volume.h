@@ -9,7 +9,9 @@
 
 #include "core/bricks/brick.h"
 #include "core/bricks/flow_volume.h"
+#include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
+#include "core/pixel_box.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -32,7 +34,7 @@ struct Layer {
     std::int64_t missing = 0;  ///< of the frames, those that never came
     double left_out = 0;       ///< seconds of the clip that were passed over before frames of this layer
     LeftOut longest{};         ///< of them in one stretch
-    Plane<std::uint8_t> scalar;
+    SparsePlane scalar;
     Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
 };
 
@@ -140,10 +142,12 @@ class Volume {
 std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock);
 
 /// The texels of a brick: its layers with one more before and after (the neighbour's layer, or the brick's own end
-/// layer repeated where there is no neighbour), so that interpolation is continuous across bricks.
+/// layer repeated where there is no neighbour), so that interpolation is continuous across bricks. Of the layers only
+/// the box is there in which something isn't 0, with a border of 0 wherever it doesn't end where the layers do.
 struct BrickTexels {
     Brick brick;
-    Size size;
+    Size size;                                          ///< of the whole layers
+    PixelBox box;                                       ///< in texels: columns of x_C and rows of y_C; not empty
     std::vector<std::uint8_t> texels;                   ///< x_C fastest, then y_C, then time; (count + 2) layers
     std::vector<std::array<std::uint8_t, 4>> coloured;  ///< red, green, blue and the scalar; empty without colours
 

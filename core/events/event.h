@@ -16,9 +16,6 @@ struct Moment {
     double seconds = 0;
 };
 
-/// The smallest box that holds both; an empty one adds nothing.
-PixelBox hull_of(const PixelBox& a, const PixelBox& b);
-
 /// A time for which something kept its place.
 struct Stay {
     Moment first;

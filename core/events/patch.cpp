@@ -20,12 +20,6 @@ PixelBox box_of_objects(const Plane<std::uint8_t>& field, int reach) {
 
 }  // namespace
 
-PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
     Blobs blobs{Plane<int>(field.size()), {}};
     const PixelBox all = box_of_objects(field, reach);

@@ -17,12 +17,11 @@ FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour) {
     shadow.colour = colour;
     shadow.darkness = Plane<std::uint8_t>({volume.size().width, static_cast<int>(volume.layers())});
     for (int row = 0; row < shadow.darkness.height(); ++row) {
-        const Plane<std::uint8_t>& scalar = volume.layer(row).scalar;
         const auto into = shadow.darkness.row(row);
-        for (int j = 0; j < scalar.height(); ++j) {
-            const auto values = scalar.row(j);
-            for (std::size_t i = 0; i < into.size(); ++i) into[i] = std::max(into[i], values[i]);
-        }
+        volume.layer(row).scalar.each_run([&](int column, int, std::span<const std::uint8_t> values) {
+            const auto under = into.subspan(static_cast<std::size_t>(column), values.size());
+            std::ranges::transform(under, values, under.begin(), std::ranges::max);
+        });
         std::ranges::transform(into, into.begin(), [](std::uint8_t value) {
             return static_cast<std::uint8_t>(std::min<int>(value, strong) * 255 / strong);
         });

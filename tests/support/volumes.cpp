@@ -46,6 +46,14 @@ Volume wandering_balls(Size size, int layers) {
     return volume;
 }
 
+Plane<std::uint8_t> whole(const SparsePlane& sparse) {
+    Plane<std::uint8_t> plane(sparse.size());
+    for (int j = 0; j < plane.height(); ++j) {
+        for (int i = 0; i < plane.width(); ++i) plane.at(i, j) = sparse.at(i, j);
+    }
+    return plane;
+}
+
 Drawn draw_volume(const Volume& volume, Shot shot) {
     const auto layout = make_layout(shot.layout, shape_for(volume.size()));
     const auto context = open_context(shot.backend);

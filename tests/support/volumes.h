@@ -12,6 +12,9 @@ Volume full_volume(Size size, int layers);
 /// A few soft balls on winding paths, mostly empty, as difference volumes are.
 Volume wandering_balls(Size size, int layers);
 
+/// The same with all that isn't held.
+Plane<std::uint8_t> whole(const SparsePlane& sparse);
+
 /// What `render_volume` needs beyond its volume.
 struct Shot {
     std::string layout = "horseshoe";
