@@ -3,6 +3,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
 #include "core/fields/reference.h"
 
 namespace vvr {
@@ -66,19 +69,22 @@ template <class Pixel>
 void correct(Reference& reference, std::span<const Frame> frames, Plane<Pixel> Frame::*plane,
              const Plane<Pixel>& medians) {
     const FirstLasting<Pixel> lasting(frames, plane);
-    std::vector<const Frame*> shown;
-    std::vector<std::uint8_t> scratch;
-    for (std::size_t i = 0; i < medians.pixels().size(); ++i) {
-        if (lasting.is_sure(i, medians.pixels()[i])) continue;
-        lasting.find(i, shown);
-        if (shown.empty()) continue;
-        reference.grey.pixels()[i] = middle(scratch, shown, [i](const Frame& f) { return f.grey.pixels()[i]; });
-        if (reference.colour.empty()) continue;
-        for (std::size_t c = 0; c < 3; ++c) {
-            reference.colour.pixels()[i][c] =
-                middle(scratch, shown, [i, c](const Frame& f) { return f.colour.pixels()[i][c]; });
+    using oneapi::tbb::blocked_range;
+    oneapi::tbb::parallel_for(blocked_range<std::size_t>(0, medians.pixels().size()), [&](const auto& range) {
+        std::vector<const Frame*> shown;
+        std::vector<std::uint8_t> scratch;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (lasting.is_sure(i, medians.pixels()[i])) continue;
+            lasting.find(i, shown);
+            if (shown.empty()) continue;
+            reference.grey.pixels()[i] = middle(scratch, shown, [i](const Frame& f) { return f.grey.pixels()[i]; });
+            if (reference.colour.empty()) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                reference.colour.pixels()[i][c] =
+                    middle(scratch, shown, [i, c](const Frame& f) { return f.colour.pixels()[i][c]; });
+            }
         }
-    }
+    });
 }
 
 }  // namespace

@@ -41,16 +41,20 @@ struct Result {
     Field field;
 };
 
-/// Runs a pipeline on so many threads. More than there are cores is the caller's choice; oneTBB would grumble about
-/// it on stderr.
-void run(const oneapi::tbb::filter<void, void>& pipeline, int threads) {
+int threads_of(const FieldOptions& options) {
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return options.threads > 0 ? options.threads : cores;
+}
+
+/// Does what runs in parallel on so many threads. More than there are cores is the caller's choice; oneTBB would
+/// grumble about it on stderr.
+template <class Work>
+void on_threads(int threads, const Work& work) {
     using oneapi::tbb::global_control;
     const std::size_t allowed = global_control::active_value(global_control::max_allowed_parallelism);
     const global_control control(global_control::max_allowed_parallelism,
                                  std::max(static_cast<std::size_t>(threads), allowed));
-    // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
-    oneapi::tbb::task_arena(threads).execute(
-        [&] { oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads), pipeline); });
+    oneapi::tbb::task_arena(threads).execute(work);
 }
 
 std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& options, const FieldSink& sink) {
@@ -86,8 +90,12 @@ std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& o
                                                                         ++frames;
                                                                         sink(result->frame, std::move(result->field));
                                                                     });
-    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    run(source & begin & gather & finish & deliver, options.threads > 0 ? options.threads : cores);
+    const int threads = threads_of(options);
+    // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
+    on_threads(threads, [&] {
+        oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
+                                       source & begin & gather & finish & deliver);
+    });
     return frames;
 }
 
@@ -104,9 +112,10 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
     validate(options);
     EmptyScene scene{.reference = {}, .region = make_region(options, source.field_size(), source.info().size)};
-    if (needs_reference(options)) scene.reference = make_reference(source, options);
-
     const OneThreadInOpenCv one_thread;
+    if (needs_reference(options)) {
+        on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
+    }
     FieldOptions resolved = options;
     resolved.flow.area = resolved_area(options.flow.area, source.info().frames);
     FrameWork work(scene, resolved);

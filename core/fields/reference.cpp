@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <memory>
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.h"
@@ -50,11 +52,11 @@ const std::uint8_t* first_byte(std::span<const Bgr> row) {
 template <class Pixel>
 Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
     Plane<Pixel> result((frames.front().*plane).size());
-    std::vector<const std::uint8_t*> rows(frames.size());
-    for (int j = 0; j < result.height(); ++j) {
+    oneapi::tbb::parallel_for(0, result.height(), [&](int j) {
+        std::vector<const std::uint8_t*> rows(frames.size());
         std::ranges::transform(frames, rows.begin(), [&](const Frame& f) { return first_byte((f.*plane).row(j)); });
         median_row(rows, bytes(result.row(j)));
-    }
+    });
     return result;
 }
 
@@ -65,12 +67,12 @@ constexpr int frames_for_median = 31;
 std::vector<Frame> in_one_light(std::vector<Frame> frames, const IlluminationRow& illumination) {
     if (!illumination.compensates || frames.empty()) return frames;
     const Planes first{frames.front().grey, frames.front().colour};
-    for (Frame& frame : frames) {
+    oneapi::tbb::parallel_for_each(frames, [&](Frame& frame) {
         Planes picture{std::move(frame.grey), std::move(frame.colour)};
         picture = in_light(picture, light_between(picture, first));
         frame.grey = std::move(picture.grey);
         frame.colour = std::move(picture.colour);
-    }
+    });
     return frames;
 }
 
