@@ -271,7 +271,8 @@ class Ways {
         blending_.set("value", 1.0F / 512);
         gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         std::int64_t sum = 0;
-        const Plane<glm::vec4> picture = framebuffer_.read(picture_);
+        Plane<glm::vec4> picture(picture_);
+        framebuffer_.read({0, 0, picture_}, picture);
         for (const glm::vec4& pixel : picture.pixels()) sum += std::llround(pixel.x);
         return sum;
     }

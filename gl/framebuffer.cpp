@@ -55,8 +55,9 @@ void Framebuffer::bind(Size size) const {
     gl_->Viewport(0, 0, size.width, size.height);
 }
 
-Plane<glm::vec4> Framebuffer::read(Size size) const {
+void Framebuffer::read(const Tile& tile, Plane<glm::vec4>& picture) const {
     const GladGLContext& gl = *gl_;
+    const Size size = tile.size;
     if (samples_ > 1) {
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer.id());
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer.id());
@@ -66,18 +67,20 @@ Plane<glm::vec4> Framebuffer::read(Size size) const {
     } else {
         gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
     }
-    return read_pixels(gl, size);
+    read_pixels(gl, tile, picture);
 }
 
-Plane<glm::vec4> read_pixels(const GladGLContext& gl, Size size) {
-    Plane<glm::vec4> picture(size);
+void read_pixels(const GladGLContext& gl, const Tile& tile, Plane<glm::vec4>& picture) {
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl.ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, picture.pixels().data());
+    gl.PixelStorei(GL_PACK_ROW_LENGTH, picture.width());
+    gl.ReadPixels(0, 0, tile.size.width, tile.size.height, GL_RGBA, GL_FLOAT, &picture.at(tile.column, tile.row));
+    gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
     check_gl(gl, "reading the picture back");
-    for (int j = 0; j < size.height / 2; ++j) {
-        std::ranges::swap_ranges(picture.row(j), picture.row(size.height - 1 - j));
-    }
-    return picture;
+    const auto row = [&](int j) {
+        return picture.row(tile.row + j)
+            .subspan(static_cast<std::size_t>(tile.column), static_cast<std::size_t>(tile.size.width));
+    };
+    for (int j = 0; j < tile.size.height / 2; ++j) std::ranges::swap_ranges(row(j), row(tile.size.height - 1 - j));
 }
 
 }  // namespace vvr

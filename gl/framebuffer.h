@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "core/plane.h"
+#include "core/space/camera.h"
 #include "gl/objects.h"
 
 namespace vvr {
@@ -10,8 +11,8 @@ namespace vvr {
 /// \throws Error limit when the driver has no framebuffers with so many samples a pixel
 void check_samples(const GladGLContext& gl, int samples);
 
-/// The lower left `size` of the bound framebuffer, top row first.
-Plane<glm::vec4> read_pixels(const GladGLContext& gl, Size size);
+/// Puts the lower left of the bound framebuffer into a tile of a picture, top row first.
+void read_pixels(const GladGLContext& gl, const Tile& tile, Plane<glm::vec4>& picture);
 
 /// Where a picture is drawn: colour and depth. The colour is in floats: hundreds of faint slices add up in it, and in
 /// half floats each would be rounded down, a tenth of the picture by the end. It costs the software rasteriser no time.
@@ -24,8 +25,8 @@ class Framebuffer {
     /// Draws from now on into the lower left `size` of it.
     void bind(Size size) const;
 
-    /// Its lower left `size` as premultiplied RGBA, top row first.
-    Plane<glm::vec4> read(Size size) const;
+    /// Puts its lower left, premultiplied RGBA, into a tile of a picture, top row first.
+    void read(const Tile& tile, Plane<glm::vec4>& picture) const;
 
   private:
     struct Target {

@@ -93,13 +93,10 @@ SliceStack Renderer::slices(const Camera& camera) const {
 
 Plane<glm::vec4> Renderer::draw(double phase) {
     const SliceStack stack = slices(camera_);
-    Plane<glm::vec4> picture(options_.size);
+    auto picture = Plane<glm::vec4>::for_overwrite(options_.size);
     for (const Tile& tile : tiles_) {
         draw_tile(stack, phase, tile);
-        const Plane<glm::vec4> drawn = framebuffer_.read(tile.size);
-        for (int j = 0; j < tile.size.height; ++j) {
-            std::ranges::copy(drawn.row(j), picture.row(tile.row + j).begin() + tile.column);
-        }
+        framebuffer_.read(tile, picture);
     }
     return picture;
 }
@@ -154,7 +151,8 @@ void Renderer::draw_unread(double phase) {
 void Renderer::rehearse() {
     const Tile corner{.size = {std::min(16, options_.size.width), std::min(16, options_.size.height)}};
     draw_tile(slices(camera_), 0, corner);
-    framebuffer_.read(corner.size);
+    Plane<glm::vec4> unseen(corner.size);
+    framebuffer_.read(corner, unseen);
 }
 
 void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile) {

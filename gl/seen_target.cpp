@@ -64,7 +64,9 @@ void SeenTarget::draw_over(const Program& program, const std::function<void()>& 
 
 Plane<glm::vec4> SeenTarget::read(Size size) const {
     gl_->BindFramebuffer(GL_FRAMEBUFFER, states_[0].framebuffer.id());
-    return read_pixels(*gl_, size);
+    auto seen = Plane<glm::vec4>::for_overwrite(size);
+    read_pixels(*gl_, {0, 0, size}, seen);
+    return seen;
 }
 
 }  // namespace vvr

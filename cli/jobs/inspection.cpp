@@ -42,12 +42,6 @@ struct Panel {
     glm::dvec2 at(double x, double y) const { return {left + (x + 0.5) * scale - 0.5, gap + (y + 0.5) * scale - 0.5}; }
 };
 
-Rgba mix(const Rgba& a, const Rgba& b, float share) {
-    Rgba mixed{};
-    for (std::size_t c = 0; c < 4; ++c) mixed[c] = a[c] + share * (b[c] - a[c]);
-    return mixed;
-}
-
 Rgba colour_of(const Bgr& pixel) {
     return {static_cast<float>(pixel[2]) / 255, static_cast<float>(pixel[1]) / 255, static_cast<float>(pixel[0]) / 255,
             1};
@@ -78,8 +72,8 @@ void fill(Picture& picture, const Panel& panel, Size field, Shade shade) {
             const int right = std::min(left + 1, field.width - 1);
             const auto across = static_cast<float>(x - left);
             picture.pixels.at(panel.left + i, gap + j) =
-                mix(mix(shades.at(left, top), shades.at(right, top), across),
-                    mix(shades.at(left, below), shades.at(right, below), across), static_cast<float>(y - top));
+                glm::mix(glm::mix(shades.at(left, top), shades.at(right, top), across),
+                    glm::mix(shades.at(left, below), shades.at(right, below), across), static_cast<float>(y - top));
         }
     }
 }
@@ -134,7 +128,7 @@ Inspection inspect(const Frame& frame, const Field& field) {
     fill(result.picture, panels[0], size, [&](int i, int j) {
         const float strength = static_cast<float>(field.scalar.at(i, j)) / 255;
         if (strength <= 0) return dimmed(frame.colour.at(i, j));
-        return mix(colour_of(frame.colour.at(i, j)), orange, 0.25F + 0.45F * strength);
+        return glm::mix(colour_of(frame.colour.at(i, j)), orange, 0.25F + 0.45F * strength);
     });
     for (const std::size_t k : {1U, 2U}) {
         fill(result.picture, panels[k], size, [&](int i, int j) { return dimmed(frame.colour.at(i, j)); });

@@ -18,9 +18,7 @@ Rgba colour_of(float strength) {
     const float place = std::clamp(strength, 0.0F, 1.0F) * (scale.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), scale.size() - 2);
     const float share = place - static_cast<float>(below);
-    Rgba colour{};
-    for (std::size_t c = 0; c < 4; ++c) colour[c] = scale[below][c] + share * (scale[below + 1][c] - scale[below][c]);
-    return colour;
+    return glm::mix(scale[below], scale[below + 1], share);
 }
 
 float grey_of(std::span<const float> values) {

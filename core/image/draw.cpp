@@ -23,7 +23,7 @@ void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, d
             const double cover = std::clamp(width / 2 + 0.5 - glm::distance(point, from + at * along), 0.0, 1.0);
             Rgba& pixel = pixels.at(i, j);
             const auto over = static_cast<float>(cover);
-            for (std::size_t c = 0; c < 4; ++c) pixel[c] += over * (colour[c] - pixel[c] * colour[3]);
+            pixel += over * (colour - pixel * colour.a);
         }
     }
 }

@@ -173,10 +173,10 @@ struct FilmEncoder::Parts {
     static Plane<Bgr> bytes_of(const Picture& picture) {
         Plane<Bgr> bytes(picture.pixels.size());
         std::ranges::transform(picture.pixels.pixels(), bytes.pixels().begin(), [](const Rgba& pixel) {
-            const auto byte = [&](std::size_t c) {
-                return static_cast<std::uint8_t>(255 * std::clamp(pixel[c], 0.0F, 1.0F) + 0.5F);
+            const auto byte = [](float value) {
+                return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
             };
-            return Bgr{byte(2), byte(1), byte(0)};
+            return Bgr{byte(pixel.b), byte(pixel.g), byte(pixel.r)};
         });
         return bytes;
     }

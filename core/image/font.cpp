@@ -42,7 +42,7 @@ void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane
         for (int i = std::max(0, -left); i < std::min(columns, pixels.width() - left); ++i) {
             const float share = static_cast<float>(cover[i]) / 255;
             Rgba& pixel = pixels.at(left + i, top + j);
-            for (std::size_t c = 0; c < 4; ++c) pixel[c] = share * colour[c] + (1 - share * colour[3]) * pixel[c];
+            pixel = share * colour + (1 - share * colour.a) * pixel;
         }
     }
 }

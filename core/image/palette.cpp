@@ -17,9 +17,13 @@ int level(float value) {
     return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
 }
 
+std::array<int, 3> levels(const Rgba& pixel) {
+    return {level(pixel.r), level(pixel.g), level(pixel.b)};
+}
+
 std::size_t bin_of(const Rgba& pixel) {
     std::size_t bin = 0;
-    for (std::size_t c = 0; c < 3; ++c) bin = (bin << bits) | static_cast<std::size_t>(level(pixel[c]) >> (8 - bits));
+    for (const int of : levels(pixel)) bin = (bin << bits) | static_cast<std::size_t>(of >> (8 - bits));
     return bin;
 }
 
@@ -32,7 +36,7 @@ std::vector<Entry> histogram(const Picture& picture) {
     std::vector<Entry> bins(std::size_t{1} << (3 * bits));
     for (const Rgba& pixel : picture.pixels.pixels()) {
         Entry& bin = bins[bin_of(pixel)];
-        for (std::size_t c = 0; c < 3; ++c) bin.colour[c] += level(pixel[c]);
+        for (std::size_t c = 0; c < 3; ++c) bin.colour[c] += levels(pixel)[c];
         ++bin.pixels;
     }
     std::erase_if(bins, [](const Entry& bin) { return bin.pixels == 0; });
@@ -101,7 +105,7 @@ std::uint8_t Palette::nearest(const Rgba& pixel) {
         for (std::size_t i = 0; i < colours_.size(); ++i) {
             int away = 0;
             for (std::size_t c = 0; c < 3; ++c) {
-                const int step = colours_[i][c] - level(pixel[c]);
+                const int step = colours_[i][c] - levels(pixel)[c];
                 away += step * step;
             }
             if (away < least) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +11,7 @@
 namespace vvr {
 
 /// Red, green, blue, alpha, 0..1, colours multiplied by alpha.
-using Rgba = std::array<float, 4>;
+using Rgba = glm::vec4;
 
 /// How the values of a picture relate to light.
 enum class Encoding {
@@ -38,7 +37,7 @@ struct Picture {
 };
 
 /// A drawn picture as it goes to a file, its values as a display wants them.
-Picture to_picture(const Plane<glm::vec4>& drawn);
+Picture to_picture(Plane<Rgba> drawn);
 
 /// Settings that stand in a picture file: name and value, in the order given. Names carry no prefix here,
 /// `vvr:` in the file.

@@ -80,8 +80,8 @@ float linear_to_srgb(float value) {
 
 /// A linear pixel in sRGB, its colours still multiplied by alpha.
 Rgba in_srgb(Rgba pixel) {
-    if (pixel[3] <= 0) return pixel;
-    for (std::size_t c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel[3]) * pixel[3];
+    if (pixel.a <= 0) return pixel;
+    for (int c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel.a) * pixel.a;
     return pixel;
 }
 
@@ -92,7 +92,7 @@ std::vector<float> file_values(const Picture& picture, const Format& format, int
     values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
     for (Rgba pixel : picture.pixels.pixels()) {
         if (encode) pixel = in_srgb(pixel);
-        values.insert(values.end(), pixel.begin(), pixel.begin() + channels);
+        for (int c = 0; c < channels; ++c) values.push_back(pixel[c]);
     }
     return values;
 }
@@ -160,9 +160,9 @@ std::vector<std::uint8_t> bytes_of(const Job& job) {
     for (Rgba pixel : pixels) {
         if (encode) pixel = in_srgb(pixel);
         // Where a file holds alpha, its colours are not multiplied by it.
-        const float over_alpha = channels == 4 && pixel[3] > 0 ? 1 / pixel[3] : 1;
-        for (std::size_t c = 0; c < 3; ++c) *out++ = byte_of(over_alpha * pixel[c]);
-        if (channels == 4) *out++ = byte_of(pixel[3]);
+        const float over_alpha = channels == 4 && pixel.a > 0 ? 1 / pixel.a : 1;
+        for (int c = 0; c < 3; ++c) *out++ = byte_of(over_alpha * pixel[c]);
+        if (channels == 4) *out++ = byte_of(pixel.a);
     }
     return values;
 }

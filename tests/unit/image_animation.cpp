@@ -135,8 +135,10 @@ TEST(Palette, IsNearToManyColours) {
     double worst = 0;
     for (const Rgba& pixel : picture.pixels.pixels()) {
         const Palette::Colour& colour = palette.colours()[palette.nearest(pixel)];
-        for (std::size_t c = 0; c < 3; ++c)
-            worst = std::max(worst, std::abs(colour[c] - 255.0 * static_cast<double>(pixel[c])));
+        for (int c = 0; c < 3; ++c) {
+            const int level = colour[static_cast<std::size_t>(c)];
+            worst = std::max(worst, std::abs(level - 255.0 * static_cast<double>(pixel[c])));
+        }
     }
     EXPECT_LT(worst, 24) << "256 colours over a square of 256 by 256: 16 apart";
 }

@@ -78,7 +78,7 @@ float apart(const Picture& a, const Picture& b) {
     if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<float>::infinity();
     float most = 0;
     for (std::size_t i = 0; i < a.pixels.pixels().size(); ++i) {
-        for (std::size_t c = 0; c < 4; ++c) {
+        for (int c = 0; c < 4; ++c) {
             most = std::max(most, std::abs(a.pixels.pixels()[i][c] - b.pixels.pixels()[i][c]));
         }
     }
