@@ -5,26 +5,12 @@
 #include <vector>
 
 #include "gl/check.h"
+#include "gl/smooth_texture.h"
 #include "shaders.h"
 
 namespace vvr {
 
 namespace {
-
-/// A texture of bytes, bound, that is smooth however small it is seen.
-GlTexture upload_texture(const GladGLContext& gl, Size size, GLint internal, GLenum format, const void* bytes) {
-    GlTexture texture(gl);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, texture.id());
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, internal, size.width, size.height, 0, format, GL_UNSIGNED_BYTE, bytes);
-    gl.GenerateMipmap(GL_TEXTURE_2D);
-    return texture;
-}
 
 void blend_over(const GladGLContext& gl, bool writes_depth) {
     gl.Enable(GL_DEPTH_TEST);
@@ -70,6 +56,12 @@ Annotations::Annotations(const GladGLContext& gl)
                            reinterpret_cast<const void*>(offsetof(PictureVertex, at)));
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the annotations");
+}
+
+void Annotations::upload(const FloorShadow& floor, std::span<const StandingFrame> frames) {
+    floor_texture_ = floor.darkness.empty() ? GlTexture() : smooth_texture(*gl_, floor.darkness);
+    frame_textures_.clear();
+    for (const StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
 }
 
 void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture) {
@@ -119,19 +111,22 @@ void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layo
     check_gl(*gl_, "drawing a standing frame's layers");
 }
 
-void Annotations::draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera) {
+void Annotations::draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera) {
     const GladGLContext& gl = *gl_;
-    const GlTexture texture = upload_texture(gl, frame.picture.size(), GL_RGB8, GL_BGR, frame.picture.pixels().data());
-
     picture_program_.use();
     picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     picture_program_.set("picture", 0);
-    picture_program_.set("opacity", frame.opacity);
-    blend_over(gl, frame.opacity >= 1);
-    upload_frame(frame, layout);
-    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl.ActiveTexture(GL_TEXTURE0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const StandingFrame& frame = frames[i];
+        picture_program_.set("opacity", frame.opacity);
+        gl.BindTexture(GL_TEXTURE_2D, frame_textures_[i].id());
+        blend_over(gl, frame.opacity >= 1);
+        upload_frame(frame, layout);
+        gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
     gl.BindVertexArray(0);
-    check_gl(gl, "drawing a standing frame");
+    check_gl(gl, "drawing standing frames");
 }
 
 void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera) {
@@ -139,7 +134,6 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     constexpr int steps = 128;
     const GladGLContext& gl = *gl_;
     if (!floor_program_) floor_program_ = Program(gl, "the floor", {shaders::picture_vert}, {shaders::floor_frag});
-    const GlTexture texture = upload_texture(gl, floor.darkness.size(), GL_R8, GL_RED, floor.darkness.pixels().data());
     std::vector<PictureVertex> vertices;
     for (int i = 0; i <= steps; ++i) {
         const double along = static_cast<double>(i) / steps;
@@ -151,6 +145,8 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     floor_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
     floor_program_->set("darkness", 0);
     floor_program_->set("shadow", floor.colour);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, floor_texture_.id());
     blend_over(gl, false);
     upload_vertices(vertices);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(vertices.size()));

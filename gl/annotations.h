@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/scene/scene.h"
 #include "core/space/camera.h"
@@ -15,17 +16,21 @@ class Annotations {
   public:
     explicit Annotations(const GladGLContext& gl);
 
+    /// Takes the pictures that are drawn from now on.
+    void upload(const FloorShadow& floor, std::span<const StandingFrame> frames);
+
     /// Lines of `width` pixels of a picture of size `picture`.
     void draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture);
 
-    /// A frame standing at its time; opaque ones write depth.
-    void draw_frame(const StandingFrame& frame, const Layout& layout, const Camera& camera);
+    /// Frames standing at their times; opaque ones write depth.
+    /// \param frames those that were uploaded
+    void draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera);
 
-    /// The same into a target of what is seen.
+    /// One of them into a target of what is seen.
     void draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
                          const SeenTarget& target);
 
-    /// The shadow on the volume's floor.
+    /// The shadow on the volume's floor, the one that was uploaded.
     void draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera);
 
   private:
@@ -45,6 +50,8 @@ class Annotations {
     Program picture_program_;
     std::optional<Program> floor_program_;  ///< made when it is first asked for
     std::optional<Program> seen_program_;   ///< the same
+    GlTexture floor_texture_;
+    std::vector<GlTexture> frame_textures_;
     GlVertexArray picture_array_;
     GlBuffer picture_vertices_;
 };

@@ -83,6 +83,7 @@ void Renderer::set_scene(Scene scene) {
     scene_ = std::move(scene);
     flow_geometry_.upload(scene_.arrows);
     traceline_strips_.upload(scene_.tracelines);
+    annotations_.upload(scene_.floor, scene_.frames);
 }
 
 SliceStack Renderer::slices(const Camera& camera) const {
@@ -169,7 +170,7 @@ void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile
     flow_geometry_.draw(camera, options_.glyphs);
     traceline_strips_.draw(camera, tile.size, options_.traces, options_.glyphs, phase);
     slicer_.draw(place(), textures_, camera, stack);
-    for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame(frame, *layout_, camera);
+    annotations_.draw_frames(scene_.frames, *layout_, camera);
     check_gl(gl, "drawing the picture");
 }
 

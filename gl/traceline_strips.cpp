@@ -5,6 +5,7 @@
 
 #include "core/scene/zebra.h"
 #include "gl/check.h"
+#include "gl/smooth_texture.h"
 #include "shaders.h"
 
 namespace vvr {
@@ -12,20 +13,10 @@ namespace vvr {
 TracelineStrips::TracelineStrips(const GladGLContext& gl)
     : gl_(&gl),
       program_(gl, "the tracelines", {shaders::trace_vert}, {shaders::trace_frag}),
-      zebra_(gl),
+      zebra_(smooth_repeating_texture(gl, zebra_texels())),
       vertex_array_(gl),
       corners_(gl),
       points_(gl) {
-    const auto texels = zebra_texels();
-    gl.BindTexture(GL_TEXTURE_1D, zebra_.id());
-    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage1D(GL_TEXTURE_1D, 0, GL_R8, static_cast<GLsizei>(texels.size()), 0, GL_RED, GL_UNSIGNED_BYTE,
-                  texels.data());
-    gl.GenerateMipmap(GL_TEXTURE_1D);
-
     gl.BindVertexArray(vertex_array_.id());
     constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());

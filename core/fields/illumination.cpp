@@ -10,7 +10,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/fields/cv_view.h"
+#include "core/cv_view.h"
 
 namespace vvr {
 namespace {

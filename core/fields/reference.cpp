@@ -11,9 +11,9 @@
 #include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/cv_view.h"
 #include "core/error.h"
 #include "core/fields/choice.h"
-#include "core/fields/cv_view.h"
 #include "core/video/scaler.h"
 
 namespace vvr {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/cv_view.h"
 #include "core/error.h"
-#include "core/fields/cv_view.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 

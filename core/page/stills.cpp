@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/fields/cv_view.h"
+#include "core/cv_view.h"
 
 namespace vvr {
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+
+#include "core/plane.h"
 
 namespace vvr {
 
 /// One period of the texture that moves along tracelines (§6.2.1), from dark (0) to bright (255): a dark stripe and
-/// a bright one of the same length with soft borders.
-std::array<std::uint8_t, 64> zebra_texels();
+/// a bright one of the same length with soft borders. A single row.
+Plane<std::uint8_t> zebra_texels();
 
 }  // namespace vvr

@@ -161,15 +161,15 @@ TEST(Tracelines, LeaveOutLinesWithoutLength) {
 }
 
 TEST(Zebra, IsHalfDarkAndHalfBright) {
-    const auto texels = zebra_texels();
+    const Plane<std::uint8_t> texels = zebra_texels();
     int dark = 0;
     int bright = 0;
-    for (const std::uint8_t texel : texels) {
+    for (const std::uint8_t texel : texels.pixels()) {
         dark += texel < 128 ? 1 : 0;
         bright += texel == 255 ? 1 : 0;
     }
-    EXPECT_EQ(dark, static_cast<int>(texels.size()) / 2);
-    EXPECT_GT(bright, static_cast<int>(texels.size()) / 4);
+    EXPECT_EQ(dark, texels.width() / 2);
+    EXPECT_GT(bright, texels.width() / 4);
 }
 
 }  // namespace
