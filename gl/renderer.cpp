@@ -13,7 +13,7 @@ namespace vvr {
 namespace {
 
 // A tile of so many samples takes 20 bytes a sample: the framebuffer's memory doesn't grow with the picture.
-constexpr std::int64_t tile_samples = 1536 * 1024;
+constexpr std::int64_t tile_samples = 2048 * 1024;
 
 // A pixel that lets more than this of what is behind it through shows nothing.
 constexpr float least_opacity = 1.0F / 255;
