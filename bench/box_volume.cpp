@@ -54,9 +54,11 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
 
     std::vector<std::byte> raw;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        const BrickTexels texels = brick_texels(volume, {i, 1});
-        const auto layer = std::as_bytes(texels.layer(1));
-        raw.insert(raw.end(), layer.begin(), layer.end());
+        // Against the image in both axes: from the last pixel to the first.
+        for (int j = volume.size().height - 1; j >= 0; --j) {
+            for (int k = volume.size().width - 1; k >= 0; --k)
+                raw.push_back(std::byte{volume.layer(i).scalar.at(k, j)});
+        }
     }
     replace_file(folder / "volume.raw", raw);
 

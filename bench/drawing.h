@@ -12,27 +12,23 @@
 
 namespace vvr::bench {
 
-/// What becomes of a brick's texels when they are in their texture: `vvr render` drops them; kept ones can enter again.
-enum class Texels { kept, dropped };
-
 /// A renderer with the whole of a volume in it, one sample a pixel, as the paper drew.
 class Drawing {
   public:
-    Drawing(const Context& context, const Volume& volume, const std::string& layout, int bricks, RenderOptions options,
-            Texels texels = Texels::kept)
+    /// \param volume outlives this
+    Drawing(const Context& context, const Volume& volume, const std::string& layout, int bricks, RenderOptions options)
         : layout_(make_layout(layout, shape_for(volume.size()))),
           renderer_(context, *layout_, complete(options, volume, bricks)) {
         renderer_.set_transfer(default_transfer_function());
         for (const Brick& brick : cut_into(volume.layers(), bricks)) {
-            BrickTexels made = brick_texels(volume, brick);
-            renderer_.push_brick(next_++, made);
-            if (texels == Texels::kept) texels_.push_back(std::move(made));
+            bricks_.emplace_back(volume, brick);
+            renderer_.push_brick(next_++, bricks_.back());
         }
     }
 
-    /// The next brick enters, the oldest leaves; after the last comes the first again. For kept texels.
+    /// The next brick enters, the oldest leaves; after the last comes the first again.
     void push() {
-        renderer_.push_brick(next_, texels_[static_cast<std::size_t>(next_) % texels_.size()]);
+        renderer_.push_brick(next_, bricks_[static_cast<std::size_t>(next_) % bricks_.size()]);
         ++next_;
     }
 
@@ -49,7 +45,7 @@ class Drawing {
 
     std::unique_ptr<Layout> layout_;
     Renderer renderer_;
-    std::vector<BrickTexels> texels_;
+    std::vector<BrickLayers> bricks_;
     std::int64_t next_ = 0;
 };
 

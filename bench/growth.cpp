@@ -34,7 +34,7 @@ struct Point {
 bench::Drawing drawing_of(const Context& context, const Point& point) {
     RenderOptions options;
     options.size = point.size;
-    return {context, *point.volume, "horseshoe", point.bricks, options, bench::Texels::dropped};
+    return {context, *point.volume, "horseshoe", point.bricks, options};
 }
 
 /// What the renderer holds to draw a point and read its picture back, beside the volume itself.

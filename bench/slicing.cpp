@@ -76,12 +76,12 @@ struct Bricks {
         const auto n = static_cast<double>(volume.layers());
         const std::vector<Brick> cut = cut_into(volume.layers(), k);
         for (const Brick& brick : cut) {
-            const BrickTexels texels = brick_texels(volume, brick);
-            textures.upload(static_cast<std::int64_t>(cells.size()), texels);
-            cells.push_back(brick_cells(texels, static_cast<double>(brick.count) / n, *layout));
+            const BrickLayers layers(volume, brick);
+            textures.upload(static_cast<std::int64_t>(cells.size()), layers);
+            cells.push_back(brick_cells(layers, static_cast<double>(brick.count) / n, *layout));
             placed.push_back({static_cast<std::int64_t>(placed.size()), brick.count,
-                              static_cast<double>(brick.first) / n,
-                              static_cast<double>(brick.first + brick.count) / n, texels.size, texels.box, nullptr});
+                              static_cast<double>(brick.first) / n, static_cast<double>(brick.first + brick.count) / n,
+                              layers.size(), layers.box(), nullptr});
         }
         for (std::size_t i = 0; i < cut.size(); ++i) placed[i].cells = &cells[i];
     }

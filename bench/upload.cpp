@@ -25,65 +25,76 @@ namespace {
 
 using namespace vvr;
 
-std::span<const std::byte> bytes_of(const BrickTexels& texels) {
-    if (texels.coloured.empty()) return std::as_bytes(std::span(texels.texels));
-    return std::as_bytes(std::span(texels.coloured));
+/// A brick's texels, all of them.
+std::vector<std::byte> texels_of(const BrickLayers& layers) {
+    const std::size_t count = layers.area() * static_cast<std::size_t>(layers.count());
+    std::vector<std::byte> bytes(count * (layers.coloured() ? sizeof(ColouredTexel) : 1));
+    if (layers.coloured()) {
+        layers.lay_out(0, std::span(reinterpret_cast<ColouredTexel*>(bytes.data()), count));
+    } else {
+        layers.lay_out(0, std::span(reinterpret_cast<std::uint8_t*>(bytes.data()), count));
+    }
+    return bytes;
 }
 
 /// A texture of the brick's size that is only ever given new texels.
 class BareTexture {
   public:
-    BareTexture(const GladGLContext& gl, const BrickTexels& texels)
-        : gl_(&gl), texels_(&texels), format_(texels.coloured.empty() ? GL_RED : GL_RGBA), texture_(gl) {
+    BareTexture(const GladGLContext& gl, const BrickLayers& layers)
+        : gl_(&gl),
+          size_{layers.box().width(), layers.box().height()},
+          layers_(static_cast<GLsizei>(layers.count())),
+          format_(layers.coloured() ? GL_RGBA : GL_RED),
+          texture_(gl) {
         gl.BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl.TexImage3D(GL_TEXTURE_3D, 0, texels.coloured.empty() ? GL_R8 : GL_RGBA8, texels.box.width(),
-                      texels.box.height(), static_cast<GLsizei>(texels.layers()), 0, format_, GL_UNSIGNED_BYTE, nullptr);
+        gl.TexImage3D(GL_TEXTURE_3D, 0, layers.coloured() ? GL_RGBA8 : GL_R8, size_.width, size_.height, layers_, 0,
+                      format_, GL_UNSIGNED_BYTE, nullptr);
         check_gl(gl, "making a texture of a brick's size");
     }
 
-    void upload() const {
+    void upload(std::span<const std::byte> texels) const {
         gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl_->BindTexture(GL_TEXTURE_3D, texture_.id());
-        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, texels_->box.width(), texels_->box.height(),
-                           static_cast<GLsizei>(texels_->layers()), format_, GL_UNSIGNED_BYTE,
-                           bytes_of(*texels_).data());
+        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size_.width, size_.height, layers_, format_, GL_UNSIGNED_BYTE,
+                           texels.data());
     }
 
   private:
     const GladGLContext* gl_;
-    const BrickTexels* texels_;
+    Size size_;
+    GLsizei layers_;
     GLenum format_;
     GlTexture texture_;
 };
 
 nlohmann::json measure(const Context& context, double scale, bool coloured, int runs) {
     const Size size = bench::scaled(Size{384, 288}, scale);
-    const int layers = bench::scaled(200, scale);
+    const int count = bench::scaled(200, scale);
     const GladGLContext& gl = context.gl();
-    const Volume volume = bench::lit_volume(size, layers, 0.5, coloured);
-    const Brick brick{0, layers};
-    BrickTexels texels = brick_texels(volume, brick);
+    const Volume volume = bench::lit_volume(size, count, 0.5, coloured);
+    const BrickLayers layers(volume, {0, count});
 
     const auto layout = make_layout("horseshoe", shape_for(size));
     RenderOptions options;
     options.size = {16, 16};
     options.ring = 1;
-    options.window_layers = layers;
+    options.window_layers = count;
     Renderer renderer(context, *layout, options);
     BrickTextures textures(gl, BrickRing(1));
-    const BareTexture bare(gl, texels);
-    std::vector<std::byte> copy(bytes_of(texels).size());
+    const BareTexture bare(gl, layers);
+    std::vector<std::byte> texels = texels_of(layers);
+    std::vector<std::byte> copy(texels.size());
 
     struct Way {
         const char* name;
         std::function<void()> run;
     };
     const std::vector<Way> ways{
-        {"layout", [&] { texels = brick_texels(volume, brick); }},
-        {"renderer", [&] { renderer.push_brick(0, texels); }},
-        {"textures", [&] { textures.upload(0, texels); }},
-        {"bare", [&] { bare.upload(); }},
-        {"memcpy", [&] { std::memcpy(copy.data(), bytes_of(texels).data(), copy.size()); }},
+        {"layout", [&] { texels = texels_of(layers); }},
+        {"renderer", [&] { renderer.push_brick(0, layers); }},
+        {"textures", [&] { textures.upload(0, layers); }},
+        {"bare", [&] { bare.upload(texels); }},
+        {"memcpy", [&] { std::memcpy(copy.data(), texels.data(), copy.size()); }},
     };
     std::vector<bench::Work> works;
     for (const Way& way : ways) {
@@ -97,7 +108,7 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
     nlohmann::json row{{"bytes", copy.size()},
                        {"texels", copy.size() / (coloured ? 4 : 1)},
                        {"format", coloured ? "RGBA8" : "R8"},
-                       {"size", {texels.box.width(), texels.box.height(), texels.layers()}}};
+                       {"size", {layers.box().width(), layers.box().height(), layers.count()}}};
     for (std::size_t i = 0; i < ways.size(); ++i) row["seconds"][ways[i].name] = seconds[i];
     return row;
 }

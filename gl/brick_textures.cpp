@@ -1,6 +1,7 @@
 #include "gl/brick_textures.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,36 @@ namespace {
 struct Storage {
     GLint internal;
     GLenum format;
-    std::size_t texel_bytes;
-    const std::uint8_t* texels;
 };
 
-Storage storage_of(const BrickTexels& brick) {
-    if (brick.coloured.empty()) return {GL_R8, GL_RED, 1, brick.texels.data()};
-    return {GL_RGBA8, GL_RGBA, 4, brick.coloured.front().data()};
+Storage storage_of(const BrickLayers& layers) {
+    return layers.coloured() ? Storage{GL_RGBA8, GL_RGBA} : Storage{GL_R8, GL_RED};
+}
+
+// Texels that are laid out at a time: they stay in the second-level cache until they are in the texture.
+constexpr std::size_t slab_bytes = 512 * 1024;
+
+/// Lays out `count` layers from `first` on and puts them into the texture that is bound.
+template <class Texel>
+void upload_layers(const GladGLContext& gl, const BrickLayers& layers, std::int64_t first, std::int64_t count) {
+    const auto slab = std::max<std::int64_t>(1, static_cast<std::int64_t>(slab_bytes / sizeof(Texel) / layers.area()));
+    std::vector<Texel> texels;
+    for (const std::int64_t end = first + count; first < end; first += slab) {
+        const std::int64_t depth = std::min(slab, end - first);
+        texels.resize(static_cast<std::size_t>(depth) * layers.area());
+        layers.lay_out(first, texels);
+        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(first), layers.box().width(), layers.box().height(),
+                         static_cast<GLsizei>(depth), storage_of(layers).format, GL_UNSIGNED_BYTE, texels.data());
+    }
+}
+
+void upload_part(const GladGLContext& gl, const BrickLayers& layers, std::int64_t first, std::int64_t count) {
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (layers.coloured()) {
+        upload_layers<ColouredTexel>(gl, layers, first, count);
+    } else {
+        upload_layers<std::uint8_t>(gl, layers, first, count);
+    }
 }
 
 }  // namespace
@@ -29,66 +53,50 @@ Storage storage_of(const BrickTexels& brick) {
 BrickTextures::BrickTextures(const GladGLContext& gl, BrickRing ring)
     : gl_(&gl), ring_(ring), slots_(static_cast<std::size_t>(ring.size())) {}
 
-void BrickTextures::upload(std::int64_t number, const BrickTexels& texels) {
+void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     const GladGLContext& gl = *gl_;
+    const int width = layers.box().width();
+    const int height = layers.box().height();
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
-    const std::int64_t longest = std::max<std::int64_t>({texels.box.width(), texels.box.height(), texels.layers()});
-    if (longest > largest) {
+    if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
         throw Error(ErrorKind::limit,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
                                 "take a smaller --field-size or a shorter --brick",
-                                texels.box.width(), texels.box.height(), texels.brick.count, largest));
+                                width, height, layers.brick().count, largest));
     }
 
     Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const auto width = static_cast<GLsizei>(texels.box.width());
-    const auto height = static_cast<GLsizei>(texels.box.height());
-    const auto depth = static_cast<GLsizei>(texels.layers());
-    const bool coloured = !texels.coloured.empty();
-    const bool fits =
-        slot.texture && slot.box.width() == texels.box.width() && slot.box.height() == texels.box.height() &&
-        slot.layers == texels.layers() && slot.coloured == coloured;
-    const Storage storage = storage_of(texels);
-    if (fits) {
-        gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
-        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, width, height, depth, storage.format, GL_UNSIGNED_BYTE,
-                         storage.texels);
-    } else {
-        slot.texture = GlTexture(gl);
-        gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
+    const bool fits = slot.texture && slot.box.width() == width && slot.box.height() == height &&
+                      slot.layers == layers.count() && slot.coloured == layers.coloured();
+    if (!fits) slot.texture = GlTexture(gl);
+    gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
+    if (!fits) {
         gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
             gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
         }
-        gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internal, width, height, depth, 0, storage.format, GL_UNSIGNED_BYTE,
-                      storage.texels);
+        const Storage storage = storage_of(layers);
+        gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internal, width, height, static_cast<GLsizei>(layers.count()), 0,
+                      storage.format, GL_UNSIGNED_BYTE, nullptr);
     }
-    check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, texels.brick.count));
+    upload_part(gl, layers, 0, layers.count());
+    check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, layers.brick().count));
     slot.number = number;
-    slot.box = texels.box;
-    slot.layers = texels.layers();
-    slot.coloured = coloured;
+    slot.box = layers.box();
+    slot.layers = layers.count();
+    slot.coloured = layers.coloured();
 }
 
-void BrickTextures::upload_ends(std::int64_t number, const BrickTexels& texels) {
+void BrickTextures::upload_ends(std::int64_t number, const BrickLayers& layers) {
     const Slot& slot = slot_of(number);
-    if (slot.box != texels.box) {
-        upload(number, texels);
+    if (slot.box != layers.box()) {
+        upload(number, layers);
         return;
     }
-    const Storage storage = storage_of(texels);
-    const std::size_t layer_bytes =
-        storage.texel_bytes * static_cast<std::size_t>(slot.box.width()) * static_cast<std::size_t>(slot.box.height());
-    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
-    for (const std::int64_t layer : {std::int64_t{0}, slot.layers - 1}) {
-        gl_->TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(layer), slot.box.width(), slot.box.height(), 1,
-                           storage.format, GL_UNSIGNED_BYTE,
-                           storage.texels + layer_bytes * static_cast<std::size_t>(layer));
-    }
+    for (const std::int64_t layer : {std::int64_t{0}, slot.layers - 1}) upload_part(*gl_, layers, layer, 1);
     check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
 }
 

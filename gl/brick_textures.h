@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/bricks/brick.h"
-#include "core/bricks/volume.h"
+#include "core/bricks/brick_layers.h"
 #include "gl/objects.h"
 
 namespace vvr {
@@ -16,11 +16,11 @@ class BrickTextures {
     /// Puts a brick into its slot of the ring.
     /// \param number of the brick, counted from the clip's first
     /// \throws Error limit when the brick is larger than the driver's largest 3D texture or memory is out
-    void upload(std::int64_t number, const BrickTexels& texels);
+    void upload(std::int64_t number, const BrickLayers& layers);
 
     /// Replaces the first and the last texel layer of a brick in the ring, which are its neighbours': they have
     /// changed. If they hold something outside of the brick's box all of it is uploaded.
-    void upload_ends(std::int64_t number, const BrickTexels& texels);
+    void upload_ends(std::int64_t number, const BrickLayers& layers);
 
     /// Binds the texture that holds brick `number` to the texture unit in use.
     void bind(std::int64_t number) const;

@@ -48,22 +48,22 @@ void Renderer::set_window(int ring, std::int64_t layers) {
     textures_ = BrickTextures(*gl_, BrickRing(ring));
 }
 
-void Renderer::push_brick(std::int64_t number, const BrickTexels& texels) {
-    textures_.upload(number, texels);
+void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
+    textures_.upload(number, layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
     window_.push_back(
-        {number, texels.brick.count, texels.size, texels.box, brick_cells(texels, t_span(texels), *layout_)});
+        {number, layers.brick().count, layers.size(), layers.box(), brick_cells(layers, t_span(layers), *layout_)});
 }
 
-void Renderer::renew_ends(std::int64_t number, const BrickTexels& texels) {
-    textures_.upload_ends(number, texels);
+void Renderer::renew_ends(std::int64_t number, const BrickLayers& layers) {
+    textures_.upload_ends(number, layers);
     const auto held = std::ranges::find(window_, number, &Held::number);
-    held->box = texels.box;
-    held->cells = brick_cells(texels, t_span(texels), *layout_);
+    held->box = layers.box();
+    held->cells = brick_cells(layers, t_span(layers), *layout_);
 }
 
-double Renderer::t_span(const BrickTexels& texels) const {
-    return static_cast<double>(texels.brick.count) / static_cast<double>(options_.window_layers);
+double Renderer::t_span(const BrickLayers& layers) const {
+    return static_cast<double>(layers.brick().count) / static_cast<double>(options_.window_layers);
 }
 
 std::vector<PlacedBrick> Renderer::place() const {

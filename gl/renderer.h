@@ -52,11 +52,11 @@ class Renderer {
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
-    void push_brick(std::int64_t number, const BrickTexels& texels);
+    void push_brick(std::int64_t number, const BrickLayers& layers);
 
     /// Renews what the texels of a brick in the window repeat of its neighbours, after one has come or gone. So the
     /// window looks as if nothing stood before or after it, and moving it is the same as drawing it afresh.
-    void renew_ends(std::int64_t number, const BrickTexels& texels);
+    void renew_ends(std::int64_t number, const BrickLayers& layers);
 
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(Scene scene);
@@ -94,7 +94,7 @@ class Renderer {
     std::vector<PlacedBrick> place() const;
 
   private:
-    double t_span(const BrickTexels& texels) const;
+    double t_span(const BrickLayers& layers) const;
     Plane<glm::vec4> draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile);
     void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
 

@@ -30,7 +30,7 @@ void rehearse(const RenderJob& job, const Drawing& drawing) {
     const Frame frame{0, 0, Plane<std::uint8_t>(rehearsed_size), {}};
     Renderer& renderer = *drawing.renderer;
     renderer.set_transfer(job.transfer.scaled(job.opacity));
-    if (job.show.contains("volume")) renderer.push_brick(0, brick_texels(volume, {0, rehearsed_frames}));
+    if (job.show.contains("volume")) renderer.push_brick(0, BrickLayers(volume, {0, rehearsed_frames}));
     renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing));
     renderer.rehearse();
 }

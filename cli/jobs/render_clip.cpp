@@ -67,16 +67,10 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
-/// Uploads all bricks, giving the volume's memory back on the way. While one is uploaded the next is laid out.
+/// Uploads all bricks, giving the volume's memory back on the way.
 void push_bricks(Renderer& renderer, Volume& volume, const std::vector<Brick>& bricks) {
-    const auto lay_out = [&volume, &bricks](std::size_t i) {
-        return std::async(std::launch::async, [&volume, brick = bricks[i]] { return brick_texels(volume, brick); });
-    };
-    std::future<BrickTexels> next = lay_out(0);
     for (std::size_t i = 0; i < bricks.size(); ++i) {
-        const BrickTexels texels = next.get();
-        if (i + 1 < bricks.size()) next = lay_out(i + 1);
-        renderer.push_brick(static_cast<std::int64_t>(i), texels);
+        renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, bricks[i]));
         // The next brick repeats the last layer.
         volume.release_before(bricks[i].first + bricks[i].count - 1);
     }

@@ -135,12 +135,12 @@ class Series {
     void update_ring() {
         const auto in_window = static_cast<std::int64_t>(report_.bricks.size());
         const std::int64_t oldest = newest_ - in_window + 1;
-        const auto texels = [&](std::int64_t number) {
-            return brick_texels(volume_, report_.bricks[static_cast<std::size_t>(number - oldest)]);
+        const auto layers = [&](std::int64_t number) {
+            return BrickLayers(volume_, report_.bricks[static_cast<std::size_t>(number - oldest)]);
         };
-        renderer_.push_brick(newest_, texels(newest_));
-        if (in_window > 1) renderer_.renew_ends(newest_ - 1, texels(newest_ - 1));
-        if (in_window > 2 && oldest > 0) renderer_.renew_ends(oldest, texels(oldest));
+        renderer_.push_brick(newest_, layers(newest_));
+        if (in_window > 1) renderer_.renew_ends(newest_ - 1, layers(newest_ - 1));
+        if (in_window > 2 && oldest > 0) renderer_.renew_ends(oldest, layers(oldest));
     }
 
     void draw() {

@@ -41,11 +41,11 @@ Reach reach(int i, int cells, std::int64_t count, double apron) {
 
 /// The texel layers that cell `i` of `cells` touches in time. Texel layer l stands at (l - 1 + 0.5) / count of the
 /// brick: one more layer before the brick than in it.
-Reach layers_reach(int i, int cells, const BrickTexels& texels) {
-    const double scale = static_cast<double>(texels.brick.count) / cells;
+Reach layers_reach(int i, int cells, const BrickLayers& layers) {
+    const double scale = static_cast<double>(layers.brick().count) / cells;
     const auto low = static_cast<std::int64_t>(std::floor(i * scale + 0.5));
     const auto high = static_cast<std::int64_t>(std::ceil((i + 1) * scale + 0.5));
-    return {std::max<std::int64_t>(low, 0), std::min(high, texels.layers() - 1)};
+    return {std::max<std::int64_t>(low, 0), std::min(high, layers.count() - 1)};
 }
 
 Reach common(Reach a, Reach b) {
@@ -53,16 +53,22 @@ Reach common(Reach a, Reach b) {
 }
 
 /// The extremes over some layers of each texel of a strip of rows. Whole rows at a time: the compiler makes vectors of
-/// that, and it is as fast as the texels can be read. Outside of the texels' box all is 0.
+/// that, and it is as fast as the texels can be read. Outside of the layers' box all is 0.
 class Strip {
   public:
-    explicit Strip(const BrickTexels& texels)
-        : texels_(&texels),
-          box_columns_{texels.box.left, texels.box.right - 1},
-          box_rows_{texels.box.top, texels.box.bottom - 1},
-          width_(static_cast<std::size_t>(texels.box.width())) {}
+    explicit Strip(const BrickLayers& layers)
+        : layers_(&layers),
+          box_columns_{layers.box().left, layers.box().right - 1},
+          box_rows_{layers.box().top, layers.box().bottom - 1},
+          width_(static_cast<std::size_t>(layers.box().width())) {}
 
-    void join(Reach rows, Reach layers) {
+    void lay_out(Reach layers) {
+        texels_.resize(static_cast<std::size_t>(layers.last - layers.first + 1) * layers_->area());
+        layers_->lay_out(layers.first, texels_);
+    }
+
+    /// Of the layers that are laid out.
+    void join(Reach rows) {
         rows_ = common(rows, box_rows_);
         whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;
         if (rows_.first > rows_.last) return;
@@ -70,8 +76,8 @@ class Strip {
         const std::size_t count = static_cast<std::size_t>(rows_.last - rows_.first + 1) * width_;
         low_.assign(count, 255);
         high_.assign(count, 0);
-        for (std::int64_t layer = layers.first; layer <= layers.last; ++layer) {
-            const auto strip = texels_->layer(layer).subspan(first, count);
+        for (std::size_t layer = 0; layer < texels_.size(); layer += layers_->area()) {
+            const auto strip = std::span(texels_).subspan(layer + first, count);
             for (std::size_t i = 0; i < count; ++i) {
                 low_[i] = std::min(low_[i], strip[i]);
                 high_[i] = std::max(high_[i], strip[i]);
@@ -113,7 +119,8 @@ class Strip {
         }
     }
 
-    const BrickTexels* texels_;
+    const BrickLayers* layers_;
+    std::vector<std::uint8_t> texels_;
     Reach box_columns_;
     Reach box_rows_;
     std::size_t width_;
@@ -131,10 +138,11 @@ std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
 
 }  // namespace
 
-BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& layout) {
-    const int nx = cells_along(texels.size.width, cell_side);
-    const int ny = cells_along(texels.size.height, cell_side);
-    const int nt = std::max(cells_along(texels.brick.count, cell_layers),
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout) {
+    const Size size = layers.size();
+    const int nx = cells_along(size.width, cell_side);
+    const int ny = cells_along(size.height, cell_side);
+    const int nt = std::max(cells_along(layers.brick().count, cell_layers),
                             static_cast<int>(std::ceil(t_span / layout.straight_t() - 1e-9)));
 
     BrickCells cells;
@@ -145,20 +153,21 @@ BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& l
     // Between two straight cells lies a sliver that bends out of one and into the other: the apron covers it.
     const double bend = layout.sagitta_x(t_span / nt);
     std::vector<Reach> columns;
-    for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, texels.size.width, bend * texels.size.width));
+    for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, size.width, bend * size.width));
 
-    Strip strip(texels);
+    Strip strip(layers);
     for (int t = 0; t < nt; ++t) {
+        strip.lay_out(layers_reach(t, nt, layers));
         for (int j = 0; j < ny; ++j) {
-            strip.join(reach(j, ny, texels.size.height, 0), layers_reach(t, nt, texels));
+            strip.join(reach(j, ny, size.height, 0));
             const auto row = static_cast<std::size_t>(j);
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 cells.ranges.push_back(strip.range(columns[i]));
                 CellBox& box = cells.boxes.emplace_back();
                 if (cells.ranges.back().high == 0) continue;
                 const auto [lit_columns, lit_rows] = strip.occupied(columns[i]);
-                const auto [x_low, x_high] = felt(lit_columns, texels.size.width, bend);
-                const auto [y_low, y_high] = felt(lit_rows, texels.size.height, 0);
+                const auto [x_low, x_high] = felt(lit_columns, size.width, bend);
+                const auto [y_low, y_high] = felt(lit_rows, size.height, 0);
                 box = {std::max(x_low, cells.x[i]), std::min(x_high, cells.x[i + 1]), std::max(y_low, cells.y[row]),
                        std::min(y_high, cells.y[row + 1])};
             }

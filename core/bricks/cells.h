@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/bricks/volume.h"
+#include "core/bricks/brick_layers.h"
 #include "core/space/layout.h"
 
 namespace vvr {
@@ -53,7 +53,7 @@ struct BrickCells {
 
 /// The cells of a brick.
 /// \param t_span the part of the window's t_C that the brick takes
-BrickCells brick_cells(const BrickTexels& texels, double t_span, const Layout& layout);
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout);
 
 /// A brick's place in the window.
 struct PlacedBrick {

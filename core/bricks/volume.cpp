@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,44 +23,6 @@ void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& col
         });
     }
     kept.scalar.keep_greater(scalar);
-}
-
-/// The same part of a picture, its columns and rows counted from the other end.
-PixelBox against_image(const PixelBox& box, Size size) {
-    return {size.width - box.right, size.height - box.bottom, size.width - box.left, size.height - box.top};
-}
-
-std::size_t area_of(const PixelBox& box) {
-    return static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height());
-}
-
-/// Where any of the layers holds something and one pixel around it; the first pixel if none does.
-PixelBox occupied_box(std::span<const Layer* const> layers, Size size) {
-    PixelBox box;
-    for (const Layer* layer : layers) box = hull_of(box, layer->scalar.box());
-    if (box.empty()) return {0, 0, 1, 1};
-    return common(box.grown(1, 1), {0, 0, size.width, size.height});
-}
-
-/// Both axes of texels run against the image's.
-void lay_out(const SparsePlane& scalar, const PixelBox& box, std::span<std::uint8_t> texels) {
-    const Size size = scalar.size();
-    scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
-        const int x = size.width - column - static_cast<int>(values.size()) - box.left;
-        const int y = size.height - 1 - row - box.top;
-        std::ranges::reverse_copy(values, texels.begin() + y * box.width() + x);
-    });
-}
-
-void lay_out(const Plane<Bgr>& colour, std::span<const std::uint8_t> scalars, const PixelBox& box,
-             std::span<std::array<std::uint8_t, 4>> texels) {
-    auto into = texels.begin();
-    auto scalar = scalars.begin();
-    for (int y = box.top; y < box.bottom; ++y) {
-        const auto row = colour.row(colour.height() - 1 - y).subspan(
-            static_cast<std::size_t>(colour.width() - box.right), static_cast<std::size_t>(box.width()));
-        for (const Bgr& bgr : row | std::views::reverse) *into++ = {bgr[2], bgr[1], bgr[0], *scalar++};
-    }
 }
 
 void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
@@ -232,30 +193,6 @@ std::vector<Brick> cut_by_clock(const Volume& volume, double length, double cloc
         ++bricks.back().count;
     }
     return bricks;
-}
-
-std::span<const std::uint8_t> BrickTexels::layer(std::int64_t i) const {
-    const std::size_t area = area_of(box);
-    return std::span(texels).subspan(static_cast<std::size_t>(i) * area, area);
-}
-
-BrickTexels brick_texels(const Volume& volume, const Brick& brick) {
-    BrickTexels result{brick, volume.size(), {}, {}, {}};
-    std::vector<const Layer*> layers;
-    for (std::int64_t i = 0; i < result.layers(); ++i) {
-        layers.push_back(&volume.layer(std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1)));
-    }
-    result.box = against_image(occupied_box(layers, volume.size()), volume.size());
-    const std::size_t area = area_of(result.box);
-    result.texels.resize(area * layers.size());
-    if (volume.coloured()) result.coloured.resize(result.texels.size());
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        lay_out(layers[i]->scalar, result.box, std::span(result.texels).subspan(i * area, area));
-        if (!volume.coloured()) continue;
-        lay_out(layers[i]->colour, std::span(result.texels).subspan(i * area, area), result.box,
-                std::span(result.coloured).subspan(i * area, area));
-    }
-    return result;
 }
 
 }  // namespace vvr

@@ -11,7 +11,6 @@
 #include "core/bricks/flow_volume.h"
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
-#include "core/pixel_box.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -140,22 +139,5 @@ class Volume {
 /// Cuts a volume where multiples of `length` seconds pass on a clock that shows `clock` at second 0 of the clip: by the
 /// hour, say. Times that were passed over make no brick.
 std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock);
-
-/// The texels of a brick: its layers with one more before and after (the neighbour's layer, or the brick's own end
-/// layer repeated where there is no neighbour), so that interpolation is continuous across bricks. Of the layers only
-/// the box is there in which something isn't 0, with a border of 0 wherever it doesn't end where the layers do.
-struct BrickTexels {
-    Brick brick;
-    Size size;                                          ///< of the whole layers
-    PixelBox box;                                       ///< in texels: columns of x_C and rows of y_C; not empty
-    std::vector<std::uint8_t> texels;                   ///< x_C fastest, then y_C, then time; (count + 2) layers
-    std::vector<std::array<std::uint8_t, 4>> coloured;  ///< red, green, blue and the scalar; empty without colours
-
-    std::int64_t layers() const { return brick.count + 2; }
-    std::span<const std::uint8_t> layer(std::int64_t i) const;
-};
-
-/// Columns and rows are laid out against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
-BrickTexels brick_texels(const Volume& volume, const Brick& brick);
 
 }  // namespace vvr

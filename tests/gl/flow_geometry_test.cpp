@@ -217,7 +217,7 @@ class Animated {
         options_.window_layers = 32;
         renderer_.emplace(*context_, *layout_, options_);
         renderer_->set_transfer(default_transfer_function());
-        renderer_->push_brick(0, brick_texels(volume_, {0, 32}));
+        renderer_->push_brick(0, BrickLayers(volume_, {0, 32}));
         Scene scene;
         scene.tracelines = line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F});
         renderer_->set_scene(std::move(scene));

@@ -136,7 +136,7 @@ class Layers : public testing::Test {
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
         for (std::size_t i = 0; i < cut.size(); ++i) {
-            renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, cut[i]));
+            renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, cut[i]));
         }
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,29 @@ constexpr Size field{48, 36};
 constexpr int brick_layers = 8;
 constexpr int k = 4;
 
-/// Layers `begin` to `end` of a clip.
-Volume part_of(const Volume& clip, std::int64_t begin, std::int64_t end) {
+using Change = std::function<void(std::int64_t layer, Plane<std::uint8_t>& scalar)>;
+
+/// Layers `begin` to `end` of a clip, changed.
+Volume part_of(
+    const Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
     Volume part(field, clip.layers());
     for (std::int64_t i = begin; i < end; ++i) {
         Field of;
         of.index = i;
         of.scalar = test::whole(clip.layer(i).scalar);
+        change(i, of.scalar);
         part.add(of);
     }
     return part;
+}
+
+/// A volume in which a brick's own layers, but for the first and the last, look otherwise.
+Volume otherwise(const Volume& volume, const Brick& brick) {
+    return part_of(volume, 0, volume.layers(), [&](std::int64_t layer, Plane<std::uint8_t>& scalar) {
+        if (layer <= brick.first || layer >= brick.first + brick.count - 1) return;
+        std::ranges::replace_if(
+            scalar.pixels(), [](std::uint8_t value) { return value > 150; }, std::uint8_t{255});
+    });
 }
 
 class MovingWindow : public testing::TestWithParam<std::string> {
@@ -44,7 +58,7 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         const Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
         Renderer drawing = renderer();
         for (int i = 0; i <= last - first; ++i)
-            drawing.push_brick(i, brick_texels(part, {i * brick_layers, brick_layers}));
+            drawing.push_brick(i, BrickLayers(part, {i * brick_layers, brick_layers}));
         return drawing.draw();
     }
 
@@ -57,21 +71,15 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         for (int newest = 0; newest < 9; ++newest) {
             const int oldest = std::max(0, newest - k + 1);
             const Volume window = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
-            const auto texels = [&](int number) {
-                return brick_texels(window, {(number - oldest) * brick_layers, brick_layers});
+            const auto brick = [&](int number) { return Brick{(number - oldest) * brick_layers, brick_layers}; };
+            const auto renew = [&](int number) {
+                if (told == Told::all) return moving.renew_ends(number, BrickLayers(window, brick(number)));
+                const Volume other = otherwise(window, brick(number));
+                moving.renew_ends(number, BrickLayers(other, brick(number)));
             };
-            const auto renewed = [&](int number) {
-                BrickTexels ends = texels(number);
-                if (told == Told::all) return ends;
-                const auto area = static_cast<std::ptrdiff_t>(ends.layer(0).size());
-                std::replace_if(
-                    ends.texels.begin() + area, ends.texels.end() - area, [](auto value) { return value > 150; },
-                    std::uint8_t{255});
-                return ends;
-            };
-            moving.push_brick(newest, texels(newest));
-            if (newest > 0) moving.renew_ends(newest - 1, renewed(newest - 1));
-            if (oldest > 0) moving.renew_ends(oldest, renewed(oldest));
+            moving.push_brick(newest, BrickLayers(window, brick(newest)));
+            if (newest > 0) renew(newest - 1);
+            if (oldest > 0) renew(oldest);
             const Plane<glm::vec4> moved = moving.draw();
             EXPECT_TRUE(std::ranges::equal(moved.pixels(), fresh(oldest, newest).pixels())) << "brick " << newest;
             if (newest > 0) {
@@ -93,16 +101,10 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
 
 TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {
     // Something in its corners, so that the box of what isn't 0 stays the same.
-    Volume framed(field, clip_.layers());
-    for (std::int64_t i = 0; i < clip_.layers(); ++i) {
-        Field of;
-        of.index = i;
-        of.scalar = test::whole(clip_.layer(i).scalar);
-        of.scalar.at(0, 0) = 1;
-        of.scalar.at(field.width - 1, field.height - 1) = 1;
-        framed.add(of);
-    }
-    clip_ = std::move(framed);
+    clip_ = part_of(clip_, 0, clip_.layers(), [](std::int64_t, Plane<std::uint8_t>& scalar) {
+        scalar.at(0, 0) = 1;
+        scalar.at(field.width - 1, field.height - 1) = 1;
+    });
     expect_fresh_pictures(Told::ends);
 }
 

@@ -63,7 +63,7 @@ Drawn draw_volume(const Volume& volume, Shot shot) {
     Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
     for (std::size_t i = 0; i < bricks.size(); ++i) {
-        renderer.push_brick(static_cast<std::int64_t>(i), brick_texels(volume, bricks[i]));
+        renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, bricks[i]));
     }
     return {renderer.draw(shot.scene), renderer.camera()};
 }

@@ -60,7 +60,7 @@ TEST(Slices, FillTheVolumeExactlyOnce) {
         const auto layout = make_layout(name, {0.45, 1, 0.4});
         const double depth = 0.55;
         const double length = std::numbers::pi * (0.45 + 1) / 2;
-        const BrickCells cells = brick_cells(brick_texels(volume, {0, 64}), 1, *layout);
+        const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
         for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
             for (const double elevation : {0.0, 38.0, 90.0}) {
                 const std::vector<glm::dvec3> outline = outline_points(*layout);
@@ -84,7 +84,7 @@ TEST(Slices, GoFromFarToNear) {
         volume.add(field);
     }
     const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const BrickCells cells = brick_cells(brick_texels(volume, {0, 32}), 1, *layout);
+    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 32}), 1, *layout);
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
     const SliceStack stack = stack_slices(camera, *layout, 50, 0);
@@ -108,7 +108,7 @@ TEST(Slices, PassOverWhatCannotBeSeen) {
         volume.add(field);
     }
     const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const BrickCells cells = brick_cells(brick_texels(volume, {0, 64}), 1, *layout);
+    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
     const SliceMesh mesh = cut_slices(std::vector<PlacedBrick>{{0, 64, 0, 1, {}, {}, &cells}}, 0, *layout,

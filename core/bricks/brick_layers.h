@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/bricks/brick.h"
+#include "core/bricks/volume.h"
+#include "core/pixel_box.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// Red, green, blue and the scalar of a voxel.
+using ColouredTexel = std::array<std::uint8_t, 4>;
+
+/// What goes into a brick's texture: its layers with one more before and after (the neighbour's layer, or the brick's
+/// own end layer repeated where there is no neighbour), so that interpolation is continuous across bricks. Of the
+/// layers only the box is taken in which something isn't 0, with a border of 0 wherever it doesn't end where the layers
+/// do. Texels are laid out when they are asked for, some layers at a time: all at once they would be most of what a
+/// picture takes of memory.
+class BrickLayers {
+  public:
+    /// \param volume outlives this, and doesn't change
+    BrickLayers(const Volume& volume, const Brick& brick);
+
+    const Brick& brick() const { return brick_; }
+    std::int64_t count() const { return brick_.count + 2; }  ///< of layers
+    Size size() const { return size_; }                      ///< of a whole layer
+    bool coloured() const { return coloured_; }
+
+    /// Of the layers' texels, columns of x_C and rows of y_C; never empty.
+    const PixelBox& box() const { return box_; }
+    std::size_t area() const;  ///< of the box
+
+    /// Lays out the texels of layers from `first` on, as many as `texels` has room for: x_C fastest, then y_C, then
+    /// time. Columns and rows run against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
+    void lay_out(std::int64_t first, std::span<std::uint8_t> texels) const;
+
+    /// The same with the video's colours, of a volume that has them.
+    void lay_out(std::int64_t first, std::span<ColouredTexel> texels) const;
+
+  private:
+    Brick brick_;
+    Size size_;
+    bool coloured_;
+    std::vector<const Layer*> layers_;
+    PixelBox box_;
+};
+
+}  // namespace vvr
