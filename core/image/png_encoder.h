@@ -20,7 +20,7 @@ struct PngImage {
     Size size;
     int channels = 3;  ///< 1 grey, 3 colour, 4 colour and alpha
     std::span<const std::uint8_t> values;
-    int level = 4;  ///< zlib's, 1 fastest to 9 smallest
+    int level = 2;  ///< zlib's, 1 fastest to 9 smallest
     PngFilter filter = PngFilter::sub;
     Metadata texts{};  ///< keywords, of 1 to 79 characters, and texts in UTF-8
 };
