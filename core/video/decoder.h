@@ -22,6 +22,8 @@ class Decoder {
     /// The next frame that decodes; nothing at the end, after very many failures in a row, or when it has stopped.
     AvFrame next();
 
+    bool threaded() const { return threaded_; }  ///< whether it decodes on more than one thread
+
     /// Whether it met damage that only a decoder of one thread may pass.
     bool stopped() const { return stopped_; }
 

@@ -1,9 +1,13 @@
 #include "core/video/file_source.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "core/error.h"
 #include "core/video/scaler.h"
@@ -81,7 +85,20 @@ std::vector<Frame> FileSource::sample_key_frames(int count) const {
 /// damaged, or its packets' times are not its frames'.
 std::vector<Frame> FileSource::sample_planned(int count) const {
     Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
-    SampledPackets plan = plan_samples(scan, count);
+    const SampledPackets plan = plan_samples(scan, count);
+    // Where one decoder has no threads of its own, several share the clip; a server is asked but once at a time.
+    const bool alone = reader_.threaded() || !reader_.input().file;
+    const auto plans = cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
+    std::vector<std::vector<Frame>> parts(plans.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) { parts[i] = decode(plans[i]); });
+    std::vector<Frame> frames;
+    for (std::vector<Frame>& part : parts) std::ranges::move(part, std::back_inserter(frames));
+    if (frames.size() < plan.stamps.size()) frames.clear();
+    return frames;
+}
+
+/// The frames of a plan; fewer where the clip is damaged, or its packets' times are not its frames'.
+std::vector<Frame> FileSource::decode(SampledPackets plan) const {
     Demuxer demuxer(reader_.input(), Demuxer::Kind::video, options_.rate);
     Decoder decoder(demuxer, reader_.input().name, options_.threads);
     decoder.follow(std::move(plan.uses));

@@ -28,6 +28,7 @@ class FileSource final : public FrameSource {
   private:
     std::vector<Frame> sample_key_frames(int count) const;
     std::vector<Frame> sample_planned(int count) const;
+    std::vector<Frame> decode(SampledPackets plan) const;
     DecodedFrame without_index(const Demuxer& demuxer, AvFrame image) const;
 
     SourceOptions options_;

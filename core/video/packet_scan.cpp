@@ -1,6 +1,7 @@
 #include "core/video/packet_scan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -111,7 +112,7 @@ KeyPackets find_key_packets(Demuxer& demuxer, int count) {
 
 SampledPackets plan_samples(Demuxer& demuxer, int count) {
     const std::vector<Stamped> packets = stamps_of(demuxer);
-    SampledPackets plan{std::vector(packets.size(), PacketUse::none), sampled(demuxer, packets, count)};
+    SampledPackets plan{std::vector(packets.size(), PacketUse::none), sampled(demuxer, packets, count), {}};
     std::size_t end = packets.size();
     bool next_leans = false;
     // From the last group to the first, as each has to know what the next one leans on.
@@ -122,9 +123,36 @@ SampledPackets plan_samples(Demuxer& demuxer, int count) {
         next_leans = std::ranges::any_of(group, [&](const Stamped& p) {
             return p.stamp < group.front().stamp && std::ranges::binary_search(plan.stamps, p.stamp);
         });
+        if (begin > 0 && !next_leans) plan.starts.push_back({begin, packets[begin].stamp});
         end = begin;
     }
+    std::ranges::reverse(plan.starts);
     return plan;
+}
+
+std::vector<SampledPackets> cut_plan(const SampledPackets& plan, int parts) {
+    const auto is_used = [](PacketUse use) { return use != PacketUse::none; };
+    const auto all = std::ranges::count_if(plan.uses, is_used);
+    std::vector<SampledPackets> cut;
+    FreshStart begin{0, std::numeric_limits<std::int64_t>::min()};
+    std::int64_t used = 0;
+    const auto end_at = [&](const FreshStart& end) {
+        SampledPackets part{std::vector(plan.uses.size(), PacketUse::none), {}, {}};
+        for (std::size_t i = begin.packet; i < end.packet; ++i) part.uses[i] = plan.uses[i];
+        std::ranges::copy_if(plan.stamps, std::back_inserter(part.stamps),
+                             [&](std::int64_t stamp) { return begin.stamp <= stamp && stamp < end.stamp; });
+        if (!part.stamps.empty()) cut.push_back(std::move(part));
+        begin = end;
+    };
+    std::size_t counted = 0;
+    for (const FreshStart& start : plan.starts) {
+        used += std::count_if(plan.uses.begin() + static_cast<std::ptrdiff_t>(counted),
+                              plan.uses.begin() + static_cast<std::ptrdiff_t>(start.packet), is_used);
+        counted = start.packet;
+        if (used * parts >= all * (std::ssize(cut) + 1)) end_at(start);
+    }
+    end_at({plan.uses.size(), std::numeric_limits<std::int64_t>::max()});
+    return cut;
 }
 
 }  // namespace vvr

@@ -38,10 +38,17 @@ enum class PacketUse : std::uint8_t {
     frame,      ///< its frame is wanted
 };
 
+/// A packet from which on decoding needs nothing that comes before it.
+struct FreshStart {
+    std::size_t packet = 0;
+    std::int64_t stamp = 0;  ///< no wanted frame of the packets before it is as late
+};
+
 /// Frames spread over a clip, and what it takes to decode them.
 struct SampledPackets {
     std::vector<PacketUse> uses;       ///< of every packet
     std::vector<std::int64_t> stamps;  ///< the wanted frames' time stamps, in order
+    std::vector<FreshStart> starts;    ///< after the first packet, in order
 };
 
 /// The frames that a sampler of so many would keep if it were shown all frames; none where the packets' times don't
@@ -49,5 +56,9 @@ struct SampledPackets {
 ///
 /// \param demuxer at its first packet
 SampledPackets plan_samples(Demuxer& demuxer, int count);
+
+/// Cuts a plan into at most `parts` of which each can be decoded by itself, with about as much to decode in each. Their
+/// frames one after another are the plan's.
+std::vector<SampledPackets> cut_plan(const SampledPackets& plan, int parts);
 
 }  // namespace vvr

@@ -38,6 +38,7 @@ class VideoReader {
 
     Demuxer& demuxer() const { return *demuxer_; }
     const Input& input() const { return input_; }
+    bool threaded() const { return decoder_->threaded(); }
 
     /// The first frame's time on the container's own clock, seconds.
     double origin() const { return origin_.value_or(0); }

@@ -229,6 +229,34 @@ TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
     }
 }
 
+TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 20 -bf 3 -sc_threshold 0", "-c:v libx264 -g 20 -bf 3 -x264-params open-gop=1",
+          "-c:v mpeg4 -g 10 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 1000"}) {
+        Demuxer demuxer(open_input(counting_clip(folder, "clip.mkv", encoding)), Demuxer::Kind::video, 25);
+        const SampledPackets plan = plan_samples(demuxer, 31);
+        for (const int parts : {1, 2, 3, 50}) {
+            const auto cut = cut_plan(plan, parts);
+            EXPECT_LE(std::ssize(cut), parts);
+            EXPECT_EQ(cut.size() > 1, parts > 1 && !plan.starts.empty()) << encoding << ", " << parts;
+            std::vector<std::int64_t> stamps;
+            std::vector<PacketUse> uses(plan.uses.size(), PacketUse::none);
+            for (const SampledPackets& part : cut) {
+                stamps.insert(stamps.end(), part.stamps.begin(), part.stamps.end());
+                EXPECT_EQ(std::ranges::count(part.uses, PacketUse::frame), std::ssize(part.stamps)) << encoding;
+                for (std::size_t i = 0; i < uses.size(); ++i) {
+                    if (part.uses[i] == PacketUse::none) continue;
+                    EXPECT_EQ(uses[i], PacketUse::none) << "a packet is decoded twice";
+                    uses[i] = part.uses[i];
+                }
+            }
+            EXPECT_EQ(stamps, plan.stamps) << encoding;
+            EXPECT_EQ(uses, plan.uses) << encoding;
+        }
+    }
+}
+
 TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
     const TempFolder folder;
     const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -bf 2 -sc_threshold 0");
