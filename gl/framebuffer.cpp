@@ -6,12 +6,16 @@
 
 #include "core/error.h"
 #include "gl/check.h"
+#include "shaders.h"
 
 namespace vvr {
 
 void check_samples(const GladGLContext& gl, int samples) {
-    GLint most = 0;
-    gl.GetIntegerv(GL_MAX_SAMPLES, &most);
+    GLint most_drawn = 0;
+    GLint most_sampled = 0;
+    gl.GetIntegerv(GL_MAX_SAMPLES, &most_drawn);
+    gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most_sampled);
+    const GLint most = std::min(most_drawn, most_sampled);
     if (samples <= most) return;
     throw Error(ErrorKind::limit, fmt::format("--samples {}: this OpenGL has at most {} a pixel; choose {} or fewer",
                                               samples, most, most));
@@ -25,29 +29,51 @@ Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(
                                                   size.width, size.height, largest, largest));
     }
     check_samples(gl, samples);
-    drawn_ = make_target(samples);
-    if (samples > 1) resolved_ = make_target(1);
+    drawn_ = make_drawn();
+    if (samples > 1) resolved_ = make_resolved();
 }
 
-Framebuffer::Target Framebuffer::make_target(int samples) const {
+Framebuffer::Drawn Framebuffer::make_drawn() const {
     const GladGLContext& gl = *gl_;
-    Target target{GlFramebuffer(gl), GlRenderbuffer(gl), GlRenderbuffer(gl)};
-    // Multisampled storage with one sample is not the same as storage without: only the latter can be read.
-    const GLsizei stored = samples > 1 ? samples : 0;
-    gl.BindRenderbuffer(GL_RENDERBUFFER, target.colour.id());
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_RGBA32F, size_.width, size_.height);
-    gl.BindRenderbuffer(GL_RENDERBUFFER, target.depth.id());
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, stored, GL_DEPTH_COMPONENT24, size_.width, size_.height);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.id());
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.id());
-    check_gl(gl, fmt::format("making a framebuffer of {}x{} with {} samples", size_.width, size_.height, samples));
-    const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    Drawn drawn{GlFramebuffer(gl), GlTexture(gl), GlRenderbuffer(gl), GlRenderbuffer(gl)};
+    gl.BindFramebuffer(GL_FRAMEBUFFER, drawn.framebuffer.id());
+    gl.BindRenderbuffer(GL_RENDERBUFFER, drawn.depth.id());
+    if (samples_ > 1) {
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn.samples.id());
+        gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA32F, size_.width, size_.height, GL_TRUE);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, drawn.samples.id(), 0);
+        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.width, size_.height);
+    } else {
+        // Multisampled storage with one sample is not the same as storage without: only the latter can be read.
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_.width, size_.height);
+        gl.BindRenderbuffer(GL_RENDERBUFFER, drawn.colour.id());
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size_.width, size_.height);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, drawn.colour.id());
+    }
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, drawn.depth.id());
+    check_complete(samples_);
+    return drawn;
+}
+
+Framebuffer::Resolved Framebuffer::make_resolved() const {
+    const GladGLContext& gl = *gl_;
+    Resolved resolved{GlFramebuffer(gl), GlRenderbuffer(gl), GlVertexArray(gl),
+                      Program(gl, "the joined samples", {shaders::resolve_vert}, {shaders::resolve_frag})};
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolved.framebuffer.id());
+    gl.BindRenderbuffer(GL_RENDERBUFFER, resolved.colour.id());
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size_.width, size_.height);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved.colour.id());
+    check_complete(1);
+    return resolved;
+}
+
+void Framebuffer::check_complete(int samples) const {
+    check_gl(*gl_, fmt::format("making a framebuffer of {}x{} with {} samples", size_.width, size_.height, samples));
+    const GLenum status = gl_->CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         throw Error(ErrorKind::backend, fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
                                                     size_.width, size_.height, samples, status));
     }
-    return target;
 }
 
 void Framebuffer::bind(Size size) const {
@@ -57,17 +83,29 @@ void Framebuffer::bind(Size size) const {
 
 void Framebuffer::read(const Tile& tile, Plane<glm::vec4>& picture) const {
     const GladGLContext& gl = *gl_;
-    const Size size = tile.size;
-    if (samples_ > 1) {
-        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer.id());
-        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer.id());
-        gl.BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
-                           GL_NEAREST);
-        gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.framebuffer.id());
+    if (resolved_) {
+        resolve(tile.size);
     } else {
         gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
     }
     read_pixels(gl, tile, picture);
+}
+
+/// By a shader of our own: Mesa's software rasteriser compiles the one that glBlitFramebuffer takes each time anew.
+void Framebuffer::resolve(Size size) const {
+    const GladGLContext& gl = *gl_;
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
+    gl.Viewport(0, 0, size.width, size.height);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_BLEND);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, drawn_.samples.id());
+    resolved_->program.use();
+    resolved_->program.set("drawn", 0);
+    resolved_->program.set("samples", samples_);
+    gl.BindVertexArray(resolved_->vertex_array.id());
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindVertexArray(0);
 }
 
 void read_pixels(const GladGLContext& gl, const Tile& tile, Plane<glm::vec4>& picture) {

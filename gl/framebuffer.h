@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/glm.hpp>
 
 #include "core/plane.h"
 #include "core/space/camera.h"
 #include "gl/objects.h"
+#include "gl/program.h"
 
 namespace vvr {
 
@@ -29,18 +32,30 @@ class Framebuffer {
     void read(const Tile& tile, Plane<glm::vec4>& picture) const;
 
   private:
-    struct Target {
+    /// What is drawn into: one with several samples a pixel can be sampled, but not read.
+    struct Drawn {
         GlFramebuffer framebuffer;
-        GlRenderbuffer colour;
+        GlTexture samples;
+        GlRenderbuffer colour;  ///< where a pixel has but one sample
         GlRenderbuffer depth;
     };
-    Target make_target(int samples) const;
+    /// Where several samples become one.
+    struct Resolved {
+        GlFramebuffer framebuffer;
+        GlRenderbuffer colour;
+        GlVertexArray vertex_array;
+        Program program;
+    };
+    Drawn make_drawn() const;
+    Resolved make_resolved() const;
+    void resolve(Size size) const;
+    void check_complete(int samples) const;
 
     const GladGLContext* gl_;
     Size size_;
     int samples_;
-    Target drawn_;
-    Target resolved_;  ///< only with more than one sample
+    Drawn drawn_;
+    std::optional<Resolved> resolved_;  ///< only with more than one sample
 };
 
 }  // namespace vvr
