@@ -15,9 +15,9 @@ def fps(seconds):
 WAYS_TO_UPLOAD = {
     "memcpy": "memcpy of the same bytes",
     "bare": "bare glTexSubImage3D",
-    "textures": "vvr's upload of the texture alone",
-    "renderer": "vvr's renderer: upload, and the finding of empty cells",
-    "layout": "before it: layers put together as texels",
+    "textures": "vvr's upload: texels laid out, slab by slab",
+    "renderer": "vvr's renderer: that, and finding empty cells",
+    "layout": "all texels laid out at once, not uploaded",
 }
 
 
@@ -40,10 +40,11 @@ def upload(setting):
     measured = ("How fast a brick of the volume gets into its 3D texture on " + report["renderer"] + ", beside a memcpy of the "
                                                                                                      "same bytes "
                 "and a bare OpenGL call, in turn; each waits until OpenGL is done.")
-    meaning = (f"Uploading reaches {median(ratios(grey['bare'], grey['textures'])):.2f} of the rate of the bare call and "
-               f"{median(ratios(grey['memcpy'], grey['textures'])):.2f} of memcpy's: near 1 there is nothing to win in it. The "
-               f"renderer also looks for cells that hold nothing, once for each brick, which takes {cells:.0f} ms and spares "
-               "drawing them in every picture; and before that the layers are put together as texels.")
+    meaning = (f"From the volume's layers, of which only what isn't empty is held, to the texture vvr reaches "
+               f"{median(ratios(grey['bare'], grey['textures'])):.2f} of the rate of the bare call, which is given texels that are "
+               f"ready, and {median(ratios(grey['memcpy'], grey['textures'])):.2f} of memcpy's: near 1 there is nothing to win in "
+               f"it. The renderer also looks for cells that hold nothing, once for each brick, which takes {cells:.0f} ms and "
+               "spares drawing them in every picture.")
     return section("Brick upload", measured, text, meaning), report
 
 

@@ -1,6 +1,7 @@
 #include "gl/renderer.h"
 
 #include <algorithm>
+#include <future>
 #include <limits>
 #include <utility>
 
@@ -49,10 +50,10 @@ void Renderer::set_window(int ring, std::int64_t layers) {
 }
 
 void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
+    auto cells = std::async(std::launch::async, [&] { return brick_cells(layers, t_span(layers), *layout_); });
     textures_.upload(number, layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back(
-        {number, layers.brick().count, layers.size(), layers.box(), brick_cells(layers, t_span(layers), *layout_)});
+    window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get()});
 }
 
 void Renderer::renew_ends(std::int64_t number, const BrickLayers& layers) {

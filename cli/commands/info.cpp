@@ -40,7 +40,7 @@ std::string as_text(const FieldSource& source, const Plan& plan) {
     line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
                                counted(plan.step, "frame")));
     line("bricks", fmt::to_string(plan.bricks));
-    line("memory", fmt::format("about {} MB", plan.bytes / 1'000'000));
+    line("memory", fmt::format("at most about {} MB", plan.bytes / 1'000'000));
     return text;
 }
 

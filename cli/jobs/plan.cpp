@@ -29,8 +29,9 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     constexpr std::int64_t frames_in_flight = 16;
     constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
     constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
-    const std::int64_t picture_bytes = job.layers ? 72 : 36;  // a pixel, as floats in two copies, and encoded
-    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;  // as layers and as textures
+    const std::int64_t picture_bytes = job.layers ? 56 : 20;  // a pixel, as floats and as bytes
+    // As layers and as textures, if something is everywhere; of a street scene it is a third.
+    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
     // A pixel of the field: since when it has its value, and whose it is.

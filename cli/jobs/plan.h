@@ -12,7 +12,7 @@ struct Plan {
     std::int64_t step = 1;    ///< frames a layer takes
     std::int64_t layers = 0;
     std::int64_t bricks = 0;
-    std::int64_t bytes = 0;  ///< estimate of the memory in use at the highest
+    std::int64_t bytes = 0;  ///< estimate of the most memory that it can take, with something everywhere
 };
 
 Plan make_plan(const RenderJob& job, const FieldSource& source);

@@ -1,6 +1,7 @@
 #include "core/bricks/brick_layers.h"
 
 #include <algorithm>
+#include <cstring>
 #include <ranges>
 
 namespace vvr {
@@ -20,15 +21,27 @@ PixelBox occupied_box(std::span<const Layer* const> layers, Size size) {
     return common(box.grown(1, 1), {0, 0, size.width, size.height});
 }
 
-/// Calls visit(place in the box, values in reverse) for what isn't 0 in a layer.
+/// Calls visit(place in the box, values) for what isn't 0 in a layer; the values belong there in reverse.
 template <class Visit>
 void each_run_in(const SparsePlane& scalar, const PixelBox& box, const Visit& visit) {
     const Size size = scalar.size();
     scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
         const int x = size.width - column - static_cast<int>(values.size()) - box.left;
         const int y = size.height - 1 - row - box.top;
-        visit(static_cast<std::size_t>(y * box.width() + x), values | std::views::reverse);
+        visit(static_cast<std::size_t>(y * box.width() + x), values);
     });
+}
+
+/// A row of a tile at once, as an integer with its bytes swapped: one by one they took ten times as long.
+void copy_reversed(std::span<const std::uint8_t> values, std::uint8_t* to) {
+    std::uint64_t eight = 0;
+    if (values.size() != sizeof eight) {
+        std::ranges::reverse_copy(values, to);
+        return;
+    }
+    std::memcpy(&eight, values.data(), sizeof eight);
+    eight = __builtin_bswap64(eight);
+    std::memcpy(to, &eight, sizeof eight);
 }
 
 }  // namespace
@@ -48,9 +61,8 @@ std::size_t BrickLayers::area() const {
 void BrickLayers::lay_out(std::int64_t first, std::span<std::uint8_t> texels) const {
     std::ranges::fill(texels, std::uint8_t{0});
     for (auto layer = layers_.begin() + first; !texels.empty(); ++layer, texels = texels.subspan(area())) {
-        each_run_in((*layer)->scalar, box_, [&](std::size_t at, auto values) {
-            std::ranges::copy(values, texels.begin() + static_cast<std::ptrdiff_t>(at));
-        });
+        each_run_in((*layer)->scalar, box_,
+                    [&](std::size_t at, std::span<const std::uint8_t> values) { copy_reversed(values, &texels[at]); });
     }
 }
 
@@ -64,8 +76,8 @@ void BrickLayers::lay_out(std::int64_t first, std::span<ColouredTexel> texels) c
                                           static_cast<std::size_t>(box_.width()));
             for (const Bgr& bgr : row | std::views::reverse) *into++ = {bgr[2], bgr[1], bgr[0], 0};
         }
-        each_run_in((*layer)->scalar, box_, [&](std::size_t at, auto values) {
-            for (const std::uint8_t value : values) texels[at++][3] = value;
+        each_run_in((*layer)->scalar, box_, [&](std::size_t at, std::span<const std::uint8_t> values) {
+            for (const std::uint8_t value : values | std::views::reverse) texels[at++][3] = value;
         });
     }
 }
