@@ -71,9 +71,9 @@ void fill(Picture& picture, const Panel& panel, Size field, Shade shade) {
             const int left = static_cast<int>(x);
             const int right = std::min(left + 1, field.width - 1);
             const auto across = static_cast<float>(x - left);
-            picture.pixels.at(panel.left + i, gap + j) =
-                glm::mix(glm::mix(shades.at(left, top), shades.at(right, top), across),
-                    glm::mix(shades.at(left, below), shades.at(right, below), across), static_cast<float>(y - top));
+            picture.pixels.at(panel.left + i, gap + j) = glm::mix(
+                glm::mix(shades.at(left, top), shades.at(right, top), across),
+                glm::mix(shades.at(left, below), shades.at(right, below), across), static_cast<float>(y - top));
         }
     }
 }

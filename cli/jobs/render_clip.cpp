@@ -35,9 +35,9 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
     std::optional<EventFinder> events;
     if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
-    result.summary = source.read(needs, [&](const SharedFrame& frame, Field&& field) {
+    result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         if (events) events->add(field.scalar, {field.index, field.pts});
-        result.volume.add(std::move(field), volume_colour(job, *frame));
+        result.volume.add(field, volume_colour(job, *frame));
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
         const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;

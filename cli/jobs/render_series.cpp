@@ -59,12 +59,12 @@ class Series {
         report_.pictures = 0;
     }
 
-    void add(const SharedFrame& frame, Field&& field) {
+    void add(const SharedFrame& frame, const Field& field) {
         if (begin_) fill_gap(field);
         if (!begin_) begin_ = {field.index, field.pts};
         if (volume_.frames() == window_.frames()) drop_oldest();
         if (events_) events_->add(field.scalar, {field.index, field.pts});
-        volume_.add(std::move(field), volume_colour(job_, *frame));
+        volume_.add(field, volume_colour(job_, *frame));
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = frame;
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
@@ -202,8 +202,8 @@ RenderReport render_series(const RenderJob& job, FieldSource& source, const Fram
     // Fields come from other threads in turn, which draw when a brick is full.
     const ContextForOthers loan(*context);
     std::int64_t frames = 0;
-    const FieldSummary summary = source.read(needs, [&](const SharedFrame& frame, Field&& field) {
-        series.add(frame, std::move(field));
+    const FieldSummary summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
+        series.add(frame, field);
         if (progress) progress(++frames);
     });
     RenderReport report = series.finish();

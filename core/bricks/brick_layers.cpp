@@ -32,7 +32,7 @@ void each_run_in(const SparsePlane& scalar, const PixelBox& box, const Visit& vi
     });
 }
 
-/// A row of a tile at once, as an integer with its bytes swapped: one by one they took ten times as long.
+/// A row of a tile at once, as an integer with its bytes swapped: a brick is laid out 1.7 times as fast.
 void copy_reversed(std::span<const std::uint8_t> values, std::uint8_t* to) {
     std::uint64_t eight = 0;
     if (values.size() != sizeof eight) {

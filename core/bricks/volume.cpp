@@ -41,7 +41,7 @@ Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t
     }
 }
 
-void Volume::add(Field field, const Plane<Bgr>& colour) {
+void Volume::add(const Field& field, const Plane<Bgr>& colour) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorKind::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,

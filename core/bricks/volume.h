@@ -69,7 +69,7 @@ class Volume {
 
     /// Adds the next frame's field, whose scalar has this volume's size.
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
-    void add(Field field, const Plane<Bgr>& colour = {});
+    void add(const Field& field, const Plane<Bgr>& colour = {});
 
     /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
     void add_missing(std::int64_t index, double pts);

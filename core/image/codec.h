@@ -26,8 +26,8 @@ struct PictureFile {
     std::span<const float> values{};
 };
 
-/// What we use of OpenImageIO: all formats but PNG and JPEG, and all that is read. Together with the 250 libraries that it
-/// depends on it takes longer to load than a short clip to be read, so it stands in a library of our own,
+/// What we use of OpenImageIO: all formats but PNG and JPEG, and all that is read. Together with the 250 libraries that
+/// it depends on it takes longer to load than a short clip to be read, so it stands in a library of our own,
 /// core/image/oiio.cpp, that is loaded when it is first needed.
 struct PictureCodec {
     std::vector<unsigned char> (*encode)(const PictureFile& file);

@@ -21,9 +21,9 @@ std::array<int, 3> levels(const Rgba& pixel) {
     return {level(pixel.r), level(pixel.g), level(pixel.b)};
 }
 
-std::size_t bin_of(const Rgba& pixel) {
+std::size_t bin_of(const std::array<int, 3>& colour) {
     std::size_t bin = 0;
-    for (const int of : levels(pixel)) bin = (bin << bits) | static_cast<std::size_t>(of >> (8 - bits));
+    for (const int of : colour) bin = (bin << bits) | static_cast<std::size_t>(of >> (8 - bits));
     return bin;
 }
 
@@ -35,8 +35,9 @@ struct Entry {
 std::vector<Entry> histogram(const Picture& picture) {
     std::vector<Entry> bins(std::size_t{1} << (3 * bits));
     for (const Rgba& pixel : picture.pixels.pixels()) {
-        Entry& bin = bins[bin_of(pixel)];
-        for (std::size_t c = 0; c < 3; ++c) bin.colour[c] += levels(pixel)[c];
+        const std::array<int, 3> colour = levels(pixel);
+        Entry& bin = bins[bin_of(colour)];
+        for (std::size_t c = 0; c < 3; ++c) bin.colour[c] += colour[c];
         ++bin.pixels;
     }
     std::erase_if(bins, [](const Entry& bin) { return bin.pixels == 0; });
@@ -99,13 +100,14 @@ Palette::Palette(const Picture& picture) : known_(std::size_t{1} << (3 * bits), 
 }
 
 std::uint8_t Palette::nearest(const Rgba& pixel) {
-    int& answer = known_[bin_of(pixel)];
+    const std::array<int, 3> colour = levels(pixel);
+    int& answer = known_[bin_of(colour)];
     if (answer < 0) {
         int least = std::numeric_limits<int>::max();
         for (std::size_t i = 0; i < colours_.size(); ++i) {
             int away = 0;
             for (std::size_t c = 0; c < 3; ++c) {
-                const int step = colours_[i][c] - levels(pixel)[c];
+                const int step = colours_[i][c] - colour[c];
                 away += step * step;
             }
             if (away < least) {

@@ -88,9 +88,10 @@ std::vector<Frame> FileSource::sample_planned(int count) const {
     const SampledPackets plan = plan_samples(scan, count);
     // Where one decoder has no threads of its own, several share the clip; a server is asked but once at a time.
     const bool alone = reader_.threaded() || !reader_.input().file;
-    const auto plans = cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
+    auto plans = cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
     std::vector<std::vector<Frame>> parts(plans.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) { parts[i] = decode(plans[i]); });
+    oneapi::tbb::parallel_for(std::size_t{0}, plans.size(),
+                              [&](std::size_t i) { parts[i] = decode(std::move(plans[i])); });
     std::vector<Frame> frames;
     for (std::vector<Frame>& part : parts) std::ranges::move(part, std::back_inserter(frames));
     if (frames.size() < plan.stamps.size()) frames.clear();

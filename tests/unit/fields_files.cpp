@@ -6,22 +6,16 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
 
 template <class Call>
-std::string error_of(Call call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::io);
-        return error.what();
-    }
-    return "no error";
+std::string error_of(const Call& call) {
+    return test::error_text(ErrorKind::io, call);
 }
 
 std::string seeds_error(const std::string& text) {

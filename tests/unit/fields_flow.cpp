@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/flows/median.h"
 #include "core/fields/flows/solvers.h"
+#include "tests/support/errors.h"
 #include "tests/unit/fields_flow_tools.h"
 #include "tests/unit/fields_plain_jacobi.h"
 
@@ -259,14 +259,8 @@ TEST(MedianOfNine, IsTheMiddleOfNine) {
 }
 
 TEST(FlowTable, UnknownNamesSayWhatThereIs) {
-    const auto text_of = [](const FlowOptions& options) -> std::string {
-        try {
-            make_flow(options);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::usage);
-            return error.what();
-        }
-        return "no error";
+    const auto text_of = [](const FlowOptions& options) {
+        return test::error_text(ErrorKind::usage, [&] { make_flow(options); });
     };
     FlowOptions options;
     options.method = "horn-schunk";

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/fields/options.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
@@ -13,13 +13,7 @@ namespace {
 std::string error_of(const std::function<void(FieldOptions&)>& change) {
     FieldOptions options;
     change(options);
-    try {
-        validate(options);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::usage);
-        return error.what();
-    }
-    return "no error";
+    return test::error_text(ErrorKind::usage, [&] { validate(options); });
 }
 
 TEST(FieldOptions, DefaultsAreValid) {

@@ -4,22 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/image/jpeg_encoder.h"
 #include "core/image/png_encoder.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
 
 template <class Encode>
 std::string error_of(const Encode& encode) {
-    try {
-        encode();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::io);
-        return error.what();
-    }
-    return "none";
+    return test::error_text(ErrorKind::io, encode);
 }
 
 TEST(Encoders, SayWhatTheirLibrariesRefuse) {

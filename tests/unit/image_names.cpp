@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/error.h"
 #include "core/image/name_pattern.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
@@ -31,13 +31,7 @@ TEST(NamePattern, LeavesOtherNamesAlone) {
 }
 
 std::string error_of(const char* pattern) {
-    try {
-        const NamePattern name(pattern);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::usage);
-        return error.what();
-    }
-    return "none";
+    return test::error_text(ErrorKind::usage, [&] { const NamePattern name(pattern); });
 }
 
 TEST(NamePattern, RefusesWhatIsNoField) {
@@ -47,7 +41,7 @@ TEST(NamePattern, RefusesWhatIsNoField) {
     EXPECT_EQ(error_of("a.{frame:four}.png"), "'{frame:four}': a field has 1 to 9 digits, as {frame:4} has");
     EXPECT_EQ(error_of("a.{frame:0}.png"), "'{frame:0}': a field has 1 to 9 digits, as {frame:4} has");
     EXPECT_EQ(error_of("####.%04d.png"), "'####.%04d.png' has two fields for numbers; a name takes one");
-    EXPECT_NE(error_of("{}.png"), "none");
+    EXPECT_NE(error_of("{}.png"), "no error");
 }
 
 }  // namespace

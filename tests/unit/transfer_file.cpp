@@ -9,18 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
 
 std::string error_of(const std::string& text) {
-    try {
-        parse_transfer(text, "my.tf");
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::usage);
-        return error.what();
-    }
-    return "none";
+    return test::error_text(ErrorKind::usage, [&] { parse_transfer(text, "my.tf"); });
 }
 
 TEST(TransferFile, HoldsPoints) {
