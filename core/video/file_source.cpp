@@ -27,6 +27,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
                 name, avcodec_get_name(reader_.demuxer().stream().codecpar->codec_id), reader_.damaged(),
                 reader_.demuxer().log().text(AVERROR_INVALIDDATA)));
     const Demuxer& demuxer = reader_.demuxer();
+    tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
     field_size_ = field_size_for(info_.size, options_.field_size);
@@ -40,8 +41,7 @@ void FileSource::rewind() {
 void FileSource::seek(double seconds) {
     ahead_.reset();
     // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
-    const double tick = av_q2d(reader_.demuxer().stream().time_base);
-    from_ = (std::floor(seconds / tick) - 0.5) * tick;
+    from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
     start_ = from_ > 0 ? reader_.find(from_) : Start{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
@@ -51,7 +51,10 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return std::move(ahead_);
     for (;;) {
         auto [image, time] = reader_.next();
-        if (!image) return nullptr;
+        if (!image) {
+            reader_.close();
+            return nullptr;
+        }
         if (start_.packets == 0 || time >= from_)
             return std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)});
         reader_.forget_damage();
@@ -59,6 +62,9 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
 }
 
 std::vector<Frame> FileSource::sample(int count) {
+    // Each that is open holds the clip's index, 24 MB of six hours.
+    ahead_.reset();
+    reader_.close();
     auto frames = sample_key_frames(count);
     if (frames.empty()) frames = sample_planned(count);
     if (frames.empty()) return FrameSource::sample(count);
@@ -84,8 +90,10 @@ std::vector<Frame> FileSource::sample_key_frames(int count) const {
 /// The frames that sampling all of them would give, without decoding what they don't depend on. None where the clip is
 /// damaged, or its packets' times are not its frames'.
 std::vector<Frame> FileSource::sample_planned(int count) const {
-    Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
-    const SampledPackets plan = plan_samples(scan, count);
+    const SampledPackets plan = [&] {
+        Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
+        return plan_samples(scan, count);
+    }();
     // Where one decoder has no threads of its own, several share the clip; a server is asked but once at a time.
     const bool alone = reader_.threaded() || !reader_.input().file;
     auto plans = cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());

@@ -36,6 +36,7 @@ class FileSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
+    double tick_ = 0;  ///< of the container's clock, seconds
     double from_ = 0;  ///< seconds; frames before it are passed over
     Start start_;
 

@@ -11,9 +11,10 @@ VideoReader::VideoReader(Input input, double rate, int threads)
 }
 
 void VideoReader::open(const Start& start) {
-    decoder_.reset();
+    close();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, threads_);
+    threaded_ = decoder_->threaded();
     forgotten_ = 0;
     pass_frames_ = 0;
     pass_until_.reset();
@@ -22,6 +23,12 @@ void VideoReader::open(const Start& start) {
     const auto packet = av::make_packet();
     for (std::int64_t i = 0; i < start.packets; ++i)
         if (!demuxer_->read(*packet)) return;
+}
+
+void VideoReader::close() {
+    if (decoder_) damaged_ = decoder_->damaged();
+    decoder_.reset();
+    demuxer_.reset();
 }
 
 void VideoReader::rewind(const Start& start) {
@@ -36,7 +43,7 @@ Start VideoReader::find(double time) const {
 }
 
 VideoReader::Timed VideoReader::next() {
-    for (;;) {
+    while (decoder_) {
         auto image = decoder_->next();
         if (!image && !decoder_->stopped()) return {};
         if (!image) {
@@ -54,6 +61,7 @@ VideoReader::Timed VideoReader::next() {
         last_ = time;
         return {std::move(image), time};
     }
+    return {};
 }
 
 /// Decodes again from a little before the damage, passing over the frames that were given already.

@@ -29,16 +29,19 @@ class VideoReader {
     /// Begins again: at the first frame, or where `start` says. The clip's first frame has to have been read once.
     void rewind(const Start& start = {});
 
+    /// Gives back what reading takes, of a long clip above all its index. Until the next rewind there are no frames.
+    void close();
+
     /// Where to begin for the first frame at or after `time`, in seconds.
     Start find(double time) const;
 
     /// Packets and frames that were damaged since the last rewind, or `forget_damage`.
-    std::int64_t damaged() const { return decoder_->damaged() - forgotten_; }
+    std::int64_t damaged() const { return (decoder_ ? decoder_->damaged() : damaged_) - forgotten_; }
     void forget_damage() { forgotten_ = decoder_->damaged(); }
 
-    Demuxer& demuxer() const { return *demuxer_; }
+    Demuxer& demuxer() const { return *demuxer_; }  ///< only while it isn't closed
     const Input& input() const { return input_; }
-    bool threaded() const { return decoder_->threaded(); }
+    bool threaded() const { return threaded_; }
 
     /// The first frame's time on the container's own clock, seconds.
     double origin() const { return origin_.value_or(0); }
@@ -54,6 +57,8 @@ class VideoReader {
     std::unique_ptr<Decoder> decoder_;
     Clock clock_{0};
     std::optional<double> origin_;
+    bool threaded_ = false;     ///< the decoder
+    std::int64_t damaged_ = 0;  ///< when it was closed
 
     Start start_;
     std::int64_t given_ = 0;  ///< frames since the last rewind
