@@ -105,7 +105,7 @@ struct Bricks {
 /// The polygons of all slices, cut once and kept where OpenGL has them at hand: what is timed is only their drawing.
 class ReadyPolygons {
   public:
-    ReadyPolygons(const GladGLContext& gl, const Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
+    ReadyPolygons(const GladGLContext& gl, Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
         std::vector<double> borders{0};
         for (const PlacedBrick& brick : bricks.placed) borders.push_back(brick.t_end);
         order_ = bricks.layout->back_to_front(bricks.camera.eye, borders);
@@ -123,7 +123,7 @@ class ReadyPolygons {
         for (const int i : order_) {
             const Mesh& mesh = meshes_[static_cast<std::size_t>(i)];
             const PlacedBrick& brick = bricks_->placed[static_cast<std::size_t>(i)];
-            bricks_->textures.bind(brick.number);
+            bricks_->textures.bind(brick);
             const TextureMap map = texture_from_c(brick);
             gl_->Uniform3fv(scale, 1, &map.scale.x);
             gl_->Uniform3fv(offset, 1, &map.offset.x);
@@ -168,7 +168,7 @@ class ReadyPolygons {
     }
 
     const GladGLContext* gl_;
-    const Bricks* bricks_;
+    Bricks* bricks_;
     std::vector<int> order_;
     std::vector<Mesh> meshes_;
 };

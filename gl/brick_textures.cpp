@@ -66,7 +66,8 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
                                 width, height, layers.brick().count, largest));
     }
 
-    Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
+    Slot* const held = find(number);
+    Slot& slot = held != nullptr ? *held : slots_[static_cast<std::size_t>(ring_.slot(entered_++))];
     const bool fits = slot.texture && slot.box.width() == width && slot.box.height() == height &&
                       slot.layers == layers.count() && slot.coloured == layers.coloured();
     if (!fits) slot.texture = GlTexture(gl);
@@ -90,27 +91,31 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
 }
 
 void BrickTextures::upload_ends(std::int64_t number, const BrickLayers& layers) {
-    const Slot& slot = slot_of(number);
-    if (slot.box != layers.box()) {
+    const Slot* const slot = find(number);
+    if (slot == nullptr || slot->box != layers.box()) {
         upload(number, layers);
         return;
     }
-    gl_->BindTexture(GL_TEXTURE_3D, slot.texture.id());
-    for (const std::int64_t layer : {std::int64_t{0}, slot.layers - 1}) upload_part(*gl_, layers, layer, 1);
+    gl_->BindTexture(GL_TEXTURE_3D, slot->texture.id());
+    for (const std::int64_t layer : {std::int64_t{0}, slot->layers - 1}) upload_part(*gl_, layers, layer, 1);
     check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
 }
 
-const BrickTextures::Slot& BrickTextures::slot_of(std::int64_t number) const {
-    const Slot& slot = slots_[static_cast<std::size_t>(ring_.slot(number))];
-    if (slot.number != number) {
-        throw Error(ErrorKind::backend,
-                    fmt::format("brick {} is not in the ring: its slot holds {}", number, slot.number));
-    }
-    return slot;
+BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
+    const auto slot = std::ranges::find(slots_, number, &Slot::number);
+    return slot == slots_.end() ? nullptr : &*slot;
 }
 
-void BrickTextures::bind(std::int64_t number) const {
-    gl_->BindTexture(GL_TEXTURE_3D, slot_of(number).texture.id());
+void BrickTextures::bind(const PlacedBrick& brick) {
+    if (find(brick.number) == nullptr) {
+        if (brick.made_of == nullptr) {
+            throw Error(ErrorKind::backend,
+                        fmt::format("brick {} is not among the {} in the ring, and its layers are gone", brick.number,
+                                    ring_.size()));
+        }
+        upload(brick.number, *brick.made_of);
+    }
+    gl_->BindTexture(GL_TEXTURE_3D, find(brick.number)->texture.id());
 }
 
 }  // namespace vvr

@@ -4,16 +4,18 @@
 
 #include "core/bricks/brick.h"
 #include "core/bricks/brick_layers.h"
+#include "core/bricks/cells.h"
 #include "gl/objects.h"
 
 namespace vvr {
 
-/// The ring's k 3D textures. A brick that enters overwrites the texture of the one that has left (§6.1).
+/// The ring's k 3D textures, which bricks take in turn: one that enters overwrites the texture of the one that entered
+/// k bricks before (§6.1).
 class BrickTextures {
   public:
     BrickTextures(const GladGLContext& gl, BrickRing ring);
 
-    /// Puts a brick into its slot of the ring.
+    /// Puts a brick into the ring: into the slot that it has, else the next one.
     /// \param number of the brick, counted from the clip's first
     /// \throws Error limit when the brick is larger than the driver's largest 3D texture or memory is out
     void upload(std::int64_t number, const BrickLayers& layers);
@@ -22,8 +24,9 @@ class BrickTextures {
     /// changed. If they hold something outside of the brick's box all of it is uploaded.
     void upload_ends(std::int64_t number, const BrickLayers& layers);
 
-    /// Binds the texture that holds brick `number` to the texture unit in use.
-    void bind(std::int64_t number) const;
+    /// Binds a brick's texture to the texture unit in use. If it isn't in the ring it enters.
+    /// \throws Error backend when it isn't, and nothing says what it is made of
+    void bind(const PlacedBrick& brick);
 
   private:
     struct Slot {
@@ -34,11 +37,13 @@ class BrickTextures {
         bool coloured = false;
     };
 
-    const Slot& slot_of(std::int64_t number) const;
+    /// Where a brick is in the ring; null if it isn't.
+    Slot* find(std::int64_t number);
 
     const GladGLContext* gl_;
     BrickRing ring_;
     std::vector<Slot> slots_;
+    std::int64_t entered_ = 0;  ///< bricks, into the ring
 };
 
 }  // namespace vvr

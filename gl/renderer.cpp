@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "gl/check.h"
@@ -12,9 +14,6 @@
 namespace vvr {
 
 namespace {
-
-// A tile of so many samples takes 20 bytes a sample: the framebuffer's memory doesn't grow with the picture.
-constexpr std::int64_t tile_samples = 2048 * 1024;
 
 // A pixel that lets more than this of what is behind it through shows nothing.
 constexpr float least_opacity = 1.0F / 255;
@@ -34,7 +33,7 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       layout_(&layout),
       options_(options),
       camera_(options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
-      tiles_(cut_tiles(options.size, tile_samples / options.samples)),
+      tiles_(cut_tiles(options.size, options.tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size, options.samples),
       textures_(context.gl(), BrickRing(options.ring)),
       slicer_(context.gl(), layout, options.colour, options.shading),
@@ -53,7 +52,21 @@ void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
     auto cells = std::async(std::launch::async, [&] { return brick_cells(layers, t_span(layers), *layout_); });
     textures_.upload(number, layers);
     if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get()});
+    window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get(), {}});
+}
+
+void Renderer::show(const Volume& volume, std::span<const Brick> bricks, int textures) {
+    set_window(textures, volume.layers());
+    window_.resize(bricks.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, bricks.size(), [&](std::size_t i) {
+        const BrickLayers layers(volume, bricks[i]);
+        window_[i] = {static_cast<std::int64_t>(i),
+                      layers.brick().count,
+                      layers.size(),
+                      layers.box(),
+                      brick_cells(layers, t_span(layers), *layout_),
+                      layers};
+    });
 }
 
 void Renderer::renew_ends(std::int64_t number, const BrickLayers& layers) {
@@ -75,7 +88,7 @@ std::vector<PlacedBrick> Renderer::place() const {
         const double t_begin = static_cast<double>(before) / n;
         before += brick.layers;
         placed.push_back({brick.number, brick.layers, t_begin, static_cast<double>(before) / n, brick.size, brick.box,
-                          &brick.cells});
+                          &brick.cells, brick.made_of ? &*brick.made_of : nullptr});
     }
     return placed;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -27,12 +28,13 @@ namespace vvr {
 struct RenderOptions {
     Size size{1280, 800};
     View view;
-    std::optional<Camera> camera;      ///< instead of the one that holds the volume from `view`
-    int slices = 0;                    ///< 0 = one for every two voxels
-    int samples = 4;                   ///< a pixel, for smooth edges; 1 takes about half the time
-    int ring = 8;                      ///< k, the bricks that are visible at a time
-    std::int64_t window_layers = 0;    ///< n, the layers of a full window
-    glm::vec4 background{1, 1, 1, 1};  ///< multiplied by its opacity
+    std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
+    int slices = 0;                       ///< 0 = one for every two voxels
+    int samples = 4;                      ///< a pixel, for smooth edges; 1 takes about half the time
+    std::int64_t tile_samples = 1 << 21;  ///< drawn at a time, 24 bytes each, however large the picture
+    int ring = 8;                         ///< k, the bricks that are visible at a time
+    std::int64_t window_layers = 0;       ///< n, the layers of a full window
+    glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
     VolumeColour colour = VolumeColour::transfer;
     VolumeShading shading = VolumeShading::none;
     GlyphStyle glyphs;
@@ -50,6 +52,10 @@ class Renderer {
     void set_window(int ring, std::int64_t layers);
 
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
+
+    /// Empties the window and shows a whole volume, which stays as it is until it has been drawn.
+    /// \param textures of bricks at a time, at least 1: fewer than there are bricks are made anew in each drawing
+    void show(const Volume& volume, std::span<const Brick> bricks, int textures);
 
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickLayers& layers);
@@ -104,6 +110,7 @@ class Renderer {
         Size size;  ///< of its layers
         PixelBox box;
         BrickCells cells;
+        std::optional<BrickLayers> made_of;  ///< where the texture may have to be made again
     };
 
     const GladGLContext* gl_;

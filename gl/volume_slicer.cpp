@@ -85,7 +85,7 @@ void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
     check_gl(*gl_, "uploading the transfer function");
 }
 
-void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
                         const SliceStack& stack) {
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthMask(GL_FALSE);
@@ -96,7 +96,7 @@ void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, const BrickTextures
     });
 }
 
-void VolumeSlicer::draw_seen(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+void VolumeSlicer::draw_seen(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
                              const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target) {
     if (!seen_program_) {
         seen_program_ = Program(*gl_, "the volume's layers", {layout_shader(*layout_), shaders::volume_vert},
@@ -123,8 +123,8 @@ void VolumeSlicer::draw_seen(std::span<const PlacedBrick> bricks, const BrickTex
                    });
 }
 
-void VolumeSlicer::for_each_brick(const Program& program, std::span<const PlacedBrick> bricks,
-                                  const BrickTextures& textures, const Camera& camera, const SliceStack& stack,
+void VolumeSlicer::for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, BrickTextures& textures,
+                                  const Camera& camera, const SliceStack& stack,
                                   const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw) {
     if (bricks.empty()) return;
     const GladGLContext& gl = *gl_;
@@ -156,13 +156,13 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
         const PlacedBrick& brick = bricks[static_cast<std::size_t>(i)];
         const SliceMesh mesh = cut_slices(bricks, static_cast<std::size_t>(i), *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
-        textures.bind(brick.number);
         const TextureMap map = texture_from_c(brick);
         program.set("brick_scale", map.scale);
         program.set("brick_offset", map.offset);
         // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
         // one brick wait while it draws another.
         before_last.wait();
+        textures.bind(brick);
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),

@@ -54,17 +54,17 @@ class VolumeSlicer {
     void set_transfer(const TransferFunction& transfer);
 
     /// \param bricks ascending in time
-    void draw(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+    void draw(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
               const SliceStack& stack);
 
     /// The same into a target of what is seen: frames are counted from the window's first.
     /// \param frames_a_layer of the volume
-    void draw_seen(std::span<const PlacedBrick> bricks, const BrickTextures& textures, const Camera& camera,
+    void draw_seen(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
                    const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target);
 
   private:
     /// Makes the mesh of each brick ready, back to front, and has it drawn.
-    void for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, const BrickTextures& textures,
+    void for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, BrickTextures& textures,
                         const Camera& camera, const SliceStack& stack,
                         const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw);
 

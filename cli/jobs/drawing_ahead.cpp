@@ -37,8 +37,10 @@ void rehearse(const RenderJob& job, const Drawing& drawing) {
 
 }  // namespace
 
-DrawingAhead::DrawingAhead(const RenderJob& job, Size field_size)
-    : drawing_(std::async(std::launch::async, [this, &job, field_size] { return make(job, field_size); })) {}
+DrawingAhead::DrawingAhead(const RenderJob& job, Size field_size, Part part)
+    : job_(&job),
+      field_size_(field_size),
+      drawing_(std::async(std::launch::async, [this, part] { return open(part); })) {}
 
 DrawingAhead::~DrawingAhead() {
     try {
@@ -48,27 +50,35 @@ DrawingAhead::~DrawingAhead() {
     }
 }
 
-Drawing DrawingAhead::make(const RenderJob& job, Size field_size) {
+Drawing DrawingAhead::open(Part part) {
     Drawing drawing;
     try {
-        drawing.context = open_drawing(job);
+        drawing.context = open_drawing(*job_);
     } catch (...) {
         opened_.set_exception(std::current_exception());
         throw;
     }
     opened_.set_value();
-    drawing.layout = layout_of(job, field_size);
-    drawing.framing = frame_volume(job, *drawing.layout);
-    drawing.renderer = std::make_unique<Renderer>(*drawing.context, *drawing.layout,
-                                                  options_of(job, drawing.framing, 1, rehearsed_frames));
-    rehearse(job, drawing);
+    if (part == Part::all) {
+        make_renderer(drawing, RenderOptions{}.tile_samples);
+        rehearse(*job_, drawing);
+    }
     drawing.context->release();
     return drawing;
+}
+
+void DrawingAhead::make_renderer(Drawing& drawing, std::int64_t tile_samples) const {
+    drawing.layout = layout_of(*job_, field_size_);
+    drawing.framing = frame_volume(*job_, *drawing.layout);
+    RenderOptions options = options_of(*job_, drawing.framing, 1, rehearsed_frames);
+    options.tile_samples = tile_samples;
+    drawing.renderer = std::make_unique<Renderer>(*drawing.context, *drawing.layout, options);
 }
 
 Drawing DrawingAhead::take() {
     Drawing drawing = drawing_.get();
     drawing.context->take();
+    if (!drawing.renderer) make_renderer(drawing, RenderOptions{}.tile_samples / 2);
     return drawing;
 }
 

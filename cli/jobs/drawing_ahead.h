@@ -21,8 +21,13 @@ struct Drawing {
 /// the driver to compile shaders.
 class DrawingAhead {
   public:
+    enum class Part {
+        all,
+        context,  ///< the rest when it is taken, and less of it: memory counts for more than a moment then
+    };
+
     /// \param job outlives it
-    DrawingAhead(const RenderJob& job, Size field_size);
+    DrawingAhead(const RenderJob& job, Size field_size, Part part);
     ~DrawingAhead();
     DrawingAhead(const DrawingAhead&) = delete;
     DrawingAhead& operator=(const DrawingAhead&) = delete;
@@ -36,8 +41,11 @@ class DrawingAhead {
     Drawing take();
 
   private:
-    Drawing make(const RenderJob& job, Size field_size);
+    Drawing open(Part part);
+    void make_renderer(Drawing& drawing, std::int64_t tile_samples) const;
 
+    const RenderJob* job_;
+    Size field_size_;
     std::promise<void> opened_;
     std::future<Drawing> drawing_;
 };

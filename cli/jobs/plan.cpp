@@ -30,14 +30,16 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
     constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
     const std::int64_t picture_bytes = job.layers ? 56 : 20;  // a pixel, as floats and as bytes
-    // As layers and as textures, if something is everywhere; of a street scene it is a third.
-    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 8 : 2;
+    // In a layer and in a texture, if something is everywhere; of a street scene it is a twentieth and a half of that.
+    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 4 : 1;
+    const std::int64_t layers_in_textures =
+        plan.layers * textures_of(job, plan.bricks) / std::max<std::int64_t>(1, plan.bricks);
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
     // A pixel of the field: since when it has its value, and whose it is.
     const std::int64_t event_bytes = job.find_events ? 40 : 0;
     return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
-           voxel_bytes * plan.layers * area(source.field_size()) +
+           voxel_bytes * (plan.layers + layers_in_textures) * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
            picture_bytes * area(job.picture.size);
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "cli/jobs/annotate.h"
 #include "cli/jobs/build_scene.h"
@@ -16,6 +18,8 @@ namespace {
 
 // So many frames are read in a few seconds: not worth waiting until it is known that they can be drawn.
 constexpr std::int64_t soon_read = 5000;
+// So many take longer than a hundred times what is won by being ready to draw when they have been read.
+constexpr std::int64_t long_read = 100'000;
 
 /// The volume of a clip, and the frames at its ends.
 struct Fields {
@@ -66,15 +70,6 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
-/// Uploads all bricks, giving the volume's memory back on the way.
-void push_bricks(Renderer& renderer, Volume& volume, const std::vector<Brick>& bricks) {
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-        renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, bricks[i]));
-        // The next brick repeats the last layer.
-        volume.release_before(bricks[i].first + bricks[i].count - 1);
-    }
-}
-
 }  // namespace
 
 const std::vector<std::string>& show_words() {
@@ -94,6 +89,10 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
     return std::max<std::int64_t>(1, (frames + job.max_layers - 1) / job.max_layers);
 }
 
+std::int64_t textures_of(const RenderJob& job, std::int64_t bricks) {
+    return job.series || job.pictures > 1 ? bricks : std::min<std::int64_t>(2, bricks);
+}
+
 RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress) {
     RenderedClip clip;
     clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
@@ -105,8 +104,9 @@ RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameP
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
     RenderReport report;
-    DrawingAhead ahead(job, source.field_size());
     const std::int64_t expected = source.expected_frames();
+    using Part = DrawingAhead::Part;
+    DrawingAhead ahead(job, source.field_size(), expected > long_read ? Part::context : Part::all);
     if (expected == 0 || expected > soon_read) ahead.wait_for_context();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
@@ -144,10 +144,11 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
     report.still = nothing_visible(volume, job.transfer);
 
-    renderer.set_window(static_cast<int>(report.bricks.size()), volume.layers());
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
-    if (job.show.contains("volume")) push_bricks(renderer, volume, report.bricks);
+    const bool shown = job.show.contains("volume");
+    renderer.show(volume, shown ? std::span<const Brick>(report.bricks) : std::span<const Brick>(),
+                  static_cast<int>(textures_of(job, std::ssize(report.bricks))));
     add_overlays(job, renderer, layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     report.lettering = letter(job, report, volume, layout, framing);

@@ -64,6 +64,7 @@ struct PlacedBrick {
     Size size;     ///< of its layers
     PixelBox box;  ///< of their texels those that its texture holds
     const BrickCells* cells = nullptr;
+    const BrickLayers* made_of = nullptr;  ///< for when its texture isn't there; null where it stays
 };
 
 /// Texture coordinates from C-space: scale and offset.

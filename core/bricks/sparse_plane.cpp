@@ -51,6 +51,12 @@ PixelBox SparsePlane::box() const {
 }
 
 void SparsePlane::keep_greater(const SparsePlane& other) {
+    // Room for what is added and no more: in a long clip it is added to most layers a last time.
+    std::size_t added_tiles = 0;
+    for (std::size_t place = 0; place < held_.size(); ++place) {
+        if (held_[place] == none && other.held_[place] != none) ++added_tiles;
+    }
+    tiles_.reserve(tiles_.size() + added_tiles);
     for (std::size_t place = 0; place < held_.size(); ++place) {
         const Tile* const added = other.tile_at(place);
         if (added == nullptr) continue;

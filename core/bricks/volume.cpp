@@ -154,13 +154,6 @@ void Volume::drop_front(std::int64_t layers) {
     flow_.drop_front(frames);
 }
 
-void Volume::release_before(std::int64_t layer) {
-    for (std::int64_t i = 0; i < std::min(layer, layers()); ++i) {
-        layers_[static_cast<std::size_t>(i)].scalar = {};
-        layers_[static_cast<std::size_t>(i)].colour = {};
-    }
-}
-
 void Volume::join_pairs() {
     std::vector<Layer> joined;
     joined.reserve(layers_.size());

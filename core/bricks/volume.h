@@ -86,10 +86,6 @@ class Volume {
     std::span<const FrameSeed> seeds() const { return seeds_; }
     const FlowVolume& flow() const { return flow_; }
 
-    /// Gives back the memory of the scalars and colours of all layers before `layer`; for when they have become
-    /// textures.
-    void release_before(std::int64_t layer);
-
     /// t_C where the last layer ends.
     double t_end() const { return static_cast<double>(layers()) / static_cast<double>(span()); }
 

@@ -1,8 +1,5 @@
 """Series: a picture for each brick, while a window slides over the clip."""
 
-import os
-import subprocess
-
 from cases_data import moving_clip
 from harness import case, check
 
@@ -13,16 +10,6 @@ def pixels(t, name):
     raw = t.run(["bash", "-c", f"ffmpeg -v error -i '{name}' -f rawvideo -pix_fmt rgb48 - | sha256sum"])
     check(raw.status == 0 and raw.err == "", str(raw))
     return raw.out
-
-
-def peak_memory(t, *arguments):
-    """Bytes at the highest."""
-    child = subprocess.Popen([t.vvr_path, *arguments], cwd=t.folder, stdin=subprocess.DEVNULL,
-                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    check(child.returncode == 0, f"{arguments}: status {child.returncode}")
-    return usage.ru_maxrss * 1024
 
 
 @case
@@ -137,7 +124,7 @@ def memory_of_a_series_depends_on_the_window(t):
     size = "320x240"
     t.clip("short.avi", seconds=10, size=size)
     t.clip("long.avi", seconds=60, size=size)
-    few, many = (peak_memory(t, "render", clip, "-o", "s.{brick}.png", "--size", "160x100", "--brick", "1s", "--window",
+    few, many = (t.peak_memory("render", clip, "-o", "s.{brick}.png", "--size", "160x100", "--brick", "1s", "--window",
                              "4", "--show", "volume", "--quiet") for clip in ("short.avi", "long.avi"))
     volume = 500 * 320 * 240  # the difference between the clips, a byte a voxel
     check(many - few < volume / 2, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")

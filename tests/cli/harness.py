@@ -77,6 +77,15 @@ class Bench:
         """A small and quick picture."""
         return self.vvr("render", clip, "-o", output, "--size", "160x100", *arguments, **options)
 
+    def peak_memory(self, *arguments):
+        """Bytes at the highest of a run of vvr that succeeds."""
+        child = subprocess.Popen([self.vvr_path, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        check(child.returncode == 0, f"{arguments}: status {child.returncode}")
+        return usage.ru_maxrss * 1024
+
     def path(self, name):
         return self.folder / name
 

@@ -15,6 +15,7 @@ import cases_docs  # noqa: F401
 import cases_examples  # noqa: F401
 import cases_golden  # noqa: F401
 import cases_input  # noqa: F401
+import cases_length  # noqa: F401
 import cases_look  # noqa: F401
 import cases_options  # noqa: F401
 import cases_output  # noqa: F401

@@ -131,13 +131,9 @@ class Layers : public testing::Test {
     PictureLayers draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
         const std::vector<Brick> cut = cut_into(volume.layers(), bricks);
         layout_ = make_layout(layout_name_, shape_for(volume.size()));
-        options_.ring = static_cast<int>(cut.size());
-        options_.window_layers = volume.layers();
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        for (std::size_t i = 0; i < cut.size(); ++i) {
-            renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, cut[i]));
-        }
+        renderer.show(volume, cut, 2);
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
         picture_ = renderer.draw();

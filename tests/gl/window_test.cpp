@@ -99,6 +99,18 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
     expect_fresh_pictures(Told::all);
 }
 
+TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
+    const Plane<glm::vec4> expected = fresh(0, k - 1);
+    const Volume volume = part_of(clip_, 0, k * brick_layers);
+    Renderer showing = renderer();
+    for (const int textures : {1, 2, 3, k}) {
+        showing.show(volume, cut_into(volume.layers(), k), textures);
+        for (int again = 0; again < 2; ++again) {
+            EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels())) << textures << " textures";
+        }
+    }
+}
+
 TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {
     // Something in its corners, so that the box of what isn't 0 stays the same.
     clip_ = part_of(clip_, 0, clip_.layers(), [](std::int64_t, Plane<std::uint8_t>& scalar) {

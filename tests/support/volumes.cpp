@@ -58,13 +58,9 @@ Drawn draw_volume(const Volume& volume, Shot shot) {
     const auto layout = make_layout(shot.layout, shape_for(volume.size()));
     const auto context = open_context(shot.backend);
     const std::vector<Brick> bricks = cut_into(volume.layers(), shot.bricks);
-    shot.options.ring = static_cast<int>(bricks.size());
-    shot.options.window_layers = volume.layers();
     Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-        renderer.push_brick(static_cast<std::int64_t>(i), BrickLayers(volume, bricks[i]));
-    }
+    renderer.show(volume, bricks, 2);
     return {renderer.draw(shot.scene), renderer.camera()};
 }
 
