@@ -31,7 +31,7 @@ struct RenderOptions {
     std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
     int slices = 0;                       ///< 0 = one for every two voxels
     int samples = 4;                      ///< a pixel, for smooth edges; 1 takes about half the time
-    std::int64_t tile_samples = 1 << 21;  ///< drawn at a time, 24 bytes each, however large the picture
+    std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
     int ring = 8;                         ///< k, the bricks that are visible at a time
     std::int64_t window_layers = 0;       ///< n, the layers of a full window
     glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity

@@ -78,7 +78,7 @@ void DrawingAhead::make_renderer(Drawing& drawing, std::int64_t tile_samples) co
 Drawing DrawingAhead::take() {
     Drawing drawing = drawing_.get();
     drawing.context->take();
-    if (!drawing.renderer) make_renderer(drawing, RenderOptions{}.tile_samples / 2);
+    if (!drawing.renderer) make_renderer(drawing, RenderOptions{}.tile_samples / 4);
     return drawing;
 }
 

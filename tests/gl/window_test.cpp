@@ -100,13 +100,23 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
 }
 
 TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
-    const Plane<glm::vec4> expected = fresh(0, k - 1);
     const Volume volume = part_of(clip_, 0, k * brick_layers);
-    Renderer showing = renderer();
-    for (const int textures : {1, 2, 3, k}) {
-        showing.show(volume, cut_into(volume.layers(), k), textures);
-        for (int again = 0; again < 2; ++again) {
-            EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels())) << textures << " textures";
+    const std::vector<Brick> bricks = cut_by(volume.layers(), 7);
+    const auto count = static_cast<int>(bricks.size());
+    for (const VolumeShading shading : {VolumeShading::none, VolumeShading::relief}) {
+        options_.shading = shading;
+        Renderer pushing = renderer();
+        pushing.set_window(count, volume.layers());
+        for (int i = 0; i < count; ++i) {
+            pushing.push_brick(i, BrickLayers(volume, bricks[static_cast<std::size_t>(i)]));
+        }
+        const Plane<glm::vec4> expected = pushing.draw();
+        Renderer showing = renderer();
+        for (const int textures : {count, 1, 2, 3}) {
+            showing.show(volume, bricks, textures);
+            for (int again = 0; again < 2; ++again) {
+                EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels())) << textures << " textures";
+            }
         }
     }
 }
