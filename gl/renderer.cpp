@@ -55,17 +55,11 @@ void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
     window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get(), {}});
 }
 
-void Renderer::show(const Volume& volume, std::span<const Brick> bricks, Drawn drawn) {
-    std::vector<Brick> pieces;
-    for (const Brick& brick : bricks) {
-        const auto count = static_cast<int>((brick.count + piece_layers - 1) / piece_layers);
-        for (const Brick& piece : cut_into(brick.count, count))
-            pieces.push_back({brick.first + piece.first, piece.count});
-    }
-    set_window(drawn == Drawn::once ? 2 : std::max(1, static_cast<int>(pieces.size())), volume.layers());
-    window_.resize(pieces.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-        const BrickLayers layers(volume, pieces[i]);
+void Renderer::show(const Volume& volume, std::span<const Brick> bricks, int textures) {
+    set_window(textures, volume.layers());
+    window_.resize(bricks.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, bricks.size(), [&](std::size_t i) {
+        const BrickLayers layers(volume, bricks[i]);
         window_[i] = {static_cast<std::int64_t>(i),
                       layers.brick().count,
                       layers.size(),

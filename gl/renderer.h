@@ -53,16 +53,9 @@ class Renderer {
 
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
-    /// How often a volume is drawn. Once, a brick becomes a texture when it is drawn, and two textures take turns; if
-    /// it is drawn again each keeps its own.
-    enum class Drawn { once, again };
-
-    /// A brick that is shown as part of a whole volume is cut into pieces of no more layers, each with its texture:
-    /// they are emptier, and stay in the caches.
-    static constexpr std::int64_t piece_layers = 32;
-
-    /// Empties the window and shows a whole volume, which stays as it is for as long as it is drawn.
-    void show(const Volume& volume, std::span<const Brick> bricks, Drawn drawn);
+    /// Empties the window and shows a whole volume, which stays as it is until it has been drawn.
+    /// \param textures of bricks at a time, at least 1: fewer than there are bricks are made anew in each drawing
+    void show(const Volume& volume, std::span<const Brick> bricks, int textures);
 
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickLayers& layers);

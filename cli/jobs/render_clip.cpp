@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -88,6 +89,10 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
     return std::max<std::int64_t>(1, (frames + job.max_layers - 1) / job.max_layers);
 }
 
+std::int64_t textures_of(const RenderJob& job, std::int64_t bricks) {
+    return job.series || job.pictures > 1 ? bricks : std::min<std::int64_t>(2, bricks);
+}
+
 RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress) {
     RenderedClip clip;
     clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
@@ -143,8 +148,8 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
     renderer.set_transfer(transfer);
     const bool shown = job.show.contains("volume");
     renderer.show(volume, shown ? std::span<const Brick>(report.bricks) : std::span<const Brick>(),
-                  job.pictures > 1 ? Renderer::Drawn::again : Renderer::Drawn::once);
-    add_overlays(job, renderer, report.bricks, volume.layers(), layout, transfer, scene);
+                  static_cast<int>(textures_of(job, std::ssize(report.bricks))));
+    add_overlays(job, renderer, layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     report.lettering = letter(job, report, volume, layout, framing);
     for (int i = 0; i < job.pictures; ++i) {

@@ -150,7 +150,7 @@ class Series {
         ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
-        add_overlays(job_, renderer_, report_.bricks, window_.layers(), *layout_, transfer_, scene);
+        add_overlays(job_, renderer_, *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));
         report_.lettering = letter(job_, report_, volume_, *layout_, framing_);
         Picture picture = draw_picture(job_, renderer_, volume_, report_.lettering);

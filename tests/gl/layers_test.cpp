@@ -133,7 +133,7 @@ class Layers : public testing::Test {
         layout_ = make_layout(layout_name_, shape_for(volume.size()));
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        renderer.show(volume, cut, Renderer::Drawn::once);
+        renderer.show(volume, cut, 2);
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
         picture_ = renderer.draw();

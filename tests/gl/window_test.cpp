@@ -99,44 +99,26 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
     expect_fresh_pictures(Told::all);
 }
 
-TEST_P(MovingWindow, OfAWholeVolumeIsTheSameDrawnOnceAndAgain) {
-    const std::vector<Brick> bricks = cut_by(clip_.layers(), 7);
+TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
+    const Volume volume = part_of(clip_, 0, k * brick_layers);
+    const std::vector<Brick> bricks = cut_by(volume.layers(), 7);
     const auto count = static_cast<int>(bricks.size());
     for (const VolumeShading shading : {VolumeShading::none, VolumeShading::relief}) {
         options_.shading = shading;
         Renderer pushing = renderer();
-        pushing.set_window(count, clip_.layers());
+        pushing.set_window(count, volume.layers());
         for (int i = 0; i < count; ++i) {
-            pushing.push_brick(i, BrickLayers(clip_, bricks[static_cast<std::size_t>(i)]));
+            pushing.push_brick(i, BrickLayers(volume, bricks[static_cast<std::size_t>(i)]));
         }
         const Plane<glm::vec4> expected = pushing.draw();
         Renderer showing = renderer();
-        for (const auto drawn : {Renderer::Drawn::again, Renderer::Drawn::once}) {
-            showing.show(clip_, bricks, drawn);
-            for (int time = 0; time < 2; ++time) {
-                EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels()));
+        for (const int textures : {count, 1, 2, 3}) {
+            showing.show(volume, bricks, textures);
+            for (int again = 0; again < 2; ++again) {
+                EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels())) << textures << " textures";
             }
         }
     }
-}
-
-TEST_P(MovingWindow, OfAWholeVolumeIsCutIntoPieces) {
-    const std::vector<Brick> whole = {{0, clip_.layers()}};
-    ASSERT_GT(clip_.layers(), 2 * Renderer::piece_layers);
-    Renderer pushing = renderer();
-    pushing.set_window(1, clip_.layers());
-    pushing.push_brick(0, BrickLayers(clip_, whole.front()));
-    Renderer showing = renderer();
-    showing.show(clip_, whole, Renderer::Drawn::once);
-    const std::vector<PlacedBrick> placed = showing.place();
-    ASSERT_EQ(placed.size(), 3U);
-    EXPECT_EQ(placed.front().t_begin, 0);
-    EXPECT_EQ(placed.back().t_end, 1);
-    for (const PlacedBrick& piece : placed) EXPECT_LE(piece.layers, Renderer::piece_layers);
-    const Plane<glm::vec4> shown = showing.draw();
-    const Plane<glm::vec4> expected = pushing.draw();
-    EXPECT_LT(test::mean_difference(shown, expected), 0.02);
-    EXPECT_LT(test::max_difference(shown, expected), 5) << "of 255, as cells are cut elsewhere";
 }
 
 TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {

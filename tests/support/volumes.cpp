@@ -60,7 +60,7 @@ Drawn draw_volume(const Volume& volume, Shot shot) {
     const std::vector<Brick> bricks = cut_into(volume.layers(), shot.bricks);
     Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
-    renderer.show(volume, bricks, Renderer::Drawn::once);
+    renderer.show(volume, bricks, 2);
     return {renderer.draw(shot.scene), renderer.camera()};
 }
 
