@@ -160,7 +160,7 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
         program.set("brick_scale", map.scale);
         program.set("brick_offset", map.offset);
         // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
-        // one brick wait while it draws another.
+        // one brick wait while it draws another. Where two textures take turns the next one's is no longer read then.
         before_last.wait();
         textures.bind(brick);
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),

@@ -23,5 +23,5 @@ def a_clip_of_more_than_100_000_frames(t):
     """Of which the renderer is made at the end, not while they are read."""
     moving_clip(t, frames=40)
     looped(t, "clip.mkv", 2501, "long.mkv")
-    t.render("long.mkv", "--report", "report.json").expect(0, "100040 frames", "frames share a layer")
+    t.render("long.mkv").expect(0, "100040 frames", "frames share a layer")
     t.expect_picture()
