@@ -1,16 +1,11 @@
 #include "core/video/file_source.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include "core/error.h"
-#include "core/video/scaler.h"
 #include "core/video/stream_info.h"
 
 namespace vvr {
@@ -35,6 +30,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
 }
 
 void FileSource::rewind() {
+    kept_.reset();
     seek(0);
 }
 
@@ -42,6 +38,8 @@ void FileSource::seek(double seconds) {
     ahead_.reset();
     // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
+    if (kept_ && kept_->is_new()) return kept_->pass(from_);
+    kept_.reset();
     start_ = from_ > 0 ? reader_.find(from_) : Start{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
@@ -49,6 +47,10 @@ void FileSource::seek(double seconds) {
 
 std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return std::move(ahead_);
+    if (kept_) {
+        DecodedFrame frame = kept_->next();
+        return frame.image ? std::make_unique<DecodedFrame>(std::move(frame)) : nullptr;
+    }
     for (;;) {
         auto [image, time] = reader_.next();
         if (!image) {
@@ -65,67 +67,14 @@ std::vector<Frame> FileSource::sample(int count) {
     // Each that is open holds the clip's index, 24 MB of six hours.
     ahead_.reset();
     reader_.close();
-    auto frames = sample_key_frames(count);
-    if (frames.empty()) frames = sample_planned(count);
+    kept_.reset();
+    const ClipSampler sampler(
+        {reader_.input(), options_, field_size_, orientation_, reader_.origin(), reader_.threaded()});
+    auto frames = sampler.sample(count, kept_);
+    if (kept_) return frames;
     if (frames.empty()) return FrameSource::sample(count);
     rewind();
     return frames;
-}
-
-/// None where the clip has fewer key frames than asked for, or where they don't decode by themselves.
-std::vector<Frame> FileSource::sample_key_frames(int count) const {
-    Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
-    const auto keys = find_key_packets(scan, count);
-    if (keys.seen < count) return {};
-
-    Decoder decoder(scan, reader_.input().name, 1);
-    Scaler scale(*this);
-    std::vector<Frame> frames;
-    for (const auto& packet : keys.kept)
-        if (auto image = decoder.decode_alone(*packet)) frames.push_back(scale(without_index(scan, std::move(image))));
-    if (frames.size() < keys.kept.size() / 2 + 1) return {};
-    return frames;
-}
-
-/// The frames that sampling all of them would give, without decoding what they don't depend on. None where the clip is
-/// damaged, or its packets' times are not its frames'.
-std::vector<Frame> FileSource::sample_planned(int count) const {
-    const SampledPackets plan = [&] {
-        Demuxer scan(reader_.input(), Demuxer::Kind::video, options_.rate);
-        return plan_samples(scan, count);
-    }();
-    // Where one decoder has no threads of its own, several share the clip; a server is asked but once at a time.
-    const bool alone = reader_.threaded() || !reader_.input().file;
-    auto plans = cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
-    std::vector<std::vector<Frame>> parts(plans.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, plans.size(),
-                              [&](std::size_t i) { parts[i] = decode(std::move(plans[i])); });
-    std::vector<Frame> frames;
-    for (std::vector<Frame>& part : parts) std::ranges::move(part, std::back_inserter(frames));
-    if (frames.size() < plan.stamps.size()) frames.clear();
-    return frames;
-}
-
-/// The frames of a plan; fewer where the clip is damaged, or its packets' times are not its frames'.
-std::vector<Frame> FileSource::decode(SampledPackets plan) const {
-    Demuxer demuxer(reader_.input(), Demuxer::Kind::video, options_.rate);
-    Decoder decoder(demuxer, reader_.input().name, options_.threads);
-    decoder.follow(std::move(plan.uses));
-    Scaler scale(*this);
-    std::vector<Frame> frames;
-    while (frames.size() < plan.stamps.size()) {
-        auto image = decoder.next();
-        if (!image || decoder.damaged() > 0) return {};
-        if (image->best_effort_timestamp == plan.stamps[frames.size()])
-            frames.push_back(scale(without_index(demuxer, std::move(image))));
-    }
-    return frames;
-}
-
-DecodedFrame FileSource::without_index(const Demuxer& demuxer, AvFrame image) const {
-    const double origin = reader_.origin();
-    const double pts = demuxer.seconds(image->best_effort_timestamp).value_or(origin) - origin;
-    return {0, pts, orientation_, std::move(image)};
 }
 
 }  // namespace vvr

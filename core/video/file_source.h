@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/video/clip_sampler.h"
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
@@ -26,11 +28,6 @@ class FileSource final : public FrameSource {
     std::vector<Frame> sample(int count) override;
 
   private:
-    std::vector<Frame> sample_key_frames(int count) const;
-    std::vector<Frame> sample_planned(int count) const;
-    std::vector<Frame> decode(SampledPackets plan) const;
-    DecodedFrame without_index(const Demuxer& demuxer, AvFrame image) const;
-
     SourceOptions options_;
     VideoReader reader_;
     VideoInfo info_;
@@ -42,6 +39,7 @@ class FileSource final : public FrameSource {
 
     std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
+    std::optional<KeptClip> kept_;         ///< instead of what the reader would read
 };
 
 }  // namespace vvr

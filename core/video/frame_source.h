@@ -63,7 +63,8 @@ class FrameSource {
 
     /// At most `count` frames spread in time over the whole of what is really there;
     /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
-    /// first frame. Holds no more than `count` frames at a time. The frames' `index` is not filled in.
+    /// first frame. Holds no more than `count` frames at a time, and what it may keep for `next` of a short clip, in a
+    /// bounded number of bytes. The frames' `index` is not filled in.
     virtual std::vector<Frame> sample(int count);
 };
 

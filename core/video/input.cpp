@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -16,6 +17,8 @@
 
 namespace vvr {
 namespace {
+
+constexpr std::string_view file_protocol = "file:";
 
 std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -67,6 +70,10 @@ bool is_url(const std::string& name) {
            });
 }
 
+bool is_local(const Input& input) {
+    return input.file || input.url.starts_with(file_protocol);
+}
+
 Input open_input(const std::string& name) {
     if (name == "-") return open_stdin();
     if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {name, name, nullptr};
@@ -77,7 +84,7 @@ Input open_input(const std::string& name) {
         require_bytes(*file, name);
         // libav opens it by name, as playlists look for their parts beside it. The prefix keeps a name such as
         // "cam:1.avi" from being taken for a protocol.
-        return {name, "file:" + name, nullptr};
+        return {name, std::string(file_protocol) + name, nullptr};
     }
     Input spooled{name, {}, spool(*file, name)};
     require_bytes(*spooled.file, name);

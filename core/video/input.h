@@ -34,6 +34,9 @@ struct Input {
     std::shared_ptr<Watchdog> watchdog{};      ///< ends reads
 };
 
+/// Whether it is read from this machine's files, not from a server.
+bool is_local(const Input& input);
+
 /// Finds out what `name` is: `-` for stdin, a file, a named pipe or a URL. What can't be read twice is spooled.
 ///
 /// \throws Error io when it can't be read or spooled, not_video for an empty one, usage for a terminal

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "core/error.h"
 #include "core/video/clock.h"
@@ -16,44 +17,15 @@ std::optional<double> presentation(const Demuxer& demuxer, const AVPacket& packe
     return demuxer.seconds(packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts);
 }
 
-/// A packet in the order of decoding.
-struct Stamped {
-    std::int64_t stamp;
-    bool key;
-};
-
-std::vector<Stamped> stamps_of(Demuxer& demuxer) {
-    const auto packet = av::make_packet();
-    std::vector<Stamped> packets;
-    while (demuxer.read(*packet)) {
-        const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
-        if (stamp == AV_NOPTS_VALUE || packet->flags & AV_PKT_FLAG_CORRUPT) return {};
-        packets.push_back({stamp, (packet->flags & AV_PKT_FLAG_KEY) != 0});
-    }
-    return packets;
-}
-
-std::vector<std::int64_t> sampled(const Demuxer& demuxer, const std::vector<Stamped>& packets, int count) {
-    std::vector<std::int64_t> stamps;
-    for (const Stamped& packet : packets) stamps.push_back(packet.stamp);
-    std::ranges::sort(stamps);
-    if (std::ranges::adjacent_find(stamps) != stamps.end()) return {};
-    TimeSampler<std::int64_t> sampler(count);
-    Clock clock(demuxer.frame_duration());
-    for (const std::int64_t stamp : stamps) {
-        const double time = clock(demuxer.seconds(stamp));
-        if (sampler.wants(time)) sampler.keep(time, stamp);
-    }
-    return sampler.take();
-}
-
 /// What the packets from one key packet to the next are for.
 /// \param next_leans whether a wanted frame that comes after the next key packet is shown before it
-void mark_uses(std::span<const Stamped> group, const std::vector<std::int64_t>& wanted, bool next_leans,
+void mark_uses(std::span<const StampedPacket> group, const std::vector<std::int64_t>& wanted, bool next_leans,
                std::span<PacketUse> uses) {
-    const auto is_wanted = [&](const Stamped& packet) { return std::ranges::binary_search(wanted, packet.stamp); };
-    const auto leads = [&](const Stamped& packet) { return packet.stamp < group.front().stamp; };
-    const bool leans = std::ranges::any_of(group, [&](const Stamped& p) { return leads(p) && is_wanted(p); });
+    const auto is_wanted = [&](const StampedPacket& packet) {
+        return std::ranges::binary_search(wanted, packet.stamp);
+    };
+    const auto leads = [&](const StampedPacket& packet) { return packet.stamp < group.front().stamp; };
+    const bool leans = std::ranges::any_of(group, [&](const StampedPacket& p) { return leads(p) && is_wanted(p); });
     const auto last = next_leans ? group.rbegin() : std::find_if(group.rbegin(), group.rend(), is_wanted);
     const auto needed = static_cast<std::size_t>(group.rend() - last);
     for (std::size_t i = 0; i < needed; ++i) {
@@ -110,9 +82,33 @@ KeyPackets find_key_packets(Demuxer& demuxer, int count) {
     return found;
 }
 
-SampledPackets plan_samples(Demuxer& demuxer, int count) {
-    const std::vector<Stamped> packets = stamps_of(demuxer);
-    SampledPackets plan{std::vector(packets.size(), PacketUse::none), sampled(demuxer, packets, count), {}};
+ClipPackets scan_packets(Demuxer& demuxer) {
+    const auto packet = av::make_packet();
+    ClipPackets clip;
+    while (demuxer.read(*packet)) {
+        const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
+        if (stamp == AV_NOPTS_VALUE || packet->flags & AV_PKT_FLAG_CORRUPT) return {};
+        clip.packets.push_back({stamp, (packet->flags & AV_PKT_FLAG_KEY) != 0});
+        clip.stamps.push_back(stamp);
+    }
+    std::ranges::sort(clip.stamps);
+    if (std::ranges::adjacent_find(clip.stamps) != clip.stamps.end()) return {};
+    Clock clock(demuxer.frame_duration());
+    for (const std::int64_t stamp : clip.stamps) clip.times.push_back(clock(demuxer.seconds(stamp)));
+    return clip;
+}
+
+std::vector<std::int64_t> sampled_stamps(const ClipPackets& clip, int count) {
+    TimeSampler<std::int64_t> sampler(count);
+    for (std::size_t i = 0; i < clip.stamps.size(); ++i) {
+        if (sampler.wants(clip.times[i])) sampler.keep(clip.times[i], clip.stamps[i]);
+    }
+    return sampler.take();
+}
+
+DecodingPlan plan_decoding(const ClipPackets& clip, std::vector<std::int64_t> stamps) {
+    const std::vector<StampedPacket>& packets = clip.packets;
+    DecodingPlan plan{std::vector(packets.size(), PacketUse::none), std::move(stamps), {}};
     std::size_t end = packets.size();
     bool next_leans = false;
     // From the last group to the first, as each has to know what the next one leans on.
@@ -120,7 +116,7 @@ SampledPackets plan_samples(Demuxer& demuxer, int count) {
         if (begin > 0 && !packets[begin].key) continue;
         const auto group = std::span(packets).subspan(begin, end - begin);
         mark_uses(group, plan.stamps, next_leans, std::span(plan.uses).subspan(begin, end - begin));
-        next_leans = std::ranges::any_of(group, [&](const Stamped& p) {
+        next_leans = std::ranges::any_of(group, [&](const StampedPacket& p) {
             return p.stamp < group.front().stamp && std::ranges::binary_search(plan.stamps, p.stamp);
         });
         if (begin > 0 && !next_leans) plan.starts.push_back({begin, packets[begin].stamp});
@@ -130,14 +126,14 @@ SampledPackets plan_samples(Demuxer& demuxer, int count) {
     return plan;
 }
 
-std::vector<SampledPackets> cut_plan(const SampledPackets& plan, int parts) {
+std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts) {
     const auto is_used = [](PacketUse use) { return use != PacketUse::none; };
     const auto all = std::ranges::count_if(plan.uses, is_used);
-    std::vector<SampledPackets> cut;
+    std::vector<DecodingPlan> cut;
     FreshStart begin{0, std::numeric_limits<std::int64_t>::min()};
     std::int64_t used = 0;
     const auto end_at = [&](const FreshStart& end) {
-        SampledPackets part{std::vector(plan.uses.size(), PacketUse::none), {}, {}};
+        DecodingPlan part{std::vector(plan.uses.size(), PacketUse::none), {}, {}};
         for (std::size_t i = begin.packet; i < end.packet; ++i) part.uses[i] = plan.uses[i];
         std::ranges::copy_if(plan.stamps, std::back_inserter(part.stamps),
                              [&](std::int64_t stamp) { return begin.stamp <= stamp && stamp < end.stamp; });

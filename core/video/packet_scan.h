@@ -30,6 +30,24 @@ struct KeyPackets {
 /// \param demuxer at its first packet
 KeyPackets find_key_packets(Demuxer& demuxer, int count);
 
+/// A packet in the order of decoding.
+struct StampedPacket {
+    std::int64_t stamp;
+    bool key;
+};
+
+/// All packets of a clip, and its frames in the order in which they are shown.
+struct ClipPackets {
+    std::vector<StampedPacket> packets;
+    std::vector<std::int64_t> stamps;  ///< the frames' time stamps
+    std::vector<double> times;         ///< likewise in seconds, counted from the first frame
+};
+
+/// None where the packets' times don't tell which frames there are.
+///
+/// \param demuxer at its first packet
+ClipPackets scan_packets(Demuxer& demuxer);
+
 /// What a decoder has to make of a packet where only some frames of a clip are wanted, each as it would come out if all
 /// were decoded.
 enum class PacketUse : std::uint8_t {
@@ -44,21 +62,22 @@ struct FreshStart {
     std::int64_t stamp = 0;  ///< no wanted frame of the packets before it is as late
 };
 
-/// Frames spread over a clip, and what it takes to decode them.
-struct SampledPackets {
+/// Frames of a clip that are wanted, and what it takes to decode them.
+struct DecodingPlan {
     std::vector<PacketUse> uses;       ///< of every packet
     std::vector<std::int64_t> stamps;  ///< the wanted frames' time stamps, in order
     std::vector<FreshStart> starts;    ///< after the first packet, in order
 };
 
-/// The frames that a sampler of so many would keep if it were shown all frames; none where the packets' times don't
-/// tell which these are.
-///
-/// \param demuxer at its first packet
-SampledPackets plan_samples(Demuxer& demuxer, int count);
+/// The time stamps of the frames that a sampler of so many would keep if it were shown all frames.
+std::vector<std::int64_t> sampled_stamps(const ClipPackets& clip, int count);
+
+/// How to decode some frames, each as it would come out if all were decoded.
+/// \param stamps of the wanted frames, in order
+DecodingPlan plan_decoding(const ClipPackets& clip, std::vector<std::int64_t> stamps);
 
 /// Cuts a plan into at most `parts` of which each can be decoded by itself, with about as much to decode in each. Their
 /// frames one after another are the plan's.
-std::vector<SampledPackets> cut_plan(const SampledPackets& plan, int parts);
+std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts);
 
 }  // namespace vvr

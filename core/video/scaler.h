@@ -28,6 +28,10 @@ class Scaler {
     /// \throws Error not_video for a pixel format that can't be converted
     Frame operator()(const DecodedFrame& decoded);
 
+    /// The picture's planes at the field size, not yet upright: what `operator()` makes the same `Frame` of.
+    /// \throws Error as operator()
+    DecodedFrame shrink(const DecodedFrame& decoded);
+
   private:
     struct Parts;
 

@@ -195,6 +195,10 @@ TEST(VideoFile, NamesWithColonsAndPercentsAreFiles) {
     }
 }
 
+DecodingPlan samples_of(const ClipPackets& clip, int count) {
+    return plan_decoding(clip, sampled_stamps(clip, count));
+}
+
 TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
     const TempFolder folder;
     const auto source = open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
@@ -223,7 +227,7 @@ TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
             EXPECT_TRUE(std::ranges::equal(quick[i].grey.pixels(), all[i].grey.pixels())) << encoding;
         }
         Demuxer demuxer(open_input(name), Demuxer::Kind::video, 25);
-        const SampledPackets plan = plan_samples(demuxer, 7);
+        const DecodingPlan plan = samples_of(scan_packets(demuxer), 7);
         EXPECT_EQ(std::ranges::count(plan.uses, PacketUse::frame), std::ssize(all)) << encoding;
         EXPECT_GT(std::ranges::count(plan.uses, PacketUse::none), 5) << encoding;
     }
@@ -235,14 +239,14 @@ TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
          {"-c:v libx264 -g 20 -bf 3 -sc_threshold 0", "-c:v libx264 -g 20 -bf 3 -x264-params open-gop=1",
           "-c:v mpeg4 -g 10 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 1000"}) {
         Demuxer demuxer(open_input(counting_clip(folder, "clip.mkv", encoding)), Demuxer::Kind::video, 25);
-        const SampledPackets plan = plan_samples(demuxer, 31);
+        const DecodingPlan plan = samples_of(scan_packets(demuxer), 31);
         for (const int parts : {1, 2, 3, 50}) {
             const auto cut = cut_plan(plan, parts);
             EXPECT_LE(std::ssize(cut), parts);
             EXPECT_EQ(cut.size() > 1, parts > 1 && !plan.starts.empty()) << encoding << ", " << parts;
             std::vector<std::int64_t> stamps;
             std::vector<PacketUse> uses(plan.uses.size(), PacketUse::none);
-            for (const SampledPackets& part : cut) {
+            for (const DecodingPlan& part : cut) {
                 stamps.insert(stamps.end(), part.stamps.begin(), part.stamps.end());
                 EXPECT_EQ(std::ranges::count(part.uses, PacketUse::frame), std::ssize(part.stamps)) << encoding;
                 for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -254,6 +258,81 @@ TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
             EXPECT_EQ(stamps, plan.stamps) << encoding;
             EXPECT_EQ(uses, plan.uses) << encoding;
         }
+    }
+}
+
+std::size_t colours(const std::vector<Frame>& frames) {
+    std::size_t sum = 14695981039346656037u;
+    for (const auto& frame : frames)
+        for (const auto& pixel : frame.colour.pixels())
+            for (const auto value : pixel) sum = (sum ^ value) * 1099511628211u;
+    return sum;
+}
+
+void expect_same(const std::vector<Frame>& frames, const std::vector<Frame>& wanted, const std::string& which) {
+    ASSERT_EQ(frames.size(), wanted.size()) << which;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_EQ(frames[i].index, wanted[i].index) << which;
+        EXPECT_DOUBLE_EQ(frames[i].pts, wanted[i].pts) << which;
+    }
+    EXPECT_EQ(fingerprint(frames), fingerprint(wanted)) << which;
+    EXPECT_EQ(colours(frames), colours(wanted)) << which;
+}
+
+TEST(Sample, KeepsAShortClipSoThatItIsDecodedOnce) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
+          "-c:v libx264 -g 40 -bf 3 -intra-refresh 1", "-c:v libx265 -g 30 -bf 3 -x265-params log-level=none",
+          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
+          "-c:v libx264 -g 40 -pix_fmt yuv422p10le", "-vf noise=alls=40:allf=t -c:v mpeg4 -q:v 2 -g 35",
+          "-c:v libx264 -g 40 -color_range pc -colorspace bt709", "-c:v libvpx-vp9 -b:v 0 -crf 30 -g 40"}) {
+        const std::string name = walkers_clip(folder, "clip.mkv", encoding);
+        for (const Size size : {Size{0, 0}, Size{101, 77}, Size{400, 300}}) {
+            SourceOptions options;
+            options.colour = true;
+            options.field_size = size;
+            const auto fresh = read_all(*open_source(name, options));
+            const auto source = open_source(name, options);
+            source->sample(7);
+            // What has been kept needs no file any more.
+            std::filesystem::rename(name, folder / "away.mkv");
+            expect_same(read_all(*source), fresh, encoding);
+            EXPECT_EQ(source->next(), nullptr);
+            EXPECT_EQ(source->damaged(), 0);
+            std::filesystem::rename(folder / "away.mkv", name);
+            source->rewind();
+            expect_same(read_all(*source), fresh, encoding);
+            source->sample(7);
+            source->seek(1.5);
+            const auto later = read_all(*source);
+            ASSERT_FALSE(later.empty());
+            expect_same(later, {fresh.end() - std::ssize(later), fresh.end()}, encoding);
+            EXPECT_NEAR(later.front().pts, 1.5, 0.041);
+            source->seek(0.5);
+            EXPECT_LT(source->next()->pts, 0.6) << encoding;
+        }
+    }
+}
+
+TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
+    const TempFolder folder;
+    const std::string noise = folder / "noise.mkv";
+    ffmpeg("-f lavfi -i color=gray:s=1280x720:r=25:d=4 -vf noise=alls=100:allf=t -c:v mpeg4 -q:v 2 -g 1000 " +
+           quoted(noise));
+    const std::string whole = walkers_clip(folder, "whole.avi", "-c:v mpeg4 -q:v 2 -g 30");
+    for (const std::string& name : {noise, spoiled(folder, whole)}) {
+        SourceOptions options;
+        options.field_size = {-1, -1};
+        const auto fresh = open_source(name, options);
+        const auto wanted = read_all(*fresh);
+        const auto source = open_source(name, options);
+        EXPECT_GE(source->sample(9).size(), 4u);
+        expect_same(read_all(*source), wanted, name);
+        EXPECT_EQ(source->damaged(), fresh->damaged());
+        source->sample(9);
+        std::filesystem::resize_file(name, 4096);
+        EXPECT_LT(read_all(*source).size(), wanted.size());
     }
 }
 
