@@ -55,6 +55,10 @@ void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
     window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get(), {}});
 }
 
+void Renderer::drop_before(std::int64_t number) {
+    std::erase_if(window_, [number](const Held& held) { return held.number < number; });
+}
+
 void Renderer::show(const Volume& volume, std::span<const Brick> bricks, int textures) {
     set_window(textures, volume.layers());
     window_.resize(bricks.size());

@@ -60,6 +60,9 @@ class Renderer {
     /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
     void push_brick(std::int64_t number, const BrickLayers& layers);
 
+    /// Takes the bricks of lower numbers out of the window.
+    void drop_before(std::int64_t number);
+
     /// Renews what the texels of a brick in the window repeat of its neighbours, after one has come or gone. So the
     /// window looks as if nothing stood before or after it, and moving it is the same as drawing it afresh.
     void renew_ends(std::int64_t number, const BrickLayers& layers);

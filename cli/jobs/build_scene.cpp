@@ -86,14 +86,15 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     return scene;
 }
 
-void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
-                  const TransferFunction& transfer, Scene& scene) {
+void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
+                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene) {
     const auto add = [&scene](const std::vector<Segment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
     if (job.show.contains("bricks")) {
-        for (const PlacedBrick& brick : renderer.place()) {
-            if (brick.t_begin > 0) add(cross_section(layout, brick.t_begin, glm::vec4(job.theme.lines, 0.5)));
+        for (const Brick& brick : bricks) {
+            const double t = static_cast<double>(brick.first) / static_cast<double>(window_layers);
+            if (t > 0) add(cross_section(layout, t, glm::vec4(job.theme.lines, 0.5)));
         }
     }
     const AxisBox rendered = visible_box(renderer.place(), layout, transfer);

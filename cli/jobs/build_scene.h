@@ -48,8 +48,9 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
                   const Framing& framing);
 
 /// Fig. 5: what the renderer makes of its bricks.
-void add_overlays(const RenderJob& job, const Renderer& renderer, const Layout& layout,
-                  const TransferFunction& transfer, Scene& scene);
+/// \param window_layers that all of t_C takes
+void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
+                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene);
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
 

@@ -32,8 +32,8 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     const std::int64_t picture_bytes = job.layers ? 56 : 20;  // a pixel, as floats and as bytes
     // In a layer and in a texture, if something is everywhere; of a street scene it is a twentieth and a half of that.
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 4 : 1;
-    const std::int64_t layers_in_textures =
-        plan.layers * textures_of(job, plan.bricks) / std::max<std::int64_t>(1, plan.bricks);
+    const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
+    const std::int64_t layers_in_textures = plan.layers * textures_of(job, pieces) / std::max(1, pieces);
     const std::int64_t flow_bytes =
         job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
     // A pixel of the field: since when it has its value, and whose it is.

@@ -89,8 +89,9 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames) {
     return std::max<std::int64_t>(1, (frames + job.max_layers - 1) / job.max_layers);
 }
 
-std::int64_t textures_of(const RenderJob& job, std::int64_t bricks) {
-    return job.series || job.pictures > 1 ? bricks : std::min<std::int64_t>(2, bricks);
+int textures_of(const RenderJob& job, int pieces) {
+    const bool drawn_again = job.series || job.pictures > 1;
+    return std::max(1, drawn_again ? pieces : std::min(2, pieces));
 }
 
 RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress) {
@@ -146,10 +147,10 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
 
     const TransferFunction transfer = job.transfer.scaled(job.opacity);
     renderer.set_transfer(transfer);
-    const bool shown = job.show.contains("volume");
-    renderer.show(volume, shown ? std::span<const Brick>(report.bricks) : std::span<const Brick>(),
-                  static_cast<int>(textures_of(job, std::ssize(report.bricks))));
-    add_overlays(job, renderer, layout, transfer, scene);
+    const std::vector<Brick> pieces =
+        job.show.contains("volume") ? cut_into_pieces(report.bricks) : std::vector<Brick>{};
+    renderer.show(volume, pieces, textures_of(job, static_cast<int>(pieces.size())));
+    add_overlays(job, renderer, report.bricks, volume.layers(), layout, transfer, scene);
     renderer.set_scene(std::move(scene));
     report.lettering = letter(job, report, volume, layout, framing);
     for (int i = 0; i < job.pictures; ++i) {

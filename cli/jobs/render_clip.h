@@ -103,9 +103,9 @@ using FrameProgress = std::function<void(std::int64_t)>;
 /// The frames that each layer is to take, from what the container says of the clip's length.
 std::int64_t planned_step(const RenderJob& job, std::int64_t frames);
 
-/// The textures of bricks that there are at a time. In a single picture a brick is drawn but once: one texture is
-/// filled while another is drawn.
-std::int64_t textures_of(const RenderJob& job, std::int64_t bricks);
+/// The textures that there are at a time of so many pieces of bricks. In a single picture each is drawn but once: one
+/// texture is filled while another is drawn.
+int textures_of(const RenderJob& job, int pieces);
 
 /// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
 /// to be read in vain.

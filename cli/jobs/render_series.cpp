@@ -1,10 +1,12 @@
 #include "cli/jobs/render_series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -47,7 +49,9 @@ class Series {
           layout_(layout_of(job, source.field_size())),
           framing_(frame_volume(job, *layout_)),
           context_(context),
-          renderer_(context, *layout_, options_of(job, framing_, window_.bricks, window_.layers())),
+          pieces_of_brick_(std::ssize(cut_into_pieces(std::array{Brick{0, window_.brick_layers}}))),
+          renderer_(context, *layout_,
+                    options_of(job, framing_, window_.bricks * static_cast<int>(pieces_of_brick_), window_.layers())),
           transfer_(job.transfer.scaled(job.opacity)),
           sink_(sink),
           report_(std::move(begun)) {
@@ -133,14 +137,18 @@ class Series {
 
     /// Only the newest brick is uploaded, and single layers of the two that have got another neighbour, or none.
     void update_ring() {
-        const auto in_window = static_cast<std::int64_t>(report_.bricks.size());
-        const std::int64_t oldest = newest_ - in_window + 1;
+        const std::int64_t oldest = newest_ - std::ssize(report_.bricks) + 1;
+        const std::int64_t first = oldest * pieces_of_brick_;
+        const std::int64_t of_newest = newest_ * pieces_of_brick_;
+        const std::vector<Brick> pieces = cut_into_pieces(report_.bricks);
         const auto layers = [&](std::int64_t number) {
-            return BrickLayers(volume_, report_.bricks[static_cast<std::size_t>(number - oldest)]);
+            return BrickLayers(volume_, pieces[static_cast<std::size_t>(number - first)]);
         };
-        renderer_.push_brick(newest_, layers(newest_));
-        if (in_window > 1) renderer_.renew_ends(newest_ - 1, layers(newest_ - 1));
-        if (in_window > 2 && oldest > 0) renderer_.renew_ends(oldest, layers(oldest));
+        renderer_.drop_before(first);
+        for (std::int64_t i = of_newest; i < first + std::ssize(pieces); ++i) renderer_.push_brick(i, layers(i));
+        if (of_newest == first) return;
+        renderer_.renew_ends(of_newest - 1, layers(of_newest - 1));
+        if (oldest > 0 && first < of_newest - 1) renderer_.renew_ends(first, layers(first));
     }
 
     void draw() {
@@ -150,7 +158,7 @@ class Series {
         ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
-        add_overlays(job_, renderer_, *layout_, transfer_, scene);
+        add_overlays(job_, renderer_, report_.bricks, window_.layers(), *layout_, transfer_, scene);
         renderer_.set_scene(std::move(scene));
         report_.lettering = letter(job_, report_, volume_, *layout_, framing_);
         Picture picture = draw_picture(job_, renderer_, volume_, report_.lettering);
@@ -165,6 +173,7 @@ class Series {
     std::unique_ptr<Layout> layout_;
     Framing framing_;
     Context& context_;
+    std::int64_t pieces_of_brick_;  ///< fewer of the clip's last one, if it is shorter
     Renderer renderer_;
     TransferFunction transfer_;
     const PictureSink& sink_;

@@ -22,4 +22,15 @@ std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length) {
     return cut;
 }
 
+std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks) {
+    std::vector<Brick> pieces;
+    for (const Brick& brick : bricks) {
+        const std::int64_t count = (brick.count + piece_layers - 1) / piece_layers;
+        for (const Brick& piece : cut_into(brick.count, static_cast<int>(count))) {
+            pieces.push_back({brick.first + piece.first, piece.count});
+        }
+    }
+    return pieces;
+}
+
 }  // namespace vvr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vvr {
@@ -19,6 +20,13 @@ std::vector<Brick> cut_into(std::int64_t layers, int bricks);
 
 /// Cuts `layers` layers into bricks of `length`; the last one may be shorter.
 std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length);
+
+/// The most layers of a piece.
+inline constexpr std::int64_t piece_layers = 32;
+
+/// Cuts bricks into pieces, which are drawn as bricks of their own: emptier, and small enough to stay in the caches.
+/// Those of one brick differ by at most one layer.
+std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks);
 
 /// Names the texture that holds a brick: k textures are reused cyclically as the window moves (§6.1).
 class BrickRing {

@@ -63,7 +63,7 @@ class KeepingRoom {
     /// Takes so many bytes for one frame more. There is room as long as there is some, by what came so far, for all
     /// that are to come.
     void take(std::size_t bytes) {
-        constexpr std::size_t room = 80'000'000;  // less than drawing takes when they have been given back
+        constexpr std::size_t room = 100'000'000;  // less than drawing takes when they have been given back
         constexpr std::size_t telling = 50;
         const std::size_t taken = bytes_ += bytes;
         const std::size_t count = ++count_;
@@ -102,6 +102,7 @@ std::vector<Frame> ClipSampler::sample(int count, std::optional<KeptClip>& kept)
         Demuxer scan(clip_.input, Demuxer::Kind::video, clip_.options.rate);
         return scan_packets(scan);
     }();
+    if (packets.stamps.empty()) return {};
     frames = sample_keeping(packets, count, kept);
     return frames.empty() ? sample_planned(packets, count) : frames;
 }
@@ -200,7 +201,7 @@ bool ClipSampler::decode(DecodingPlan plan, const std::vector<std::int64_t>& sam
             if (small->sample) frames.push_back(std::move(*small->sample));
         });
     const int threads = oneapi::tbb::this_task_arena::max_concurrency();
-    oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads), read & shrink & keep);
+    oneapi::tbb::parallel_pipeline(2 * static_cast<std::size_t>(threads), read & shrink & keep);
     return decoding.intact() && store.size() == plan.stamps.size();
 }
 

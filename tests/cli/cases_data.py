@@ -9,12 +9,12 @@ from harness import case, check
 NO_MANIFEST = "it holds other files, and no manifest of `vvr extract`"
 
 
-def moving_clip(t, frames=40):
+def moving_clip(t, frames=40, step=1.5):
     """A textured square that crosses an empty scene."""
     seconds = frames / 10
     t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
              f"testsrc2=size=24x24:rate=10:duration={seconds}", "-filter_complex",
-             "[0][1]overlay=x='2+1.5*n':y=20", "-c:v", "ffv1", "clip.mkv")
+             f"[0][1]overlay=x='2+{step}*n':y=20", "-c:v", "ffv1", "clip.mkv")
     return "clip.mkv"
 
 

@@ -45,6 +45,18 @@ def a_window_that_moved_is_a_window_rendered_afresh(t):
 
 
 @case
+def a_window_whose_last_brick_is_shorter(t):
+    # Of 80, 80 and 40 layers, which are three, three and two pieces.
+    moving_clip(t, frames=200, step=0.35)
+    look = ("--brick", "80", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
+    t.vvr("extract", "clip.mkv", "-o", "all", "--flow-every", "1").expect(0, "200 frames")
+    t.vvr("extract", "clip.mkv", "-o", "end", "--start", "8s", "--flow-every", "1").expect(0, "120 frames")
+    t.render("all", *look, output="all.{brick}.png").expect(0, "3 pictures")
+    t.render("end", *look, output="end.{brick}.png").expect(0, "2 pictures")
+    check(pixels(t, "all.2.png") == pixels(t, "end.1.png"), "what left the window is still there")
+
+
+@case
 def a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)

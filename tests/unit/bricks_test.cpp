@@ -45,6 +45,13 @@ TEST(Cut, ByLengthLeavesTheRestToTheLast) {
     EXPECT_TRUE(cut_by(0, 3).empty());
 }
 
+TEST(Cut, IntoPiecesStaysWithinBricks) {
+    EXPECT_EQ(cut_into_pieces(std::vector<Brick>{{0, 32}, {32, 33}, {65, 100}}),
+              (std::vector<Brick>{{0, 32}, {32, 16}, {48, 17}, {65, 25}, {90, 25}, {115, 25}, {140, 25}}));
+    EXPECT_EQ(cut_into_pieces(std::vector<Brick>{{7, 1}}), (std::vector<Brick>{{7, 1}}));
+    EXPECT_TRUE(cut_into_pieces(std::vector<Brick>{}).empty());
+}
+
 TEST(BrickRing, ReusesSlotsCyclically) {
     const BrickRing ring(3);
     EXPECT_EQ(ring.slot(0), 0);

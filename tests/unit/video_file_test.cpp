@@ -321,7 +321,7 @@ TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
     ffmpeg("-f lavfi -i color=gray:s=1280x720:r=25:d=4 -vf noise=alls=100:allf=t -c:v mpeg4 -q:v 2 -g 1000 " +
            quoted(noise));
     const std::string whole = walkers_clip(folder, "whole.avi", "-c:v mpeg4 -q:v 2 -g 30");
-    for (const std::string& name : {noise, spoiled(folder, whole)}) {
+    for (const std::string& name : {noise, spoiled(folder, whole), cut(folder, whole, 0.7)}) {
         SourceOptions options;
         options.field_size = {-1, -1};
         const auto fresh = open_source(name, options);
