@@ -158,13 +158,16 @@ class Chooser {
         const auto bytes = static_cast<std::size_t>(strip.tiles()) * side;
         for (std::vector<std::uint8_t>& bits : exceeding_) bits.assign(bytes, 0);
         for (int j = 0; j < strip.height; ++j) gather(strip.row(before, j), strip.row(now, j), strip.width);
-        chosen_.assign(static_cast<std::size_t>(strip.tiles()), 0);
-        for (std::size_t number = 0; number < exceeding_.size(); ++number) {
-            for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
+        chosen_.resize(static_cast<std::size_t>(strip.tiles()));
+        for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
+            // What is too large for a width is too large for all that are smaller.
+            int number = 0;
+            for (const std::vector<std::uint8_t>& bits : exceeding_) {
                 Row row = 0;
-                std::memcpy(&row, exceeding_[number].data() + tile * side, side);
-                if (row != 0) chosen_[tile] = static_cast<std::uint8_t>(number + 1);
+                std::memcpy(&row, bits.data() + tile * side, side);
+                number += row != 0 ? 1 : 0;
             }
+            chosen_[tile] = static_cast<std::uint8_t>(number);
         }
         return chosen_;
     }
