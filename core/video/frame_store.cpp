@@ -1,11 +1,7 @@
 #include "core/video/frame_store.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstring>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,124 +15,10 @@ extern "C" {
 
 #include "core/error.h"
 #include "core/video/av.h"
+#include "core/video/tile_changes.h"
 
 namespace vvr {
 namespace {
-
-// A tile is as wide as a word is long, so that a word is a row of it.
-using Row = std::uint64_t;
-constexpr int side = sizeof(Row);
-
-constexpr Row each(std::uint8_t byte) {
-    return byte * Row{0x0101010101010101};
-}
-
-// Byte by byte, modulo 256.
-Row add(Row a, Row b) {
-    return ((a & each(0x7f)) + (b & each(0x7f))) ^ ((a ^ b) & each(0x80));
-}
-Row subtract(Row a, Row b) {
-    return ((a | each(0x80)) - (b & each(0x7f))) ^ ((a ^ ~b) & each(0x80));
-}
-
-/// How a tile is written: what it differs by, in so many bits a byte. Noise and what a decoder mends is mostly small.
-struct Width {
-    int bits;
-    std::uint8_t bias;  ///< makes differences that fit positive
-};
-constexpr std::array widths{Width{0, 0}, Width{2, 2}, Width{4, 8}, Width{8, 0}};
-
-/// Calls visit(width) with a constant, of whose shifts and copies the compiler makes few instructions.
-template <class Visit>
-void with_width(unsigned number, const Visit& visit) {
-    if (number == 1) visit(std::integral_constant<std::size_t, 1>());
-    if (number == 2) visit(std::integral_constant<std::size_t, 2>());
-    if (number == 3) visit(std::integral_constant<std::size_t, 3>());
-}
-
-/// The low bits of 8 bytes, side by side.
-template <int bits>
-Row pack(Row row) {
-    if constexpr (bits == 2) {
-        row = (row | row >> 6U) & 0x000f000f000f000f;
-        row = (row | row >> 12U) & 0x000000ff000000ff;
-        return (row | row >> 24U) & 0xffff;
-    }
-    if constexpr (bits == 4) {
-        row = (row | row >> 4U) & 0x00ff00ff00ff00ff;
-        row = (row | row >> 8U) & 0x0000ffff0000ffff;
-        return (row | row >> 16U) & 0xffffffff;
-    }
-    return row;
-}
-
-template <int bits>
-Row unpack(Row row) {
-    if constexpr (bits == 2) {
-        row = (row | row << 24U) & 0x000000ff000000ff;
-        row = (row | row << 12U) & 0x000f000f000f000f;
-        return (row | row << 6U) & 0x0303030303030303;
-    }
-    if constexpr (bits == 4) {
-        row = (row | row << 16U) & 0x0000ffff0000ffff;
-        row = (row | row << 8U) & 0x00ff00ff00ff00ff;
-        return (row | row << 4U) & 0x0f0f0f0f0f0f0f0f;
-    }
-    return row;
-}
-
-// Whichever end of a word comes first in memory, its low bytes are what is written.
-template <int bytes>
-constexpr std::size_t low_bytes_at = std::endian::native == std::endian::little ? 0 : sizeof(Row) - bytes;
-
-template <int bytes>
-std::uint8_t* put(Row row, std::uint8_t* to) {
-    const auto memory = std::bit_cast<std::array<std::uint8_t, sizeof(Row)>>(row);
-    std::memcpy(to, memory.data() + low_bytes_at<bytes>, bytes);
-    return to + bytes;
-}
-
-template <int bytes>
-Row get(const std::uint8_t*& from) {
-    std::array<std::uint8_t, sizeof(Row)> memory{};
-    std::memcpy(memory.data() + low_bytes_at<bytes>, from, bytes);
-    from += bytes;
-    return std::bit_cast<Row>(memory);
-}
-
-/// Tiles beside each other, as far as a plane reaches.
-struct Strip {
-    int plane;
-    int y;
-    int width;   ///< bytes
-    int height;  ///< at most `side`
-
-    int tiles() const { return (width + side - 1) / side; }
-
-    std::uint8_t* row(const AVFrame& picture, int j) const {
-        return picture.data[plane] + std::ptrdiff_t{y + j} * picture.linesize[plane];
-    }
-
-    Row load(const AVFrame& picture, int tile, int j) const {
-        const std::uint8_t* const from = row(picture, j) + std::ptrdiff_t{tile} * side;
-        Row value = 0;
-        if (width - tile * side >= side) {
-            std::memcpy(&value, from, side);
-        } else {
-            std::memcpy(&value, from, static_cast<std::size_t>(width - tile * side));
-        }
-        return value;
-    }
-
-    void store(const AVFrame& picture, int tile, int j, Row value) const {
-        std::uint8_t* const to = row(picture, j) + std::ptrdiff_t{tile} * side;
-        if (width - tile * side >= side) {
-            std::memcpy(to, &value, side);
-        } else {
-            std::memcpy(to, &value, static_cast<std::size_t>(width - tile * side));
-        }
-    }
-};
 
 template <class Visit>
 void for_each_strip(const AVFrame& picture, const Visit& visit) {
@@ -147,60 +29,46 @@ void for_each_strip(const AVFrame& picture, const Visit& visit) {
         const bool chroma = plane == 1 || plane == 2;
         const int height =
             chroma ? AV_CEIL_RSHIFT(picture.height, av_pix_fmt_desc_get(format)->log2_chroma_h) : picture.height;
-        for (int y = 0; y < height; y += side) visit(Strip{plane, y, width, std::min(side, height - y)});
+        for (int y = 0; y < height; y += change_side) visit(plane, y, width, std::min(change_side, height - y));
     }
 }
 
-/// The number of its width for each tile of a strip.
-class Chooser {
-  public:
-    std::span<const std::uint8_t> operator()(const Strip& strip, const AVFrame& before, const AVFrame& now) {
-        const auto bytes = static_cast<std::size_t>(strip.tiles()) * side;
-        for (std::vector<std::uint8_t>& bits : exceeding_) bits.assign(bytes, 0);
-        for (int j = 0; j < strip.height; ++j) gather(strip.row(before, j), strip.row(now, j), strip.width);
-        chosen_.resize(static_cast<std::size_t>(strip.tiles()));
-        for (std::size_t tile = 0; tile < chosen_.size(); ++tile) {
-            // What is too large for a width is too large for all that are smaller.
-            int number = 0;
-            for (const std::vector<std::uint8_t>& bits : exceeding_) {
-                Row row = 0;
-                std::memcpy(&row, bits.data() + tile * side, side);
-                number += row != 0 ? 1 : 0;
-            }
-            chosen_[tile] = static_cast<std::uint8_t>(number);
-        }
-        return chosen_;
-    }
+template <class Byte>
+Strip<Byte> strip_of(const AVFrame& picture, int plane, int y, int width, int height) {
+    const std::ptrdiff_t stride = picture.linesize[plane];
+    return {picture.data[plane] + y * stride, stride, width, height};
+}
 
-  private:
-    // Along the whole row: that the compiler makes vectors of.
-    void gather(const std::uint8_t* before, const std::uint8_t* now, int width) {
-        std::uint8_t* const none = exceeding_[0].data();
-        std::uint8_t* const two = exceeding_[1].data();
-        std::uint8_t* const four = exceeding_[2].data();
-        for (int i = 0; i < width; ++i) {
-            const auto difference = static_cast<std::uint8_t>(now[i] - before[i]);
-            none[i] |= difference;
-            two[i] |= static_cast<std::uint8_t>((difference + widths[1].bias) & 0xfc);
-            four[i] |= static_cast<std::uint8_t>((difference + widths[2].bias) & 0xf0);
-        }
-    }
+constexpr std::size_t per_byte = 4;  // widths
 
-    std::array<std::vector<std::uint8_t>, widths.size() - 1> exceeding_;  ///< not 0 where a width is too small
-    std::vector<std::uint8_t> chosen_;
-};
-
-constexpr std::size_t per_byte = 4;  // numbers of widths
-
-std::size_t table_bytes(const AVFrame& picture) {
+std::size_t count_tiles(const AVFrame& picture) {
     std::size_t tiles = 0;
-    for_each_strip(picture, [&](const Strip& strip) { tiles += static_cast<std::size_t>(strip.tiles()); });
+    for_each_strip(picture, [&](int, int, int width, int) {
+        tiles += static_cast<std::size_t>((width + change_side - 1) / change_side);
+    });
+    return tiles;
+}
+
+std::size_t table_bytes(std::size_t tiles) {
     return (tiles + per_byte - 1) / per_byte;
 }
 
+void pack_table(std::span<const std::uint8_t> widths, std::uint8_t* table) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const unsigned shift = 2 * (i % per_byte);
+        table[i / per_byte] = static_cast<std::uint8_t>(table[i / per_byte] | unsigned{widths[i]} << shift);
+    }
+}
+
+void unpack_table(const std::uint8_t* table, std::span<std::uint8_t> widths) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        widths[i] = static_cast<std::uint8_t>(table[i / per_byte] >> 2 * (i % per_byte) & 3U);
+    }
+}
+
 std::size_t picture_bytes(const AVFrame& picture) {
-    return static_cast<std::size_t>(
-        av_image_get_buffer_size(static_cast<AVPixelFormat>(picture.format), picture.width, picture.height, side));
+    return static_cast<std::size_t>(av_image_get_buffer_size(static_cast<AVPixelFormat>(picture.format), picture.width,
+                                                             picture.height, change_side));
 }
 
 bool alike(const AVFrame& a, const AVFrame& b) {
@@ -225,8 +93,9 @@ AvFrame like(const AVFrame& picture) {
 }
 
 void clear(const AVFrame& picture) {
-    for_each_strip(picture, [&](const Strip& strip) {
-        for (int j = 0; j < strip.height; ++j) std::fill_n(strip.row(picture, j), strip.width, std::uint8_t{0});
+    for_each_strip(picture, [&](int plane, int y, int width, int height) {
+        const auto strip = strip_of<std::uint8_t>(picture, plane, y, width, height);
+        for (int j = 0; j < height; ++j) std::fill_n(strip.row(j), width, std::uint8_t{0});
     });
 }
 
@@ -258,31 +127,21 @@ bool FrameStore::push(const AVFrame& picture) {
         pushed_ = like(picture);
         clear(*pushed_);
     }
-    const std::size_t table_length = table_bytes(picture);
+    std::vector<std::uint8_t> widths(count_tiles(picture));
+    const std::size_t table_length = table_bytes(widths.size());
     make_room(table_length + picture_bytes(picture));
     Block& block = blocks_.back();
     std::uint8_t* const table = block.memory.get() + block.written;  // zero, as memory comes
     std::uint8_t* to = table + table_length;
-    std::size_t number = 0;
-    Chooser choose;
-    for_each_strip(picture, [&](const Strip& strip) {
-        const std::span<const std::uint8_t> chosen = choose(strip, *pushed_, picture);
-        for (int tile = 0; tile < strip.tiles(); ++tile) {
-            const unsigned which = chosen[static_cast<std::size_t>(tile)];
-            const std::size_t place = number++;
-            if (which == 0) continue;
-            table[place / per_byte] |= static_cast<std::uint8_t>(which << 2 * (place % per_byte));
-            with_width(which, [&](auto known) {
-                constexpr Width width = widths[known];
-                for (int j = 0; j < strip.height; ++j) {
-                    const Row now = strip.load(picture, tile, j);
-                    const Row difference = subtract(now, strip.load(*pushed_, tile, j));
-                    strip.store(*pushed_, tile, j, now);
-                    to = put<width.bits>(pack<width.bits>(add(difference, each(width.bias))), to);
-                }
-            });
-        }
+    std::span<std::uint8_t> left = widths;
+    for_each_strip(picture, [&](int plane, int y, int width, int height) {
+        const auto now = strip_of<const std::uint8_t>(picture, plane, y, width, height);
+        const auto before = strip_of<std::uint8_t>(*pushed_, plane, y, width, height);
+        const auto tiles = static_cast<std::size_t>(now.tiles());
+        to = write_changes(now, before, left.first(tiles), to);
+        left = left.subspan(tiles);
     });
+    pack_table(widths, table);
     block.written = static_cast<std::size_t>(to - block.memory.get());
     ++pictures_;
     return true;
@@ -297,25 +156,19 @@ AvFrame FrameStore::pop() {
     Block& block = blocks_.front();
     AvFrame picture = like(*pushed_);
     if (!popped_) clear(*picture);
+    std::vector<std::uint8_t> widths(count_tiles(*picture));
     const std::uint8_t* const table = block.memory.get() + block.read;
-    const std::uint8_t* from = table + table_bytes(*picture);
-    std::size_t number = 0;
-    for_each_strip(*picture, [&](const Strip& strip) {
-        for (int j = 0; popped_ && j < strip.height; ++j) {
-            std::copy_n(strip.row(*popped_, j), strip.width, strip.row(*picture, j));
+    unpack_table(table, widths);
+    const std::uint8_t* from = table + table_bytes(widths.size());
+    std::span<const std::uint8_t> left = widths;
+    for_each_strip(*picture, [&](int plane, int y, int width, int height) {
+        const auto strip = strip_of<std::uint8_t>(*picture, plane, y, width, height);
+        for (int j = 0; popped_ && j < height; ++j) {
+            std::copy_n(strip_of<const std::uint8_t>(*popped_, plane, y, width, height).row(j), width, strip.row(j));
         }
-        for (int tile = 0; tile < strip.tiles(); ++tile) {
-            const std::size_t place = number++;
-            const unsigned which = table[place / per_byte] >> 2 * (place % per_byte) & 3U;
-            if (which == 0) continue;
-            with_width(which, [&](auto known) {
-                constexpr Width width = widths[known];
-                for (int j = 0; j < strip.height; ++j) {
-                    const Row difference = subtract(unpack<width.bits>(get<width.bits>(from)), each(width.bias));
-                    strip.store(*picture, tile, j, add(strip.load(*picture, tile, j), difference));
-                }
-            });
-        }
+        const auto tiles = static_cast<std::size_t>(strip.tiles());
+        from = read_changes(strip, left.first(tiles), from);
+        left = left.subspan(tiles);
     });
     block.read = static_cast<std::size_t>(from - block.memory.get());
     --pictures_;
