@@ -58,7 +58,7 @@ def check_ratios(clip):
     with tempfile.TemporaryDirectory() as folder:
         ours, floor = least_times([[VVR, "render", clip, "-o", f"{folder}/out.png", "--backend", "software", "--quiet"],
                                    ["ffmpeg", "-v", "error", "-i", clip, "-vf", "scale=384:288,format=gray", "-f", "null", "-"]])
-    yield "processor time of `vvr render` over FFmpeg's", ours / floor, 4.5
+    yield "processor time of `vvr render` over FFmpeg's", ours / floor, 3.5
     version, whole = least_times([[VVR, "--version"], [VVR, "--help"]], 9)
     yield "`vvr --version` over `vvr --help`", version / whole, 0.5
     runs = in_turn({"once": [VVR, "--version"]}, 9)["once"]

@@ -77,7 +77,7 @@ def pipeline(rows, aims, path):
     for aim in aims:
         left.axvline(aim, color="#444444", linewidth=1, linestyle=(0, (4, 3)), label="aims" if aim == aims[0] else None)
     left.set_xlim(0, max(1, 1.1 * max(row["share"]["render"] for row in rows)))
-    left.set_xlabel("rate over that of FFmpeg decoding alone")
+    left.set_xlabel("rate over that of FFmpeg, which only decodes and scales")
     begin = [0.0] * len(rows)
     for key, label, colour in (("decoding", "decoding and scaling", BLUE), ("vvr", "the rest of vvr", ORANGE),
                                ("neither", "idle, or others", "#e4e4e4")):

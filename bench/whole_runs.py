@@ -73,14 +73,14 @@ def pipeline(setting):
     plots.pipeline(drawn, AIMS, setting.plot("pipeline"))
     measured = ("Frames a second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
                 f"-threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing "
-                "else: no program that looks at every frame can be faster. A share is a rate over FFmpeg's.")
+                "else. A share is a rate over FFmpeg's; above 1 are clips whose frames vvr scales on more threads.")
     head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render's share", "extract's share",
             "render, s", "MB"]
-    body = (figure("pipeline", "Left: vvr's rate over that of FFmpeg which only decodes; 1 can't be passed, dashed are the aims "
+    body = (figure("pipeline", "Left: vvr's rate over that of FFmpeg which only decodes and scales; dashed are the aims "
                                f"of {AIMS[0]} and {AIMS[1]}. Right: what the processor's cores did during `vvr render`.")
             + table(head, rows) + "\nWhat bounds `vvr render`:\n\n" + "\n".join(bounds))
     reached = [f"`{row['clip']}` {row['share']['render']:.2f}" for row in drawn]
-    meaning = (f"`vvr render` reaches {', '.join(reached)} of the rate of decoding alone. Where the blue part of the right bars "
+    meaning = (f"`vvr render` reaches {', '.join(reached)} of FFmpeg's rate. Where the blue part of the right bars "
                "is the largest, a faster vvr would hardly make the run faster; where the orange one is, it is vvr's own work and "
                "what a run costs once, which weighs most on short clips; where the pale one is, one thread waits for another, or "
                "other programs had the cores.")
