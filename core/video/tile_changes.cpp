@@ -124,13 +124,6 @@ HWY_INLINE const std::uint8_t* read_tile(Tile& tile, int rows, const std::uint8_
     return from + bytes;
 }
 
-/// Of each byte of a strip what tells that a width is too small for a difference: not 0.
-struct Exceeding {
-    std::vector<std::uint8_t> none;
-    std::vector<std::uint8_t> two;
-    std::vector<std::uint8_t> four;
-};
-
 void gather(const std::uint8_t* HWY_RESTRICT now, const std::uint8_t* HWY_RESTRICT before, std::size_t width,
             std::uint8_t* HWY_RESTRICT none, std::uint8_t* HWY_RESTRICT two, std::uint8_t* HWY_RESTRICT four) {
     for (std::size_t i = 0; i < width; ++i) {
@@ -143,18 +136,20 @@ void gather(const std::uint8_t* HWY_RESTRICT now, const std::uint8_t* HWY_RESTRI
 
 void choose(const Strip<const std::uint8_t>& now, const Strip<std::uint8_t>& before, std::span<std::uint8_t> widths) {
     const std::size_t bytes = widths.size() * change_side;
-    Exceeding exceeding{std::vector<std::uint8_t>(bytes), std::vector<std::uint8_t>(bytes),
-                        std::vector<std::uint8_t>(bytes)};
+    // Of each byte what tells that a width is too small for it, for one width after another: not 0.
+    std::vector<std::uint8_t> exceeding(3 * bytes);
+    std::uint8_t* const none = exceeding.data();
+    std::uint8_t* const two = none + bytes;
+    std::uint8_t* const four = two + bytes;
     for (int j = 0; j < now.height; ++j) {
-        gather(now.row(j), before.row(j), static_cast<std::size_t>(now.width), exceeding.none.data(),
-               exceeding.two.data(), exceeding.four.data());
+        gather(now.row(j), before.row(j), static_cast<std::size_t>(now.width), none, two, four);
     }
     for (std::size_t tile = 0; tile < widths.size(); ++tile) {
         // What is too large for a width is too large for all that are smaller.
         int number = 0;
-        for (const auto* bits : {&exceeding.none, &exceeding.two, &exceeding.four}) {
+        for (const std::uint8_t* bits : {none, two, four}) {
             Row row = 0;
-            std::memcpy(&row, bits->data() + tile * change_side, change_side);
+            std::memcpy(&row, bits + tile * change_side, change_side);
             number += row != 0 ? 1 : 0;
         }
         widths[tile] = static_cast<std::uint8_t>(number);
