@@ -113,3 +113,36 @@ def info_says_what_a_render_would_do(t):
     told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11", "--step", "2").expect(0, out=None).out)
     check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))
     check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))
+
+
+@case
+def playlist_that_names_itself(t):
+    text = "#EXTM3U\n#EXT-X-STREAM-INF:BANDWIDTH=1\n"
+    t.write("bomb.avi", text + "bomb.avi\n")
+    t.vvr("info", "bomb.avi", timeout=20).expect(3, "'bomb.avi' is a list of other files, not a video", ".m3u8")
+    t.write("bomb.m3u8", text + "bomb.m3u8\n")
+    t.vvr("info", "bomb.m3u8", timeout=20).expect(3, "'bomb.m3u8'")
+
+
+@case
+def playlist_without_an_end(t):
+    t.clip("seg.ts", codec=("-c:v", "mpeg2video"))
+    playlist = "#EXTM3U\n#EXT-X-TARGETDURATION:9999\n#EXTINF:2,\nseg.ts\n"
+    t.write("live.avi", playlist)
+    t.vvr("info", "live.avi", timeout=20).expect(3, "'live.avi' is a list of other files, not a video")
+    t.write("live.m3u8", playlist)
+    t.render("live.m3u8", timeout=20).expect(0, "20 frames")
+    t.write("main.m3u8", "#EXTM3U\n#EXT-X-STREAM-INF:BANDWIDTH=1\nlive.m3u8\n")
+    t.render("main.m3u8", timeout=20).expect(0, "20 frames")
+
+
+@case
+def playlist_stays_in_its_folder(t):
+    t.clip("outside.ts", codec=("-c:v", "mpeg2video"))
+    t.path("cam").mkdir()
+    t.path("cam/link.ts").symlink_to(t.path("outside.ts"))
+    for part in ("../outside.ts", str(t.path("outside.ts")), "link.ts", "http://127.0.0.1:9/a.ts"):
+        t.write("cam/list.m3u8", f"#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\n{part}\n")
+        t.render("cam/list.m3u8", timeout=20).expect(3, "'cam/list.m3u8' is not a playlist that can be read",
+                                                     "in its folder or below it")
+    t.expect_files("cam", "cam/link.ts", "cam/list.m3u8", "outside.ts")
