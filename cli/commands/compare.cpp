@@ -5,7 +5,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/show_comparison.h"
+#include "cli/render/show_comparison.h"
 #include "cli/options/comparison.h"
 #include "cli/options/option.h"
 #include "cli/options/run.h"

@@ -3,11 +3,11 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/open_fields.h"
-#include "cli/jobs/plan.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/plan.h"
 #include "cli/options/option.h"
 #include "cli/options/render_settings.h"
-#include "cli/options/words.h"
+#include "core/words.h"
 #include "cli/print.h"
 #include "core/labels/time_ticks.h"
 

@@ -5,8 +5,8 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/find_frame.h"
-#include "cli/jobs/inspection.h"
+#include "cli/render/find_frame.h"
+#include "cli/render/inspection.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"
 #include "cli/options/option.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/jobs/render_clip.h"
+#include "cli/render/render_clip.h"
 #include "cli/options/option.h"
 
 namespace vvr {

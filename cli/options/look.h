@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/jobs/render_clip.h"
+#include "cli/render/render_clip.h"
 #include "core/scene/theme.h"
 #include "core/scene/traceline.h"
 #include "core/scene/transfer_file.h"

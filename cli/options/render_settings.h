@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/jobs/render_clip.h"
+#include "cli/render/render_clip.h"
 #include "cli/options/bricks.h"
 #include "cli/options/fields.h"
 #include "cli/options/input.h"

@@ -7,7 +7,7 @@
 #include "core/page/preview.h"
 #include "core/page/stills.h"
 #include "core/page/time_line.h"
-#include "core/store/field_source.h"
+#include "core/fields/field_source.h"
 
 namespace vvr {
 

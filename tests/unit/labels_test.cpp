@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/jobs/annotate.h"
-#include "cli/jobs/shown_name.h"
+#include "cli/render/annotate.h"
+#include "cli/render/shown_name.h"
 #include "core/error.h"
 #include "core/labels/legend.h"
 #include "core/labels/lettering.h"

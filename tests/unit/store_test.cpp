@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/store/busy_fields.h"
+#include "core/fields/busy_fields.h"
 #include "core/store/data_folder.h"
-#include "core/store/listed_seeds.h"
+#include "core/fields/listed_seeds.h"
 #include "core/store/stored_fields.h"
 
 namespace vvr {

@@ -1,0 +1,128 @@
+#include "cli/render/build_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/overlay.h"
+#include "gl/context.h"
+#include "gl/framebuffer.h"
+
+namespace vvr {
+
+std::unique_ptr<Context> open_drawing(const RenderJob& job) {
+    auto context = open_context(job.backend, job.device);
+    check_samples(context->gl(), job.picture.samples);
+    return context;
+}
+
+void describe(const FieldSource& source, const Context& context, RenderReport& report) {
+    report.info = source.info();
+    report.field_size = source.field_size();
+    report.renderer = context.renderer();
+    report.gl_version = context.version();
+    report.backend = context.backend();
+    report.stages.end("context");
+}
+
+FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
+    // Arrows at so many times along the arc leave each other room.
+    constexpr std::int64_t arrow_times = 80;
+    FieldNeeds needs;
+    needs.flow = job.show.contains("tracelines");
+    needs.seeds = needs.flow || job.show.contains("arrows");
+    needs.colour = job.picture.colour == VolumeColour::video;
+    needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
+    return needs;
+}
+
+std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
+    LayoutShape shape = shape_for(field_size, job.r_min, job.r_max);
+    if (job.height > 0) shape.y_s = job.height;
+    return make_layout(job.layout, shape);
+}
+
+RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers) {
+    RenderOptions options = job.picture;
+    options.camera = framing.camera;
+    options.ring = bricks;
+    options.window_layers = layers;
+    return options;
+}
+
+const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
+    static const Plane<Bgr> none;
+    return job.picture.colour == VolumeColour::video ? frame.colour : none;
+}
+
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
+                  const Framing& framing) {
+    Scene scene;
+    if (job.show.contains("arrows")) scene.arrows = arrows(volume, layout, job.glyphs);
+    if (job.show.contains("tracelines")) scene.tracelines = tracelines(volume, layout, job.traces);
+    const glm::vec4 line_colour(job.theme.lines, 1);
+    if (job.show.contains("outline")) scene.lines = volume_outline(layout, line_colour);
+    const auto add_lines = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    add_lines(ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour));
+    if (job.show.contains("ruler")) {
+        add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
+        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.theme.fast, 1)));
+    }
+    if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
+    if (job.show.contains("frames")) {
+        constexpr float at_the_ends = 0.5F;
+        constexpr float between = 0.3F;  // they stand before what the volume shows
+        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
+            Plane<Bgr> picture = picture_of(frame);
+            if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
+        };
+        stand(0, frames.first, 0, at_the_ends);
+        for (const KeyFrame& key : frames.between) {
+            stand(volume.t_of_frame(static_cast<double>(key.number)), *key.frame, key.number, between);
+        }
+        stand(volume.t_end(), frames.last, volume.frames() - 1, at_the_ends);
+    }
+    return scene;
+}
+
+void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
+                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene) {
+    const auto add = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    if (job.show.contains("bricks")) {
+        for (const Brick& brick : bricks) {
+            const double t = static_cast<double>(brick.first) / static_cast<double>(window_layers);
+            if (t > 0) add(cross_section(layout, t, glm::vec4(job.theme.lines, 0.5)));
+        }
+    }
+    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
+    if (job.show.contains("boxes")) {
+        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+    }
+    if (job.show.contains("slices")) {
+        constexpr int shown = 20;
+        const Camera camera =
+            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
+        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+    }
+}
+
+bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
+    }
+    return true;
+}
+
+Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+                     double phase) {
+    Picture picture = to_picture(renderer.draw(phase));
+    if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
+    draw(picture, lettering);
+    return picture;
+}
+
+}  // namespace vvr

@@ -1,0 +1,59 @@
+#include "cli/render/picture_output.h"
+
+#include <span>
+
+#include "core/image/atomic_file.h"
+#include "core/image/smaller.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths of a second each
+constexpr int thumbnail_side = 400;
+constexpr int thumbnail_quality = 80;
+
+}  // namespace
+
+PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals)
+    : signals_(signals), name_(name_of(options)), page_(page_of(options)), thumbnail_(options.thumbnail) {
+    if (options.path.empty()) return;
+    const auto held = signals.hold();
+    if (is_animation(options.path) || is_page(options)) {
+        check_file_path(options.path);
+    } else {
+        check_picture_path(name_.at(0));
+    }
+    if (is_animation(options.path)) animation_.emplace(options.path, pictures_a_second);
+}
+
+void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
+    if (name_.path().empty()) return;
+    if (animation_) {
+        animation_->add(picture);
+        return;
+    }
+    const auto held = signals_.hold();
+    write_picture(name_.at(number), picture, metadata);
+}
+
+void PictureOutput::add_thumbnail(const Picture& picture) {
+    if (thumbnail_.empty()) return;
+    const std::vector<unsigned char> encoded =
+        encode_picture(thumbnail_, smaller(picture, thumbnail_side), {}, thumbnail_quality);
+    const auto held = signals_.hold();
+    replace_file(thumbnail_, std::as_bytes(std::span(encoded)));
+}
+
+void PictureOutput::add_page(const std::string& text) {
+    const auto held = signals_.hold();
+    replace_file(page_, std::as_bytes(std::span(text)));
+}
+
+void PictureOutput::close() {
+    if (!animation_) return;
+    const auto held = signals_.hold();
+    animation_->close();
+}
+
+}  // namespace vvr

@@ -1,0 +1,78 @@
+#include "cli/render/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "cli/render/render_series.h"
+#include "core/error.h"
+
+namespace vvr {
+
+namespace {
+
+std::int64_t area(Size size) {
+    return std::int64_t{size.width} * size.height;
+}
+
+std::int64_t bricks_of(const RenderJob& job, const Plan& plan, double rate) {
+    const double length = job.brick_seconds > 0 ? job.brick_seconds * rate : static_cast<double>(job.brick_frames);
+    if (length <= 0) return std::min<std::int64_t>(job.bricks, plan.layers);
+    return static_cast<std::int64_t>(std::ceil(static_cast<double>(plan.layers * plan.step) / length));
+}
+
+std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource& source) {
+    constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
+    constexpr std::int64_t frames_in_flight = 16;
+    constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
+    constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
+    const std::int64_t picture_bytes = job.layers ? 56 : 20;  // a pixel, as floats and as bytes
+    // In a layer and in a texture, if something is everywhere; of a street scene it is a twentieth and a half of that.
+    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 4 : 1;
+    const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
+    const std::int64_t layers_in_textures = plan.layers * textures_of(job, pieces) / std::max(1, pieces);
+    const std::int64_t flow_bytes =
+        job.show.contains("tracelines") ? 100 * 4 : 0;  // about so many frames' flow, in half floats
+    // A pixel of the field: since when it has its value, and whose it is.
+    const std::int64_t event_bytes = job.find_events ? 40 : 0;
+    return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
+           voxel_bytes * (plan.layers + layers_in_textures) * area(source.field_size()) +
+           frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
+           picture_bytes * area(job.picture.size);
+}
+
+}  // namespace
+
+void check_memory(const Plan& plan) {
+    const std::int64_t there = std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+    if (there <= 0 || plan.bytes <= there) return;
+    throw Error(
+        ErrorKind::limit,
+        fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
+                    "--size or --field-size",
+                    static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9));
+}
+
+Plan make_plan(const RenderJob& job, const FieldSource& source) {
+    Plan plan;
+    plan.frames = source.expected_frames();
+    if (job.series) {
+        const SlidingWindow window = sliding_window(job, source);
+        plan.step = window.step;
+        plan.layers = window.layers();
+        plan.bricks = window.bricks;
+        plan.bytes = bytes_of(job, plan, source);
+        return plan;
+    }
+    plan.step = planned_step(job, plan.frames);
+    while (plan.frames > job.max_layers * plan.step) plan.step *= 2;
+    plan.layers = plan.frames > 0 ? (plan.frames + plan.step - 1) / plan.step : job.max_layers;
+    plan.bricks = bricks_of(job, plan, source.info().rate);
+    plan.bytes = bytes_of(job, plan, source);
+    return plan;
+}
+
+}  // namespace vvr
