@@ -126,7 +126,7 @@ void write_index(const ArchiveJob& job, const Environment& environment) {
     // Of two runs that end together, the later one has to read what the other wrote.
     const Claim claim = Claim::wait_for(job.out, std::string(index_name));
     const Outputs outputs = list_outputs(job.out, job.in);
-    tidy(outputs);
+    tidy(job.out, outputs);
     const fs::path path = job.out / index_name;
     const std::string text = make_index(outputs.sidecars);
     if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));
