@@ -89,8 +89,17 @@ class TemporaryFile {
 
 /// Where the bytes go when `path` is a link to another file.
 fs::path target_of(const fs::path& path) {
-    std::error_code none;
-    return fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path;
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return path;
+    fs::path target = fs::weakly_canonical(path, error);
+    if (error) {
+        throw Error(
+            ErrorKind::io,
+            fmt::format("cannot write '{}': it is a link that can't be followed: {}; remove it, or choose another "
+                        "name",
+                        path.string(), error.message()));
+    }
+    return target;
 }
 
 }  // namespace

@@ -432,6 +432,34 @@ def archive_tidies_only_what_is_the_clips(t):
     check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
 
 
+@case
+def archive_names_names_that_are_too_long(t):
+    long = {length: "n" * (length - 4) + ".avi" for length in (243, 244, 251, 255)}
+    clips(t, "a.avi", *long.values())
+    os.utime(t.path("in/a.avi"), (1, 1))  # so that it comes last
+    result = archive(t, "--jobs", "1").expect(6, "2 clips drawn, 0 failed")
+    for length in (244, 251, 255):
+        text = f"'in/{long[length]}': its '{long[length]}.report.json' would be too long a name ({length + 12} bytes, 255 are possible); rename the clip"
+        check(text in result.err, f"{result}\nexpected {text}")
+    complete(t, ["a.avi", long[243]])
+    archive(t).expect(6, "nothing to do; 2 done before")
+
+
+@case
+def archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
+    full = "No space left on device.avi"
+    clips(t, "a.avi", "b.avi", "c.avi", full)
+    os.utime(t.path("in/a.avi"), (1, 1))
+    for name in ("b.avi", full):
+        t.path(f"out/{name}.json").mkdir(parents=True)
+    t.path("out/c.avi.json").symlink_to("c.avi.json")
+    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': Is a directory",
+                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link that can't be followed",
+                                     f"{full} failed, cannot write", "4/4 a.avi: ")
+    check("a.avi" in t.path("out/index.html").read_text(), "no index")
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
 def start(t, *arguments, **options):
     return subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", *QUICK, *arguments], cwd=t.folder, stdin=subprocess.DEVNULL,
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, **options)

@@ -204,6 +204,18 @@ TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
     EXPECT_EQ(scan.clips.size(), 4);
 }
 
+TEST_F(Archive, RefusesNamesThatAreTooLong) {
+    const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
+    for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
+    const Scan scan = scan_archive(in(), out(), ClipNames());
+    EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
+    EXPECT_EQ(scan.problems[1].reason, "its '" + long_one +
+                                           ".report.json' would be too long a name (256 bytes, 255 are "
+                                           "possible); rename the clip");
+}
+
 TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     Sidecar sidecar = done("cam/\xFF.avi", {OutputKind::picture, OutputKind::report});
     sidecar.events = 3;
