@@ -140,7 +140,9 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 void write_index(const ArchiveJob& job, const Environment& environment) {
     const auto held = environment.signals.hold();
     // Of two runs that end together, the later one has to read what the other wrote.
-    const Claim claim = Claim::wait_for(job.out, std::string(index_name));
+    const std::vector<std::string> names{std::string(index_name)};
+    const Claim claim = Claim::wait_for(job.out, names.front());
+    if (claim.was_left_behind()) remove_leftovers(job.out, names);
     const Outputs outputs = list_outputs(job.out, job.in);
     tidy(job.out, outputs);
     const fs::path path = job.out / index_name;

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from harness import case, check, fnv1a, lock_name, slow_case
+from harness import case, check, fnv1a, lock_name, part_name, slow_case
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 ENDINGS = (".png", ".html", ".jpg", ".report.json", ".json")
@@ -458,6 +458,17 @@ def archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
                                      f"{full} failed, cannot write", "4/4 a.avi: ")
     check("a.avi" in t.path("out/index.html").read_text(), "no index")
     check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
+@case
+def archive_removes_what_a_killed_index_left(t):
+    clips(t, "a.avi")
+    archive(t).expect(0, "1 clip drawn")
+    t.write(f"out/{lock_name('index.html')}", "index.html")
+    t.write(f"out/{part_name('index.html', 3)}", "half")
+    t.write(f"out/.vvr-{fnv1a('index.html'):016x}-4711-0.part", "half, of an older vvr")
+    archive(t).expect(0, "nothing to do; 1 done before")
+    complete(t, ["a.avi"])
 
 
 def start(t, *arguments, **options):
