@@ -18,6 +18,14 @@ std::vector<Backend> backends() {
 
 }  // namespace
 
+void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user) {
+    if (!gladLoadGLContextUserPtr(&gl_, load, user)) {
+        throw Error(ErrorKind::backend, fmt::format("{} gives no OpenGL 3.3 functions", get_proc_address));
+    }
+    renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+    version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+}
+
 std::unique_ptr<Context> open_context(std::string_view name, int device) {
     std::string tried;
     for (const Backend& backend : backends()) {

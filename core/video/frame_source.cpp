@@ -13,6 +13,7 @@
 #include "core/video/picture_list.h"
 #include "core/video/picture_source.h"
 #include "core/video/scaler.h"
+#include "core/video/settings.h"
 #include "core/video/time_sampler.h"
 
 namespace vvr {
