@@ -16,8 +16,9 @@ std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& sh
     return choose("layout", name, layouts()).make(shape);
 }
 
-LayoutShape shape_for(Size field, double r_min, double r_max) {
-    return {r_min, r_max, (r_max - r_min) * field.height / field.width};
+LayoutShape shape_for(Size field, const LayoutOptions& options) {
+    const double square = (options.r_max - options.r_min) * field.height / field.width;
+    return {options.r_min, options.r_max, options.height > 0 ? options.height : square};
 }
 
 }  // namespace vvr

@@ -12,12 +12,22 @@
 
 namespace vvr {
 
+/// What can be chosen of a layout's shape, in P-space units.
+struct LayoutOptions {
+    double r_min = 0.45;  ///< inner radius of the horseshoe
+    double r_max = 1;     ///< outer radius
+    double height = 0;    ///< of a frame; 0 = pixels are square
+};
+
 /// The measures of a layout in P-space units.
 struct LayoutShape {
-    double r_min = 0.45;  ///< inner radius of the horseshoe
-    double r_max = 1.0;   ///< outer radius
-    double y_s = 0.4;     ///< height of a frame
+    double r_min = 0;
+    double r_max = 0;
+    double y_s = 0;  ///< height of a frame
 };
+
+/// The shape for frames of size `field`. With square pixels y_s = Δr · H / W.
+LayoutShape shape_for(Size field, const LayoutOptions& options = {});
 
 /// The vectors ∂P/∂x_C, ∂P/∂y_C, ∂P/∂t_C at a point (§5.2). The paper's e_t has Δr where differentiation gives r.
 struct Basis {
@@ -70,9 +80,6 @@ const std::vector<LayoutRow>& layouts();
 
 /// \throws Error usage when no layout has that name
 std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape);
-
-/// The shape with square pixels for frames of size `field`: y_s = Δr · H / W.
-LayoutShape shape_for(Size field, double r_min = 0.45, double r_max = 1.0);
 
 std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape);
 std::unique_ptr<Layout> make_box(const LayoutShape& shape);
