@@ -50,7 +50,7 @@ class OSMesaContext final : public Context {
     }
 
   private:
-    // OSMesa wants a picture to draw into; ours is drawn into a framebuffer object, so the smallest one does.
+    // OSMesa needs a picture to draw into. We draw into a framebuffer object, so a small one is enough.
     static constexpr int side = 4;
 
     OSMesa mesa_;

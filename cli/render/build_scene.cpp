@@ -17,7 +17,7 @@ void describe(const FieldSource& source, const Context& context, RenderReport& r
 }
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
-    // Arrows at so many times along the arc leave each other room.
+    // Arrows at this many times along the arc don't overlap.
     constexpr std::int64_t arrow_times = 80;
     FieldNeeds needs;
     needs.flow = job.show.contains("tracelines");
@@ -28,9 +28,7 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
 }
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
-    LayoutShape shape = shape_for(field_size, job.r_min, job.r_max);
-    if (job.height > 0) shape.y_s = job.height;
-    return make_layout(job.layout, shape);
+    return make_layout(job.layout, shape_for(field_size, job.shape));
 }
 
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
@@ -56,7 +54,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
     if (job.show.contains("frames")) {
         constexpr float at_the_ends = 0.5F;
-        constexpr float between = 0.3F;  // they stand before what the volume shows
+        constexpr float between = 0.3F;  // they hide what is behind them
         const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
             Plane<Bgr> picture = picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});

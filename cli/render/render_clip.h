@@ -41,9 +41,7 @@ struct RenderJob {
     std::int64_t brick_frames = 0;
 
     std::string layout = "horseshoe";
-    double r_min = 0.45;
-    double r_max = 1;
-    double height = 0;  ///< y_s; 0 = square pixels
+    LayoutOptions shape;
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
     bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip

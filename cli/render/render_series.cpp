@@ -19,8 +19,8 @@ namespace vvr {
 
 namespace {
 
-constexpr double standard_seconds = 10;
-constexpr double standard_frames = 100;  // where nobody knows how many are a second
+constexpr double default_seconds = 10;
+constexpr double default_frames = 100;  // where the rate is unknown
 
 double frames_of_brick(const RenderJob& job, const FieldSource& source) {
     const VideoInfo& info = source.info();
@@ -30,11 +30,11 @@ double frames_of_brick(const RenderJob& job, const FieldSource& source) {
         throw Error(ErrorKind::usage,
                     fmt::format("--brick {}s: '{}' does not tell how many frames it has a second; give "
                                 "the length of a brick in frames, --brick {:.0f}",
-                                job.brick_seconds, info.name, standard_frames));
+                                job.brick_seconds, info.name, default_frames));
     }
-    const double standard = info.rate > 0 ? standard_seconds * info.rate : standard_frames;
+    const double by_default = info.rate > 0 ? default_seconds * info.rate : default_frames;
     const auto expected = static_cast<double>(source.expected_frames());
-    return expected > 0 ? std::min(standard, std::ceil(expected / job.bricks)) : standard;
+    return expected > 0 ? std::min(by_default, std::ceil(expected / job.bricks)) : by_default;
 }
 
 /// The window while it slides: its volume, and what is drawn of it.
@@ -95,8 +95,8 @@ class Series {
         first_of_bricks_.pop_front();
     }
 
-    /// A stream's numbers skip the frames that never came. There is no picture of a brick that ends without one, and
-    /// of a gap longer than the window only its end is to be seen.
+    /// A stream's numbers skip the frames that never came. A brick that ends in such a gap gets no picture. Of a gap
+    /// longer than the window only the end is shown.
     void fill_gap(const Field& next) {
         const std::int64_t gap = next.index - last_->index - 1;
         const std::int64_t shown = std::min(gap, window_.frames());

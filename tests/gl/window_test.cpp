@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/renderer.h"
+#include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -124,7 +125,7 @@ TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {
     expect_fresh_pictures(Older::otherwise);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::Values("horseshoe", "box"));
+INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::ValuesIn(test::layout_names()));
 
 }  // namespace
 }  // namespace vvr
