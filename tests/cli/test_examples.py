@@ -4,7 +4,7 @@ import os
 import re
 import shutil
 
-from harness import case, check
+from harness import check
 
 
 def put_vvr_on_path(t):
@@ -22,8 +22,7 @@ def step(t, name):
     return re.sub(r"^          ", "", found.group(1), flags=re.MULTILINE)
 
 
-@case
-def example_workflow_compares(t):
+def test_example_workflow_compares(t):
     environment = put_vvr_on_path(t)
     t.path("clips").mkdir()
     t.path("golden").mkdir()
@@ -45,16 +44,24 @@ def example_workflow_compares(t):
     check(kept == ["door.candidate.png", "door.diff.png", "door.png"], f"{kept}")
 
 
-@case
-def example_workflow_builds_with_what_is_there(t):
+def test_example_workflow_builds_with_what_is_there(t):
     build = step(t, "Build vvr")
     check("./scripts/install" in build and (t.source / "scripts" / "install").exists(), build)
     presets = (t.source / "CMakePresets.json").read_text()
     check('"name": "release"' in presets and "--preset release" in build, build)
 
 
-@case
-def examples_for_cron_and_systemd_draw_what_is_new(t):
+def test_example_services_can_write(t):
+    """A unit writes only below the folders that systemd opens to it."""
+    watch = re.search(r"```ini\n(.*?)```", (t.source / "docs" / "watch.md").read_text(), flags=re.DOTALL).group(1)
+    for unit in (watch, (t.source / "docs" / "examples" / "vvr-archive.service").read_text()):
+        written = re.search(r"^ExecStart=.* -o (\S+)", unit, flags=re.MULTILINE).group(1)
+        opened = [f"/var/lib/{name}" for name in re.findall(r"^StateDirectory=(.*)", unit, flags=re.MULTILINE)]
+        opened += re.findall(r"^ReadWritePaths=(.*)", unit, flags=re.MULTILINE)
+        check("\nUser=vvr\n" in unit and any(f"{written}/".startswith(f"{folder}/") for folder in opened), unit)
+
+
+def test_examples_for_cron_and_systemd_draw_what_is_new(t):
     examples = t.source / "docs" / "examples"
     unit = (examples / "vvr-archive.service").read_text()
     lines = re.findall(r"^ExecStart=(.*)", unit, flags=re.MULTILINE)
