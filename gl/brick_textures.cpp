@@ -61,8 +61,9 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
         throw Error(ErrorKind::limit,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
-                                "take a smaller --field-size or a shorter --brick",
-                                width, height, layers.brick().count, largest));
+                                "choose smaller fields or shorter bricks",
+                                width, height, layers.brick().count, largest),
+                    {"field-size", "brick"});
     }
 
     Slot* found = find(number);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "core/choice.h"
 #include "core/error.h"
 #include "gl/backend.h"
 
@@ -36,13 +36,10 @@ std::unique_ptr<Context> open_context(std::string_view name, int device) {
             tried += fmt::format("\n  {}: {}", backend.name, error.what());
         }
     }
-    if (tried.empty()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("no backend is called '{}'; there are {}", name, fmt::join(backend_names(), ", ")));
-    }
+    if (tried.empty()) refuse_choice("backend", name, backend_names());
     throw Error(ErrorKind::backend,
-                fmt::format("no OpenGL context from --backend {}{}; tried:{}\n`vvr doctor` says what would mend it",
-                            name, device < 0 ? "" : fmt::format(" --device {}", device), tried));
+                fmt::format("no OpenGL context from backend {}{}; tried:{}\n`vvr doctor` says how to fix it", name,
+                            device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
 
 std::vector<std::string> backend_names() {

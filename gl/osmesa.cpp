@@ -63,7 +63,7 @@ class OSMesaContext final : public Context {
 Backend osmesa_backend() {
     return {"osmesa", "Mesa's software rasteriser through OSMesa, for machines without EGL",
             [](int device) -> std::unique_ptr<Context> {
-                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices; --device is for EGL");
+                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices to choose from");
                 return std::make_unique<OSMesaContext>();
             },
             []() { return std::vector<std::string>{}; }, "apt-get install libosmesa6"};

@@ -9,7 +9,8 @@ import signal
 import subprocess
 import time
 
-from harness import case, check, slow_case
+import pytest
+from harness import check, fnv1a, lock_name, part_name
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 ENDINGS = (".png", ".html", ".jpg", ".report.json", ".json")
@@ -133,13 +134,12 @@ def archive_of_ten_kinds(t, count):
     return good
 
 
-@case
-def archive_of_ten_kinds_of_clips(t):
+def test_archive_of_ten_kinds_of_clips(t):
     archive_of_ten_kinds(t, 1)
 
 
-@slow_case
-def archive_of_200_clips_of_ten_kinds(t):
+@pytest.mark.slow
+def test_archive_of_200_clips_of_ten_kinds(t):
     good = archive_of_ten_kinds(t, 20)
     check(len(good) == 80, f"{len(good)}")
     before = {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}
@@ -150,8 +150,7 @@ def archive_of_200_clips_of_ten_kinds(t):
     check(before == {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}, "files were written for nothing")
 
 
-@case
-def archive_does_what_is_new(t):
+def test_archive_does_what_is_new(t):
     clips(t, "a.avi", "cam/b.avi")
     first = archive(t).expect(0, "1/2 ", "a.avi: ", "cam/b.avi: ", "2 clips drawn, 0 failed")
     check(re.search(r"\d/2 a\.avi: \d+ events?, \d+\.\d s\n", first.err), str(first))
@@ -192,8 +191,7 @@ def archive_does_what_is_new(t):
     check(not any(name.endswith("avi.html") for name in outputs(t)), "pages that are not true any more")
 
 
-@case
-def archive_uses_the_contents_of_files_of_settings(t):
+def test_archive_uses_the_contents_of_files_of_settings(t):
     clips(t, "a.avi")
     t.ffmpeg("-f", "lavfi", "-i", "color=white:size=64x48", "-frames:v", "1", "mask.png")
     archive(t, "--mask", "mask.png").expect(0, "1 clip drawn")
@@ -205,8 +203,7 @@ def archive_uses_the_contents_of_files_of_settings(t):
     t.expect_picture("small/a.avi.png", (120, 80))
 
 
-@case
-def archive_leaves_what_is_still_written(t):
+def test_archive_leaves_what_is_still_written(t):
     clips(t, "a.avi", "b.avi")
     os.utime(t.path("in/b.avi"))
     archive(t).expect(0, "1 clip drawn, 0 failed", "1 still being written (--settle)")
@@ -215,8 +212,7 @@ def archive_leaves_what_is_still_written(t):
     archive(t, "--settle", "0s").expect(0, "1 clip drawn", "1 done before")
 
 
-@case
-def archive_tries_again(t):
+def test_archive_tries_again(t):
     clips(t, "a.avi")
     t.write("in/bad.avi", "no video")
     age(t, "in/bad.avi")
@@ -242,8 +238,7 @@ def archive_tries_again(t):
     check(complete_names == ["a.avi.json"], f"pictures of what the clip was: {complete_names}")
 
 
-@case
-def archive_takes_any_name(t):
+def test_archive_takes_any_name(t):
     names = ["-o.avi", "[a].avi", "x %05d*.avi", "####.avi", "{brick}.avi", "a b'\"<&>.avi", "line\nbreak.avi", "ä€😀.avi", "%41.avi",
              "cam:1/c.avi", "-dir/d.avi", "a.avi", "a.mp4"]
     clips(t, *names)
@@ -261,8 +256,7 @@ def archive_takes_any_name(t):
     check("%FF%FE.avi" in t.path("out/index.html").read_text(), "the index leaves one out")
 
 
-@case
-def archive_finds_its_way_through_folders(t):
+def test_archive_finds_its_way_through_folders(t):
     clips(t, "cam/a.avi", "cam/.hidden.avi", "cam/.trash/b.avi", "cam/notes.txt", "pictures/none.txt")
     t.path("in/cam/up").symlink_to("..")
     t.path("in/again").symlink_to("cam")
@@ -272,8 +266,7 @@ def archive_finds_its_way_through_folders(t):
     t.vvr("archive", "in", "-o", "in/pictures", *QUICK, "--match", "cam/*.avi", "--match", "*.txt", "--dry-run").expect(0, out=None)
 
 
-@case
-def archive_goes_on_past_what_it_cannot_read(t):
+def test_archive_goes_on_past_what_it_cannot_read(t):
     clips(t, "a.avi", "shut/b.avi", "open/c.avi")
     t.path("in/gone.avi").symlink_to("nowhere.avi")
     if os.geteuid() != 0:
@@ -291,8 +284,7 @@ def archive_goes_on_past_what_it_cannot_read(t):
     archive(t, "--no-index").expect(6, "cam/d.avi failed, cannot make the folder 'out/cam'")
 
 
-@case
-def archive_refuses_what_cannot_be(t):
+def test_archive_refuses_what_cannot_be(t):
     clips(t, "a.avi")
     t.vvr("archive", "in").expect(1, "no output: say where the pictures go with -o DIR")
     t.vvr("archive", "-o", "out").expect(1, "no INPUT: give the folder that holds the clips")
@@ -313,8 +305,7 @@ def archive_refuses_what_cannot_be(t):
     check(not t.path("out").exists(), "a refused run leaves something")
 
 
-@case
-def archive_without_opengl_blames_no_clip(t):
+def test_archive_without_opengl_blames_no_clip(t):
     clips(t, "a.avi", "b.avi")
     result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl", "--device", "200")
     result.expect(4, "no clip could be drawn, so this run ends here:")
@@ -322,8 +313,7 @@ def archive_without_opengl_blames_no_clip(t):
     archive(t).expect(0, "2 clips drawn")
 
 
-@case
-def archive_limits_its_workers(t):
+def test_archive_limits_its_workers(t):
     clips(t, "a.avi")
     t.clip("part.avi", seconds=60, size="384x288")
     t.ffmpeg("-stream_loop", "50", "-i", "part.avi", "-c", "copy", "in/long.avi")
@@ -339,18 +329,11 @@ def of_shard(t, number, count):
     return archive(t, "--shard", f"{number}/{count}", "--no-index", "--dry-run").expect(0, out=None).out.splitlines()
 
 
-@case
-def archive_is_shared_out(t):
+def test_archive_is_shared_out(t):
     clips(t, *[f"cam{k % 3}/{k}.avi" for k in range(9)])
     parts = [of_shard(t, number, 3) for number in (1, 2, 3)]
     check(sorted(sum(parts, [])) == sorted(archive(t, "--dry-run").out.splitlines()), "not each clip once")
     check(all(parts) and parts == [of_shard(t, number, 3) for number in (1, 2, 3)], "shares are not stable")
-
-    def fnv1a(text):
-        number = 0xcbf29ce484222325
-        for byte in text.encode():
-            number = (number ^ byte) * 0x100000001b3 % 2**64
-        return number
 
     for number, part in enumerate(parts):
         check(all(fnv1a(line[16:]) % 3 == number for line in part), "not the hash that docs/archive.md names")
@@ -361,8 +344,7 @@ def archive_is_shared_out(t):
     complete(t, [f"cam{k % 3}/{k}.avi" for k in range(9)])
 
 
-@case
-def archive_prunes(t):
+def test_archive_prunes(t):
     clips(t, "a.avi", "b.avi", "cam/c.avi", "disk/d.avi")
     archive(t).expect(0)
     t.write("out/b.avi.txt", "a note")
@@ -386,13 +368,98 @@ def archive_prunes(t):
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
 
 
+def test_archive_takes_no_other_file_for_a_lock(t):
+    """Whoever may write into PICTURES can't have files of others removed or written."""
+    clips(t, "a.avi")
+    t.path("victim").mkdir()
+    t.path("out").mkdir()
+    victims = [f"victim/photo{ending}" for ending in ENDINGS[:4]] + ["out/photo.png", "victim/empty"]
+    for name in victims:
+        t.write(name, "" if name.endswith("empty") else "mine")
+    beyond = "x" * 256
+    for name in ("../victim/photo", str(t.path("victim/photo")), "./photo", "..", ".", "", "photo\0", beyond):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/.vvr-0000000000000000.lock", "../victim/photo")
+    t.write("out/.vvr-1111111111111111.lock", "photo")
+    t.write("victim/name", "photo")
+    t.path(f"out/{lock_name('photo')}").symlink_to("../victim/name")
+    os.mkfifo(t.path("out/.vvr-2222222222222222.lock"))
+    t.path("out/.vvr-3333333333333333.lock").mkdir()
+    before = t.files()
+    t.vvr("archive", "-o", "out", "--index-only", timeout=20).expect(0, "'out/index.html' is up to date")
+    check(t.files() == sorted(before + ["out/index.html"]), f"files are gone or new: {set(before) ^ set(t.files())}")
+    check(t.path("out/.vvr-1111111111111111.lock").read_text() == "photo", "what is no lock was written")
+    # A link at the place of a clip's own lock.
+    t.path(f"out/{lock_name('a.avi')}").symlink_to("../victim/new")
+    clips(t, "b.avi", "c.avi")
+    t.path(f"out/{lock_name('b.avi')}").symlink_to("../victim/empty")
+    os.mkfifo(t.path(f"out/{lock_name('c.avi')}"))
+    clips(t, "d.avi")
+    archive(t, timeout=60).expect(6, "1 clip drawn, 3 failed", f"a.avi failed, cannot lock 'out/{lock_name('a.avi')}': it is a link; remove it",
+                                  "b.avi failed, cannot lock", f"'out/{lock_name('c.avi')}': it is not a regular file; remove it")
+    check(not t.path("victim/new").exists(), "a link was followed to nowhere")
+    check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
+    t.path("out/index.html").unlink()
+    t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
+    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link; remove it")
+
+
+def test_archive_tidies_only_what_is_the_clips(t):
+    clips(t, "gone.report")
+    archive(t, "--match", "*").expect(0, "1 clip drawn")
+    for name in ("gone", "index", "other"):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/gone.png", "half")
+    t.path("out/gone.jpg").mkdir()
+    t.path("out/gone.html").symlink_to("other.html")
+    t.write("out/other.txt", "mine")
+    kept = [f"gone.report{ending}" for ending in ENDINGS] + ["gone.html", "gone.jpg", "index.html", "other.txt"]
+    t.vvr("archive", "-o", "out", "--index-only").expect(0)
+    check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
+
+
+def test_archive_names_names_that_are_too_long(t):
+    long = {length: "n" * (length - 4) + ".avi" for length in (243, 244, 251, 255)}
+    clips(t, "a.avi", *long.values())
+    os.utime(t.path("in/a.avi"), (1, 1))  # so that it comes last
+    result = archive(t, "--jobs", "1").expect(6, "2 clips drawn, 0 failed")
+    for length in (244, 251, 255):
+        text = f"'in/{long[length]}': its '{long[length]}.report.json' would be too long a name ({length + 12} bytes, 255 are possible); rename the clip"
+        check(text in result.err, f"{result}\nexpected {text}")
+    complete(t, ["a.avi", long[243]])
+    archive(t).expect(6, "nothing to do; 2 done before")
+
+
+def test_archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
+    full = "No space left on device.avi"
+    clips(t, "a.avi", "b.avi", "c.avi", full)
+    os.utime(t.path("in/a.avi"), (1, 1))
+    for name in ("b.avi", full):
+        t.path(f"out/{name}.json").mkdir(parents=True)
+    t.path("out/c.avi.json").symlink_to("c.avi.json")
+    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': Is a directory",
+                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link that can't be followed",
+                                     f"{full} failed, cannot write", "4/4 a.avi: ")
+    check("a.avi" in t.path("out/index.html").read_text(), "no index")
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
+def test_archive_removes_what_a_killed_index_left(t):
+    clips(t, "a.avi")
+    archive(t).expect(0, "1 clip drawn")
+    t.write(f"out/{lock_name('index.html')}", "index.html")
+    t.write(f"out/{part_name('index.html', 3)}", "half")
+    t.write(f"out/.vvr-{fnv1a('index.html'):016x}-4711-0.part", "half, of an older vvr")
+    archive(t).expect(0, "nothing to do; 1 done before")
+    complete(t, ["a.avi"])
+
+
 def start(t, *arguments, **options):
     return subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", *QUICK, *arguments], cwd=t.folder, stdin=subprocess.DEVNULL,
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, **options)
 
 
-@case
-def archives_at_once_share_the_work(t):
+def test_archives_at_once_share_the_work(t):
     names = [f"cam{k % 2}/{k}.avi" for k in range(10)]
     clips(t, *names)
     runs = [start(t) for _ in range(3)]
@@ -476,18 +543,16 @@ def killed_at_random(t, count, seed):
     archive(t).expect(0, f"nothing to do; {len(names)} done before")
 
 
-@case
-def archive_that_is_killed(t):
+def test_archive_that_is_killed(t):
     killed_at_random(t, 5, 1)
 
 
-@slow_case
-def archive_that_is_killed_at_20_moments(t):
+@pytest.mark.slow
+def test_archive_that_is_killed_at_20_moments(t):
     killed_at_random(t, 20, 2)
 
 
-@case
-def archive_on_a_full_disk(t):
+def test_archive_on_a_full_disk(t):
     clips(t, *[f"{k}.avi" for k in range(8)])
     # A small disk of one's own, where the system lets anybody have one.
     small = ["unshare", "-rm", "sh", "-c", 'mkdir out && mount -t tmpfs -o size=120k none out && "$@"; status=$?; ls -A out; exit $status', "sh"]
@@ -498,8 +563,7 @@ def archive_on_a_full_disk(t):
     check(".vvr-" not in result.out, f"left behind: {result}")
 
 
-@case
-def archive_ends_its_workers(t):
+def test_archive_ends_its_workers(t):
     clips(t, *[f"{k}.avi" for k in range(6)])
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         run = start(t, "--jobs", "2")
@@ -513,3 +577,12 @@ def archive_ends_its_workers(t):
         check(not any(os.path.exists(f"/proc/{worker}") for worker in workers), "workers outlive a polite end")
         check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
     archive(t).expect(0, "0 failed")
+
+
+def test_archive_draws_no_playlists(t):
+    t.path("in").mkdir()
+    t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
+    t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
+    result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
+    result.expect(6, "list.m3u8", "it is a playlist, and an archive draws only video files")
+    check(t.path("out/seg.ts.png").exists(), "the video was not drawn")

@@ -4,7 +4,7 @@ import json
 
 import jsonschema
 
-from harness import case, check
+from harness import check
 
 
 def read(t, name="report.json"):
@@ -17,8 +17,7 @@ def read(t, name="report.json"):
     return report
 
 
-@case
-def report_of_the_left_bag(t):
+def test_report_of_the_left_bag(t):
     # The scene's own pixels are half the size of the video's here: fields are 192x144.
     t.scene("left_bag", "bag.y4m", "--size", "384x288", "--frames", "400")
     t.render("bag.y4m", "--report", "report.json", "--field-size", "192x144").expect(
@@ -52,8 +51,7 @@ def report_of_the_left_bag(t):
     check(came["stays"] == [] and bag["path_length"] < 5, "who stays and who goes")
 
 
-@case
-def report_without_a_picture(t):
+def test_report_without_a_picture(t):
     t.clip()
     result = t.vvr("render", "clip.avi", "--report", "report.json").expect(0, "'clip.avi': 20 frames", out="")
     check(result.err.count("\n") == 2, str(result))
@@ -65,24 +63,21 @@ def report_without_a_picture(t):
     check(read(t, "quiet.json")["events"] == report["events"], "quiet finds other events")
 
 
-@case
-def report_of_nothing(t):
+def test_report_of_nothing(t):
     t.scene("still", "still.y4m", "--size", "192x144", "--noise", "5", "--frames", "60")
     t.render("still.y4m", "--report", "report.json").expect(0, "vvr: no events\n", "nothing moves")
     report = read(t)
     check(report["events"] == [] and report["volume"]["still"], str(report["events"]))
 
 
-@case
-def report_where_there_are_no_objects(t):
+def test_report_where_there_are_no_objects(t):
     t.clip()
     result = t.render("clip.avi", "--filter", "luminance", "--report", "report.json").expect(0)
     check("event" not in result.err, str(result))
     check(read(t)["events"] is None, "the video itself has events")
 
 
-@case
-def report_of_what_was_extracted(t):
+def test_report_of_what_was_extracted(t):
     t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
     t.vvr("render", "cross.y4m", "--report", "clip.json").expect(0, "2 events")
     t.vvr("extract", "cross.y4m", "-o", "data").expect(0)
@@ -90,8 +85,7 @@ def report_of_what_was_extracted(t):
     check(read(t, "clip.json")["events"] == read(t, "data.json")["events"], "extraction changes the events")
 
 
-@case
-def report_of_a_part(t):
+def test_report_of_a_part(t):
     t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
     t.vvr("render", "bag.y4m", "--report", "report.json", "--start", "4s", "--end", "10s").expect(0)
     report = read(t)
@@ -100,8 +94,7 @@ def report_of_a_part(t):
     check(bag["first"]["frame"] == 100 and bag["first"]["seconds"] == 4, f"frames of the clip are counted: {bag}")
 
 
-@case
-def report_counts_damage(t):
+def test_report_counts_damage(t):
     t.clip("clip.avi", 4)
     data = bytearray(t.path("clip.avi").read_bytes())
     for at in range(len(data) // 2, len(data) // 2 + 2000, 40):
@@ -112,16 +105,14 @@ def report_counts_damage(t):
     check(report["frames"]["damaged"] > 0, str(report["frames"]))
 
 
-@case
-def report_survives_a_picture_that_differs(t):
+def test_report_survives_a_picture_that_differs(t):
     t.clip()
     arguments = ("render", "clip.avi", "--size", "160x100", "--golden", "golden.png", "--report", "report.json")
     t.vvr(*arguments).expect(7)
     read(t)
 
 
-@case
-def report_that_cannot_be_written(t):
+def test_report_that_cannot_be_written(t):
     t.clip()
     t.render("clip.avi", "--report", "none/report.json").expect(2, "cannot write 'none/report.json'", "mkdir -p 'none'")
     t.path("folder").mkdir()
@@ -133,8 +124,7 @@ def report_that_cannot_be_written(t):
     check(t.path("report.json").read_text() == "older", "a failure touched the older report")
 
 
-@case
-def report_names_are_text(t):
+def test_report_names_are_text(t):
     name = "a \"quoted\" <b>ü clip.avi"
     t.clip(name)
     t.vvr("render", name, "--report", "report.json").expect(0)
@@ -146,8 +136,7 @@ def report_names_are_text(t):
     read(t, "bytes.json")
 
 
-@case
-def report_has_a_file_of_its_own(t):
+def test_report_has_a_file_of_its_own(t):
     t.clip()
     before = t.path("clip.avi").read_bytes()
     t.render("clip.avi", "--report", "./out.png").expect(
@@ -159,8 +148,7 @@ def report_has_a_file_of_its_own(t):
     t.expect_files("clip.avi")
 
 
-@case
-def report_of_one_frame(t):
+def test_report_of_one_frame(t):
     t.clip("one.avi", 0.1)
     t.vvr("render", "one.avi", "--report", "report.json").expect(0, "'one.avi': 1 frame in 1 layer")
     report = read(t)
@@ -168,8 +156,7 @@ def report_of_one_frame(t):
     check(report["events"] == [], str(report["events"]))
 
 
-@case
-def report_of_no_frames(t):
+def test_report_of_no_frames(t):
     t.write("empty.avi", "")
     result = t.vvr("render", "empty.avi", "--report", "report.json").expect(3, "empty.avi")
     check(result.err.count("\n") == 1, str(result))
@@ -178,8 +165,7 @@ def report_of_no_frames(t):
     t.expect_files("clip.avi", "empty.avi")
 
 
-@case
-def report_of_a_series(t):
+def test_report_of_a_series(t):
     t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
     t.vvr("render", "cross.y4m", "--report", "whole.json").expect(0, "2 events")
     t.render("cross.y4m", "--brick", "30", "--window", "2", "--report", "series.json", output="s{brick}.png").expect(

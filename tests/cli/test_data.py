@@ -4,18 +4,9 @@ import json
 import shutil
 import struct
 
-from harness import case, check
+from harness import check, moving_clip
 
 NO_MANIFEST = "it holds other files, and no manifest of `vvr extract`"
-
-
-def moving_clip(t, frames=40, step=1.5):
-    """A textured square that crosses an empty scene."""
-    seconds = frames / 10
-    t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
-             f"testsrc2=size=24x24:rate=10:duration={seconds}", "-filter_complex",
-             f"[0][1]overlay=x='2+{step}*n':y=20", "-c:v", "ffv1", "clip.mkv")
-    return "clip.mkv"
 
 
 def same(t, one, other):
@@ -26,8 +17,7 @@ def manifest(t, folder):
     return json.loads(t.path(f"{folder}/manifest.json").read_text())
 
 
-@case
-def parts_by_number_make_the_picture_of_the_whole(t):
+def test_parts_by_number_make_the_picture_of_the_whole(t):
     moving_clip(t, frames=41)
     t.render("clip.mkv", output="whole.png").expect(0)
     for i in (1, 2, 3):
@@ -48,8 +38,7 @@ def parts_by_number_make_the_picture_of_the_whole(t):
     check(not t.path("none").exists(), "a folder was made")
 
 
-@case
-def extract_writes_the_data_files(t):
+def test_extract_writes_the_data_files(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "4").expect(0, "'data': 40 frames of 96x64")
     told = manifest(t, "data")
     check((told["field_width"], told["field_height"], len(told["frames"])) == (96, 64, 40), str(told))
@@ -69,8 +58,7 @@ def extract_writes_the_data_files(t):
         t.expect_picture(f"data/{name}.png", (96, 64))
 
 
-@case
-def colour_of_the_video_needs_extracted_frames(t):
+def test_colour_of_the_video_needs_extracted_frames(t):
     clip = moving_clip(t)
     look = ("--backend", "software", "--color", "video")
     t.vvr("extract", clip, "-o", "data").expect(0)
@@ -84,8 +72,7 @@ def colour_of_the_video_needs_extracted_frames(t):
     same(t, "clip.png", "data.png")
 
 
-@case
-def extracted_data_give_the_same_picture(t):
+def test_extracted_data_give_the_same_picture(t):
     options = ("--threshold", "30", "--grid", "8")
     t.vvr("extract", moving_clip(t), "-o", "data", *options).expect(0)
     look = ("--backend", "software", "--show", "volume,arrows,tracelines,frames", "--window", "4")
@@ -98,8 +85,7 @@ def extracted_data_give_the_same_picture(t):
     check(t.path("other.png").read_bytes() != t.path("clip.png").read_bytes(), "the grid of seeds makes no difference")
 
 
-@case
-def four_parts_are_one_whole(t):
+def test_four_parts_are_one_whole(t):
     t.vvr("extract", moving_clip(t), "-o", "whole").expect(0)
     parts = []
     for begin in range(0, 40, 10):
@@ -123,8 +109,7 @@ def four_parts_are_one_whole(t):
     t.render("part0", "part10").expect(1, "--grid is '14' and '9'")
 
 
-@case
-def part_gives_the_picture_that_the_clip_gives(t):
+def test_part_gives_the_picture_that_the_clip_gives(t):
     moving_clip(t, frames=60)
     for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17"), ("--end", "2.05s")):
         t.vvr("extract", "clip.mkv", "-o", "data", *span).expect(0)
@@ -134,16 +119,14 @@ def part_gives_the_picture_that_the_clip_gives(t):
             same(t, "clip.png", "data.png")
 
 
-@case
-def extract_takes_pictures_at_full_size(t):
+def test_extract_takes_pictures_at_full_size(t):
     t.path("frames").mkdir()
     t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())
     t.vvr("extract", "frames", "-o", "data", "--field-size", "source").expect(0, "5 frames of 500x40")
     check(t.path("data/flow/000002.flo").read_bytes()[4:12] == struct.pack("<ii", 500, 40), "not the full size")
 
 
-@case
-def extract_replaces_only_its_own(t):
+def test_extract_replaces_only_its_own(t):
     moving_clip(t)
     t.path("mine").mkdir()
     t.write("mine/notes.txt", "keep me")
@@ -161,15 +144,13 @@ def extract_replaces_only_its_own(t):
     t.render("data", "--show", "volume").expect(0)
 
 
-@case
-def options_that_an_extraction_decided(t):
+def test_options_that_an_extraction_decided(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("data", "--filter", "edges").expect(1, "--filter edges: 'data' was extracted with difference")
     t.render("data", "--end", "9").expect(1, "--end 9: 'data' was extracted with none", "vvr extract")
 
 
-@case
-def manifest_that_lies(t):
+def test_manifest_that_lies(t):
     t.vvr("extract", moving_clip(t, frames=12), "-o", "good").expect(0)
 
     def change(status, text, edit):
@@ -201,8 +182,7 @@ def manifest_that_lies(t):
     check(not t.path("out.png").exists(), "a picture of bad data")
 
 
-@case
-def seeds_from_lists(t):
+def test_seeds_from_lists(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("clip.mkv", "--backend", "software", output="own.png").expect(0)
     t.render("clip.mkv", "--backend", "software", "--seeds", "data/seeds", output="listed.png").expect(0)
@@ -220,8 +200,7 @@ def seeds_from_lists(t):
     t.render("clip.mkv", "--seeds", "data").expect(2, "--seeds: 'data' holds no list of seeds")
 
 
-@case
-def inspect_shows_one_frame(t):
+def test_inspect_shows_one_frame(t):
     moving_clip(t)
     t.vvr("inspect", "clip.mkv", "--frame", "20", "-o", "a.png").expect(0, "frame 20 at 2.000 s")
     t.vvr("inspect", "clip.mkv", "--frame", "2.05s", "-o", "b.png").expect(0, "frame 20 at 2.000 s")

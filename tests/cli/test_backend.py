@@ -2,25 +2,22 @@
 
 import os
 
-from harness import case, check
+from harness import check
 
 
-@case
-def unknown_backend(t):
+def test_unknown_backend(t):
     t.vvr("render", "clip.avi", "-o", "out.png", "--backend", "directx").expect(
         1, "--backend: 'directx' is not one of auto, egl, software, osmesa")
 
 
-@case
-def backend_that_is_not_there(t):
+def test_backend_that_is_not_there(t):
     t.clip()
     t.render("clip.avi", "--backend", "egl", "--device", "99").expect(
         4, "no OpenGL context from --backend egl --device 99; tried:", "egl:", "vvr doctor")
     t.expect_files("clip.avi")
 
 
-@case
-def doctor_tells_of_every_backend(t):
+def test_doctor_tells_of_every_backend(t):
     result = t.vvr("doctor").expect(0, out=None)
     for text in ("vvr ", "FFmpeg ", "OpenImageIO ", "OpenCV ", "\negl ", "\nsoftware ", "\nosmesa ", "llvmpipe"):
         check(text in result.out, f"{result}\nexpected: {text}")
@@ -30,8 +27,7 @@ def doctor_tells_of_every_backend(t):
             check(word in block, f"no {word} in\n{block}")
 
 
-@case
-def software_and_osmesa_draw_alike(t):
+def test_software_and_osmesa_draw_alike(t):
     t.clip(seconds=4)
     for backend in ("software", "osmesa"):
         t.render("clip.avi", "--backend", backend, output=f"{backend}.png").expect(0)
@@ -44,8 +40,7 @@ def software_and_osmesa_draw_alike(t):
     check(worst <= 2, f"a pixel differs by {worst}/255")
 
 
-@case
-def works_without_a_display(t):
+def test_works_without_a_display(t):
     t.clip()
     bare = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR")}
     result = t.render("clip.avi", "--quiet", env=bare).expect(0, out="")

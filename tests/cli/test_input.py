@@ -2,45 +2,39 @@
 
 import json
 
-from harness import case, check
+from harness import check
 
 
-@case
-def missing_file(t):
+def test_missing_file(t):
     t.render("none.avi").expect(2, "vvr: cannot read 'none.avi': No such file or directory", "check the name")
     t.expect_files()
 
 
-@case
-def folder_without_frames(t):
+def test_folder_without_frames(t):
     t.path("empty").mkdir()
     t.render("empty").expect(3, "'empty' is a folder without frames", "png")
     t.expect_files("empty")
 
 
-@case
-def empty_file(t):
+def test_empty_file(t):
     t.write("empty.avi", "")
     t.render("empty.avi").expect(3, "'empty.avi' is empty: 0 bytes")
     t.expect_files("empty.avi")
 
 
-@case
-def text_file(t):
+def test_text_file(t):
     t.write("notes.avi", "this is no video\n" * 100)
     t.render("notes.avi").expect(3, "vvr: 'notes.avi'", "ffprobe")
     t.expect_files("notes.avi")
 
 
-@case
-def audio_only(t):
+def test_audio_only(t):
     t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
     t.render("sound.m4a").expect(3, "'sound.m4a' has no video: found audio (aac)")
     t.expect_files("sound.m4a")
 
 
-@case
-def cut_video(t):
+def test_cut_video(t):
     t.clip("whole.avi", seconds=4)
     data = t.path("whole.avi").read_bytes()
     t.write("cut.avi", data[: len(data) * 3 // 5])
@@ -50,22 +44,19 @@ def cut_video(t):
     t.expect_picture()
 
 
-@case
-def one_pixel_video(t):
+def test_one_pixel_video(t):
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=2x2:rate=10:duration=1,scale=1:1", "-c:v", "ffv1", "dot.mkv")
     t.render("dot.mkv").expect(0)
     t.expect_picture()
 
 
-@case
-def one_frame(t):
+def test_one_frame(t):
     t.clip("one.avi", seconds=0.1)
     t.render("one.avi").expect(0, "nothing moves", "1 frame in 1 layer and 1 brick")
     t.expect_picture()
 
 
-@case
-def pictures_in_a_folder(t):
+def test_pictures_in_a_folder(t):
     t.path("frames").mkdir()
     t.clip("frames/%03d.png", seconds=1, codec=())
     t.render("frames").expect(0, "10 frames")
@@ -73,29 +64,25 @@ def pictures_in_a_folder(t):
     check(t.path("out.png").stat().st_size == t.path("pattern.png").stat().st_size, "folder and pattern differ")
 
 
-@case
-def piped_stream(t):
+def test_piped_stream(t):
     t.clip("clip.mkv")
     with open(t.path("clip.mkv"), "rb") as stream:
         t.render("-", stdin=stream).expect(0, "20 frames")
     t.expect_picture()
 
 
-@case
-def nothing_piped(t):
+def test_nothing_piped(t):
     t.render("-").expect(3, "empty")
     t.expect_files()
 
 
-@case
-def frames_and_seconds_mean_the_same(t):
+def test_frames_and_seconds_mean_the_same(t):
     t.clip()
     t.render("clip.avi", "--start", "5", "--end", "15", output="frames.png").expect(0, "10 frames")
     t.render("clip.avi", "--start", "0.5s", "--end", "00:00:01.5", output="seconds.png").expect(0, "10 frames")
 
 
-@case
-def start_beyond_the_end(t):
+def test_start_beyond_the_end(t):
     t.clip()
     t.render("clip.avi", "--start", "20").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
     t.render("clip.avi", "--start", "5s").expect(1, "has no frame from 5 s")
@@ -103,8 +90,7 @@ def start_beyond_the_end(t):
     t.expect_files("clip.avi")
 
 
-@case
-def info_says_what_a_render_would_do(t):
+def test_info_says_what_a_render_would_do(t):
     t.clip()
     text = t.vvr("info", "clip.avi").expect(0, out=None)
     check(text.err == "", str(text))
@@ -115,8 +101,7 @@ def info_says_what_a_render_would_do(t):
     check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))
 
 
-@case
-def playlist_that_names_itself(t):
+def test_playlist_that_names_itself(t):
     text = "#EXTM3U\n#EXT-X-STREAM-INF:BANDWIDTH=1\n"
     t.write("bomb.avi", text + "bomb.avi\n")
     t.vvr("info", "bomb.avi", timeout=20).expect(3, "'bomb.avi' is a list of other files, not a video", ".m3u8")
@@ -124,8 +109,7 @@ def playlist_that_names_itself(t):
     t.vvr("info", "bomb.m3u8", timeout=20).expect(3, "'bomb.m3u8'")
 
 
-@case
-def playlist_without_an_end(t):
+def test_playlist_without_an_end(t):
     t.clip("seg.ts", codec=("-c:v", "mpeg2video"))
     playlist = "#EXTM3U\n#EXT-X-TARGETDURATION:9999\n#EXTINF:2,\nseg.ts\n"
     t.write("live.avi", playlist)
@@ -136,8 +120,7 @@ def playlist_without_an_end(t):
     t.render("main.m3u8", timeout=20).expect(0, "20 frames")
 
 
-@case
-def playlist_stays_in_its_folder(t):
+def test_playlist_stays_in_its_folder(t):
     t.clip("outside.ts", codec=("-c:v", "mpeg2video"))
     t.path("cam").mkdir()
     t.path("cam/link.ts").symlink_to(t.path("outside.ts"))

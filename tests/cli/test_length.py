@@ -1,7 +1,7 @@
 """Long clips: a picture of them is to take no more than one of a short clip."""
 
-from cases_data import moving_clip
-from harness import case, check, slow_case
+import pytest
+from harness import check, moving_clip
 
 
 def looped(t, clip, times, name):
@@ -9,8 +9,7 @@ def looped(t, clip, times, name):
     return name
 
 
-@case
-def a_long_clip_takes_the_memory_of_a_short_one(t):
+def test_a_long_clip_takes_the_memory_of_a_short_one(t):
     t.scene("left_bag", "bag.y4m", "--frames", "400")
     t.ffmpeg("-i", "bag.y4m", "-c:v", "mpeg4", "-q:v", "4", "short.mkv")
     few, many = (t.peak_memory("render", looped(t, "short.mkv", times, "looped.mkv"), "-o", "out.png", "--backend",
@@ -18,8 +17,8 @@ def a_long_clip_takes_the_memory_of_a_short_one(t):
     check(many < 1.05 * few, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")
 
 
-@slow_case
-def a_clip_of_more_than_100_000_frames(t):
+@pytest.mark.slow
+def test_a_clip_of_more_than_100_000_frames(t):
     """Of which the renderer is made at the end, not while they are read."""
     moving_clip(t, frames=40)
     looped(t, "clip.mkv", 2501, "long.mkv")

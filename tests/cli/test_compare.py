@@ -5,7 +5,7 @@ import shutil
 import struct
 import zlib
 
-from harness import case, check
+from harness import check
 
 
 def png(t, name, size=(40, 20), value=128, spots=(), alpha=False):
@@ -29,8 +29,7 @@ def pfm(t, name, values, size=(2, 2)):
     return t.write(name, b"PF\n%d %d\n-1.0\n" % size + struct.pack(f"<{len(values)}f", *values))
 
 
-@case
-def compare_same(t):
+def test_compare_same(t):
     png(t, "a.png")
     shutil.copy(t.path("a.png"), t.path("b.png"))
     told = t.vvr("compare", "a.png", "b.png").expect(0, out=None)
@@ -38,8 +37,7 @@ def compare_same(t):
     check("off    0 of 800 pixels, 0.0000 %\n" in told.out, str(told))
 
 
-@case
-def compare_allows_rounding_and_single_pixels(t):
+def test_compare_allows_rounding_and_single_pixels(t):
     png(t, "a.png", (100, 50))
     png(t, "b.png", (100, 50), 130, [(50, 25, 255), (3, 3, 0)])
     t.vvr("compare", "a.png", "b.png").expect(0, out=None)
@@ -47,8 +45,7 @@ def compare_allows_rounding_and_single_pixels(t):
     t.vvr("compare", "a.png", "b.png", "--tolerance", "0.005").expect(7, "100 % of the pixels differ by more than 0.005", out=None)
 
 
-@case
-def compare_tells_where_they_differ(t):
+def test_compare_tells_where_they_differ(t):
     png(t, "a.png", (120, 80))
     png(t, "b.png", (120, 80), 128, [(x, y, 28) for x in range(60, 66) for y in range(40, 46)])
     told = t.vvr("compare", "a.png", "b.png").expect(
@@ -64,8 +61,7 @@ def compare_tells_where_they_differ(t):
     check(quiet.err.count("\n") == 1, str(quiet))
 
 
-@case
-def compare_looks_at_size_channels_and_numbers_first(t):
+def test_compare_looks_at_size_channels_and_numbers_first(t):
     png(t, "a.png")
     png(t, "wide.png", (41, 20))
     png(t, "clear.png", alpha=True)
@@ -79,16 +75,14 @@ def compare_looks_at_size_channels_and_numbers_first(t):
     t.vvr("compare", "good.pfm", "good.pfm").expect(0, out=None)
 
 
-@case
-def compare_leaves_out_layers(t):
+def test_compare_leaves_out_layers(t):
     t.clip()
     t.vvr("render", "clip.avi", "--size", "160x100", "-o", "layers.exr").expect(0)
     t.vvr("compare", "layers.exr", "layers.exr").expect(0, out=None)
     t.vvr("render", "clip.avi", "--size", "160x100", "--golden", "layers.exr").expect(0, "the same")
 
 
-@case
-def compare_as_json(t):
+def test_compare_as_json(t):
     png(t, "a.png")
     png(t, "b.png", (40, 20), 128, [(7, 9, 255)])
     told = json.loads(t.vvr("compare", "a.png", "b.png", "--json").expect(0, out=None).out)
@@ -101,8 +95,7 @@ def compare_as_json(t):
     check((told["same"], told["verdict"], told["mean"], told["worst"]) == (False, "size", None, []), str(told))
 
 
-@case
-def compare_draws_the_difference(t):
+def test_compare_draws_the_difference(t):
     png(t, "a.png")
     png(t, "b.png", (40, 20), 128, [(7, 9, 255)])
     t.vvr("compare", "a.png", "b.png", "--diff", "d.png").expect(0, out=None)
@@ -114,8 +107,7 @@ def compare_draws_the_difference(t):
     check(raw[at] > raw[at + 1] + 60 and raw[0] == raw[1] == raw[2] > 200, f"{raw[at:at + 3]} and {raw[:3]}")
 
 
-@case
-def compare_refuses(t):
+def test_compare_refuses(t):
     png(t, "a.png")
     t.write("text.png", "no picture")
     t.vvr("compare", "a.png").expect(1, "compare takes two pictures, and was given 1: vvr compare A B")
@@ -135,8 +127,7 @@ def golden(t, *arguments, output=()):
                  *arguments)
 
 
-@case
-def golden_that_is_missing_then_blessed_then_met(t):
+def test_golden_that_is_missing_then_blessed_then_met(t):
     t.clip()
     golden(t).expect(7, "there is no golden picture 'golden.png' to compare with; look at 'golden.candidate.png', and if "
                         "it is right, run the same with --bless")
@@ -150,8 +141,7 @@ def golden_that_is_missing_then_blessed_then_met(t):
     t.expect_files("clip.avi", "golden.png")
 
 
-@case
-def golden_that_differs_keeps_the_candidate_until_it_is_met(t):
+def test_golden_that_differs_keeps_the_candidate_until_it_is_met(t):
     t.clip()
     golden(t, "--bless").expect(0)
     before = t.path("golden.png").read_bytes()
@@ -167,8 +157,7 @@ def golden_that_differs_keeps_the_candidate_until_it_is_met(t):
     golden(t).expect(7)
 
 
-@case
-def golden_of_another_size_or_renderer(t):
+def test_golden_of_another_size_or_renderer(t):
     t.clip()
     golden(t, "--bless").expect(0)
     golden(t, "--size", "161x100").expect(7, "differs from 'golden.png': sizes 160x100 and 161x100; look at")
@@ -184,8 +173,7 @@ def golden_of_another_size_or_renderer(t):
     golden(t, "--camera", "10,46").expect(7, "'golden.png' was drawn by soft")
 
 
-@case
-def golden_that_cannot_be_read_or_kept(t):
+def test_golden_that_cannot_be_read_or_kept(t):
     t.clip()
     t.write("golden.png", "no picture")
     golden(t).expect(2, "cannot read picture 'golden.png'")
@@ -197,8 +185,7 @@ def golden_that_cannot_be_read_or_kept(t):
     t.expect_files("clip.avi", "golden.png")
 
 
-@case
-def golden_options_that_do_not_fit(t):
+def test_golden_options_that_do_not_fit(t):
     t.clip()
     t.render("clip.avi", "--bless").expect(1, "--bless: say which picture is to be blessed with --golden FILE")
     t.render("clip.avi", "--diff", "d.png").expect(1, "--diff: say what the picture is compared with with --golden FILE")
@@ -208,8 +195,7 @@ def golden_options_that_do_not_fit(t):
     t.expect_files("clip.avi")
 
 
-@case
-def golden_in_every_format(t):
+def test_golden_in_every_format(t):
     t.clip()
     for ending in ("png", "exr", "tif", "jpg"):
         arguments = ("--size", "160x100", "--backend", "software", "--golden", f"golden.{ending}")

@@ -2,7 +2,7 @@
 
 import json
 
-from harness import case, check
+from harness import check
 
 NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
 
@@ -16,8 +16,7 @@ def texts_of(labels):
     return [label["text"] for label in labels]
 
 
-@case
-def labels_tell_clip_span_times_and_colours(t):
+def test_labels_tell_clip_span_times_and_colours(t):
     t.clip("a door's \"clip\".avi", seconds=12)
     labels = labels_of(t, "a door's \"clip\".avi")
     texts = texts_of(labels)
@@ -32,16 +31,14 @@ def labels_tell_clip_span_times_and_colours(t):
               and label["y"] + label["height"] <= 480, f"{label} leaves the picture")
 
 
-@case
-def labels_with_a_title_and_a_clock(t):
+def test_labels_with_a_title_and_a_clock(t):
     t.clip(seconds=12)
     texts = texts_of(labels_of(t, "clip.avi", "--title", "Hall, north", "--start-time", "2026-11-21 23:59:55"))
     check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06"], str(texts))
     check("00:00:00" in texts and "00:00:04" in texts, str(texts))
 
 
-@case
-def labels_with_the_clock_of_the_recording(t):
+def test_labels_with_the_clock_of_the_recording(t):
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
     texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "recorded"))
     check("120 frames, 2026-11-21 07:30:00 to 07:30:11" in texts, str(texts))
@@ -52,22 +49,19 @@ def labels_with_the_clock_of_the_recording(t):
         1, "--start-time recorded: 'clip.avi' does not say when it was recorded; give the date and time")
 
 
-@case
-def labels_can_be_switched_off(t):
+def test_labels_can_be_switched_off(t):
     t.clip()
     check(labels_of(t, "clip.avi", "--show", "volume,arrows,outline,frames") == [], "labels that nobody asked for")
     check(len(labels_of(t, "clip.avi", "--show", "volume,title")) == 2, "a title and its rest")
     check(labels_of(t, "clip.avi", size="160x100") == [], "labels where there is no room")
 
 
-@case
-def labels_of_a_still_clip_say_so(t):
+def test_labels_of_a_still_clip_say_so(t):
     t.scene("still", "still.y4m", "--size", "160x120", "--frames", "30")
     check("nothing moves" in texts_of(labels_of(t, "still.y4m")), "an empty picture without a word")
 
 
-@case
-def labels_need_a_font(t):
+def test_labels_need_a_font(t):
     t.clip()
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
@@ -76,8 +70,7 @@ def labels_need_a_font(t):
     t.expect_picture("out.png", (640, 480))
 
 
-@case
-def captions_of_a_frame_need_a_font(t):
+def test_captions_of_a_frame_need_a_font(t):
     t.clip()
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
@@ -85,8 +78,7 @@ def captions_of_a_frame_need_a_font(t):
         0, "fontconfig finds no font, so 'frame.png' has no captions; install one, fonts-dejavu-core say")
 
 
-@case
-def keyframes_need_the_clips_length(t):
+def test_keyframes_need_the_clips_length(t):
     t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "40")
     t.render("walkers.y4m", "--keyframes", "3", "--show", "frames").expect(0)
     told = t.render("walkers.y4m", "--keyframes", "3", "--quiet").expect(0)
@@ -97,8 +89,7 @@ def keyframes_need_the_clips_length(t):
     t.render("walkers.y4m", "--keyframes", "2", output="out.{brick:4}.png").expect(1, "--keyframes is for one picture")
 
 
-@case
-def annotations_that_are_refused(t):
+def test_annotations_that_are_refused(t):
     t.clip()
     for options, *texts in [
         (("--theme", "lihgt"), "--theme: 'lihgt'", "did you mean 'light'?"),
@@ -113,8 +104,7 @@ def annotations_that_are_refused(t):
     t.expect_files("clip.avi")
 
 
-@case
-def a_transparent_picture(t):
+def test_a_transparent_picture(t):
     t.clip()
     t.render("clip.avi", "--background", "none").expect(0)
     probe = t.run(["ffprobe", "-v", "error", "-show_entries", "stream=pix_fmt", "-of", "csv=p=0", "out.png"])

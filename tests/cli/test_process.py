@@ -7,7 +7,7 @@ import signal
 import subprocess
 import time
 
-from harness import case, check
+from harness import check
 
 
 def interrupt(t, number, after):
@@ -19,8 +19,7 @@ def interrupt(t, number, after):
     return child.wait(timeout=60)
 
 
-@case
-def signals_end_it_without_a_file(t):
+def test_signals_end_it_without_a_file(t):
     t.clip("long.avi", seconds=120, size="384x288")
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         status = interrupt(t, number, 0.6)
@@ -28,8 +27,7 @@ def signals_end_it_without_a_file(t):
         t.expect_files("long.avi")
 
 
-@case
-def signals_at_any_time_leave_all_or_nothing(t):
+def test_signals_at_any_time_leave_all_or_nothing(t):
     t.clip("long.avi", seconds=1)
     for i in range(12):
         status = interrupt(t, signal.SIGTERM, 0.05 * i)
@@ -41,16 +39,14 @@ def signals_at_any_time_leave_all_or_nothing(t):
         check(status in (0, -signal.SIGTERM), f"status {status}")
 
 
-@case
-def ignored_signals_stay_ignored(t):
+def test_ignored_signals_stay_ignored(t):
     t.clip("long.avi", seconds=1)
     result = t.run(["bash", "-c", f'trap "" HUP; "{t.vvr_path}" render long.avi -o out.png --size 160x100 & sleep 0.2; kill -HUP $!; wait $!'])
     check(result.status == 0, str(result))
     t.expect_picture()
 
 
-@case
-def progress_bar_on_a_terminal(t):
+def test_progress_bar_on_a_terminal(t):
     t.clip("long.avi", seconds=20, size="384x288")
     parent, terminal = pty.openpty()
     environment = os.environ | {"TERM": "xterm"}
@@ -69,8 +65,7 @@ def progress_bar_on_a_terminal(t):
     check("200 frames" in last and "[" not in last, f"the bar is still there: {last!r}")
 
 
-@case
-def installed_program_is_relocatable(t):
+def test_installed_program_is_relocatable(t):
     build = os.path.dirname(os.path.dirname(t.vvr_path))
     done = t.run(["cmake", "--install", build, "--prefix", str(t.path("first"))])
     check(done.status == 0, str(done))
@@ -83,8 +78,7 @@ def installed_program_is_relocatable(t):
     t.expect_picture()
 
 
-@case
-def version_loads_nothing_that_works_with_video(t):
+def test_version_loads_nothing_that_works_with_video(t):
     loaded = t.run(["env", "LD_TRACE_LOADED_OBJECTS=1", t.vvr_path]).out
     for library in ("libGL", "libEGL", "libOSMesa", "libavcodec", "libopencv", "libOpenImageIO"):
         check("libc.so" in loaded and library not in loaded, loaded)

@@ -6,8 +6,11 @@ import pathlib
 import time
 import urllib.parse
 
+import pytest
 from browser import Page
-from harness import case, check
+from harness import check
+
+pytestmark = pytest.mark.browser
 
 HOUR = 3600
 NOW = 1795248000  # 2026-11-21 08:00 UTC
@@ -50,8 +53,7 @@ def opened(t):
     return Index(t, "out/index.html")
 
 
-@case
-def index_lists_by_day_and_camera(t):
+def test_index_lists_by_day_and_camera(t):
     known(t, "gate/2026-11-20/a.avi", NOW - 20 * HOUR, events=2)
     known(t, "gate/b.avi", NOW - HOUR, events=1)
     known(t, "hall/c.avi", NOW, events=None)
@@ -92,8 +94,7 @@ def index_lists_by_day_and_camera(t):
         check(page.run("return getComputedStyle(document.documentElement).backgroundColor") != light, "no dark colours")
 
 
-@case
-def index_of_names_that_mean_harm(t):
+def test_index_of_names_that_mean_harm(t):
     evil = ["</script><script>document.title='evil'</script>", "<img src=x onerror=document.title='evil'>", "javascript:alert(1)",
             "a\" onmouseover=\"document.title='evil'", "{{script}}", "&lt;b&gt;", "#text=x?y", "up..%2F.."]
     for number, name in enumerate(evil):
@@ -115,8 +116,7 @@ def index_of_names_that_mean_harm(t):
         check(complaints == [], str(complaints))
 
 
-@case
-def index_of_thousands(t):
+def test_index_of_thousands(t):
     t.clip("one.avi", seconds=1)
     t.vvr("render", "one.avi", "-o", "one.png", "--thumbnail", "one.jpg", "--size", "640x400", "--backend", "software").expect(0)
     small = t.path("one.jpg")

@@ -1,7 +1,6 @@
 """Series: a picture for each brick, while a window slides over the clip."""
 
-from cases_data import moving_clip
-from harness import case, check
+from harness import check, moving_clip
 
 ALL = ("--show", "volume,arrows,tracelines,outline,frames", "--backend", "software")
 
@@ -12,8 +11,7 @@ def pixels(t, name):
     return raw.out
 
 
-@case
-def a_picture_for_each_brick(t):
+def test_a_picture_for_each_brick(t):
     moving_clip(t)
     for name, files in (("a.{brick:4}.png", "a.%04d.png"), ("b###.png", "b%03d.png"), ("c%d.png", "c%d.png")):
         t.render("clip.mkv", "--brick", "7", "--window", "3", output=name).expect(
@@ -29,8 +27,7 @@ def a_picture_for_each_brick(t):
         check(text in data, f"{text} is not in the last picture")
 
 
-@case
-def a_window_that_moved_is_a_window_rendered_afresh(t):
+def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.
     moving_clip(t, frames=320)
     t.render("clip.mkv", "--brick", "40", "--window", "4", *ALL, output="moved.{brick}.png").expect(0, "8 pictures")
@@ -44,8 +41,7 @@ def a_window_that_moved_is_a_window_rendered_afresh(t):
     check(pixels(t, "fresh.0.png") != pixels(t, "fresh.1.png"), "moving makes no difference")
 
 
-@case
-def a_window_whose_last_brick_is_shorter(t):
+def test_a_window_whose_last_brick_is_shorter(t):
     # Of 80, 80 and 40 layers, which are three, three and two pieces.
     moving_clip(t, frames=200, step=0.35)
     look = ("--brick", "80", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
@@ -56,8 +52,7 @@ def a_window_whose_last_brick_is_shorter(t):
     check(pixels(t, "all.2.png") == pixels(t, "end.1.png"), "what left the window is still there")
 
 
-@case
-def a_series_of_layers_that_hold_several_frames(t):
+def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "part", "--start", "1.8s", "--end", "45", "--flow-every", "1").expect(0, "27 frames")
@@ -65,8 +60,7 @@ def a_series_of_layers_that_hold_several_frames(t):
     check(pixels(t, "fresh.png") == pixels(t, "moved.4.png"), "three frames a layer")
 
 
-@case
-def a_series_in_the_colours_of_the_video(t):
+def test_a_series_in_the_colours_of_the_video(t):
     t.ffmpeg("-i", moving_clip(t), "-frames:v", "1", "empty.png")
     for backend in ("software", "osmesa"):
         look = ("--brick", "10", "--reference", "empty.png", "--color", "video", "--show", "volume,frames", "--backend",
@@ -76,8 +70,7 @@ def a_series_in_the_colours_of_the_video(t):
         check(pixels(t, "begin.png") == pixels(t, f"{backend}.1.png"), f"{backend}: the first full window")
 
 
-@case
-def a_series_of_extracted_data(t):
+def test_a_series_of_extracted_data(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "1").expect(0)
     look = ("--show", "volume,arrows,tracelines,outline", "--brick", "10", "--window", "2", "--backend", "software")
     t.render("clip.mkv", *look, output="clip.{brick}.png").expect(0)
@@ -88,8 +81,7 @@ def a_series_of_extracted_data(t):
         0, "'data' holds only the clip's first and last picture", "4 pictures")
 
 
-@case
-def a_clip_shorter_than_the_window(t):
+def test_a_clip_shorter_than_the_window(t):
     moving_clip(t)
     t.render("clip.mkv", "--brick", "2s", "--window", "8", output="s.{brick}.png").expect(0, "2 pictures of 40 frames")
     # Without a length of bricks the clip is cut for the window.
@@ -101,14 +93,12 @@ def a_clip_shorter_than_the_window(t):
     t.expect_picture("one.0.png")
 
 
-@case
-def bricks_of_ten_seconds_unless_told(t):
+def test_bricks_of_ten_seconds_unless_told(t):
     t.clip(seconds=35)
     t.render("clip.avi", "--window", "2", "--show", "volume", output="s.{brick}.png").expect(0, "4 pictures of 350 frames")
 
 
-@case
-def series_that_cannot_be(t):
+def test_series_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", "--show", "volume,tracelines", output="a.{brick}.png").expect(
         1, "'a.{brick}.png' is the name of a series", "--animate takes {frame}")
@@ -121,8 +111,7 @@ def series_that_cannot_be(t):
     t.expect_files("clip.avi")
 
 
-@case
-def a_series_that_fails_half_way_leaves_whole_pictures(t):
+def test_a_series_that_fails_half_way_leaves_whole_pictures(t):
     moving_clip(t)
     t.path("a.2.png").mkdir()
     t.render("clip.mkv", "--brick", "10", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory")
@@ -131,8 +120,7 @@ def a_series_that_fails_half_way_leaves_whole_pictures(t):
         t.expect_picture(f"a.{i}.png")
 
 
-@case
-def memory_of_a_series_depends_on_the_window(t):
+def test_memory_of_a_series_depends_on_the_window(t):
     size = "320x240"
     t.clip("short.avi", seconds=10, size=size)
     t.clip("long.avi", seconds=60, size=size)

@@ -2,7 +2,7 @@
 
 import json
 
-from harness import case, check
+from harness import check
 
 
 def recording(t, name="day.mkv"):
@@ -14,8 +14,7 @@ def recording(t, name="day.mkv"):
     return name
 
 
-@case
-def idle_time_is_left_out(t):
+def test_idle_time_is_left_out(t):
     recording(t)
     t.render("day.mkv", "--report", "all.json", output="all.png").expect(0, "'all.png': 2400 frames")
     done = t.render("day.mkv", "--skip-idle", "20", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(0)
@@ -30,8 +29,7 @@ def idle_time_is_left_out(t):
     check(t.path("again.png").read_bytes() == t.path("busy.png").read_bytes(), "not the same bytes")
 
 
-@case
-def preset_of_a_day(t):
+def test_preset_of_a_day(t):
     recording(t)
     told = t.render("day.mkv", "--preset", "day", "--brick", "600s", "--start-time", "2026-11-21 07:50:00", "--size", "640x400",
                     "--report", "day.json").expect(0)
@@ -48,8 +46,7 @@ def preset_of_a_day(t):
     t.render("day.mkv", "--skip-idle", "5", output="s.{brick}.png").expect(1, "--skip-idle is for one picture of a clip")
 
 
-@case
-def idle_time_of_extracted_data(t):
+def test_idle_time_of_extracted_data(t):
     recording(t)
     t.vvr("extract", "day.mkv", "-o", "data").expect(0)
     look = ("--skip-idle", "20", "--show", "volume,outline,ruler")

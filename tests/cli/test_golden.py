@@ -9,7 +9,8 @@ levels at single pixels: docs/golden-images.md has the measurements. The same Me
 import itertools
 import os
 
-from harness import case, check
+import pytest
+from harness import check
 
 EVERYTHING = ("--size", "480x300", "--title", "Hall", "--start-time", "2026-11-21 08:00:00")
 PICTURES = {
@@ -29,7 +30,8 @@ PICTURES = {
 }
 
 
-def meet(t, name):
+@pytest.mark.parametrize("name", PICTURES)
+def test_golden_picture(t, name):
     t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "200")
     bless = ["--bless"] if os.environ.get("VVR_BLESS") else []
     picture = t.source / "tests" / "golden" / f"{name}.png"
@@ -38,20 +40,7 @@ def meet(t, name):
     check(picture.stat().st_size <= 80_000, f"{picture} is large for a golden picture")
 
 
-def register(name):
-    def golden_picture(t):
-        meet(t, name)
-
-    golden_picture.__name__ = f"golden_picture_{name.replace('-', '_')}"
-    case(golden_picture)
-
-
-for each in PICTURES:
-    register(each)
-
-
-@case
-def golden_pictures_differ_from_each_other(t):
+def test_golden_pictures_differ_from_each_other(t):
     folder = t.source / "tests" / "golden"
     check({path.stem for path in folder.glob("*.png")} == set(PICTURES), f"pictures in {folder} that no test draws")
     for one, other in itertools.combinations(PICTURES, 2):

@@ -9,7 +9,8 @@ import socket
 import subprocess
 import time
 
-from harness import Skip, case, check, slow_case
+import pytest
+from harness import check
 
 SIZE = ("--size", "320x200")
 
@@ -110,8 +111,7 @@ def watched(t, url, *options, output="out.{brick}.png", **server):
         return Watch(t, url.format(port=port, ask=""), "-o", output, "--brick", "1s", "--window", "3", *SIZE, *options).end()
 
 
-@case
-def watch_over_tcp(t):
+def test_watch_over_tcp(t):
     source(t)
     said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s")
     now = figures(said)
@@ -121,15 +121,13 @@ def watch_over_tcp(t):
     check("brick 1, 20" in said, said)
 
 
-@case
-def watch_over_udp(t):
+def test_watch_over_udp(t):
     source(t)
     said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
     check(figures(said)["pictures"] >= 1, said)
 
 
-@case
-def watch_over_http(t):
+def test_watch_over_http(t):
     source(t)
     port = free_port()
     with Server(t, f"http://127.0.0.1:{port}/cam.ts", form=("-f", "mpegts", "-listen", "1")):
@@ -140,11 +138,10 @@ def watch_over_http(t):
     t.expect_picture(size=(320, 200))
 
 
-@case
-def watch_over_rtsp(t):
+def test_watch_over_rtsp(t):
     """From a server of Debian's, rtsp-server-perl."""
     if not shutil.which("rtsp-server-perl"):
-        raise Skip("rtsp-server-perl is not installed; scripts/test --all does it")
+        pytest.skip("rtsp-server-perl is not installed; scripts/test --all does it")
     source(t, seconds=20)
     clients, sources, rtp = free_port(), free_port(), 20000 + 2 * (os.getpid() % 10000)
     server = subprocess.Popen(["rtsp-server-perl", "--clientport", str(clients), "--serverport", str(sources), "--rtp_start_port",
@@ -162,8 +159,7 @@ def watch_over_rtsp(t):
     check(figures(said)["pictures"] >= 2 and "secret" not in said, said)
 
 
-@case
-def watch_a_pipe_drops_nothing(t):
+def test_watch_a_pipe_drops_nothing(t):
     source(t, seconds=8)
     with t.path("cam.ts").open("rb") as clip:
         cat = subprocess.Popen(["cat"], stdin=clip, stdout=subprocess.PIPE)
@@ -182,8 +178,7 @@ def watch_a_pipe_drops_nothing(t):
     check(t.path("fifo.png").read_bytes()[:4] == b"\x89PNG", "no picture of the named pipe")
 
 
-@case
-def watch_shows_gaps(t):
+def test_watch_shows_gaps(t):
     source(t, seconds=30)
     port = free_port()
     url = f"tcp://127.0.0.1:{port}"
@@ -207,8 +202,7 @@ def watch_shows_gaps(t):
     check(red_pixels(t, f"out.{numbers[-1]}.png") > 40, f"no hatching in out.{numbers[-1]}.png")
 
 
-@case
-def watch_ends_when_asked(t):
+def test_watch_ends_when_asked(t):
     source(t, seconds=30)
     for number in (signal.SIGTERM, signal.SIGINT):
         port = free_port()
@@ -233,8 +227,7 @@ def watch_ends_when_asked(t):
     t.expect_files("cam.ts", "stderr", "watch.log")
 
 
-@case
-def watch_while_nobody_sends_ends_too(t):
+def test_watch_while_nobody_sends_ends_too(t):
     source(t)
     port = free_port()
     with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
@@ -245,8 +238,7 @@ def watch_while_nobody_sends_ends_too(t):
     check(figures(watch.end(0, seconds=5))["pictures"] >= 1, watch.said())
 
 
-@case
-def watch_falls_behind_gracefully(t):
+def test_watch_falls_behind_gracefully(t):
     # Sent as fast as can be, at a size at which no machine keeps up.
     source(t, seconds=20, size="1280x720")
     said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--field-size", "source", "--lag", "0.2", "--duration", "18s", "--reference",
@@ -256,8 +248,7 @@ def watch_falls_behind_gracefully(t):
     check(now["longest"] < 8, said)
 
 
-@case
-def watch_a_page(t):
+def test_watch_a_page(t):
     source(t)
     said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s", "--title", "<b>Gate</b>", output="live.html")
     page = t.path("live.html").read_text(encoding="utf-8")
@@ -265,8 +256,7 @@ def watch_a_page(t):
     check("'live.html': brick 1" in said and "data:image/png;base64," in page, said)
 
 
-@case
-def watch_refuses(t):
+def test_watch_refuses(t):
     t.clip()
     t.write("text.txt", "no video")
     t.path("folder").mkdir()
@@ -305,8 +295,7 @@ def device_library():
     return "libavdevice.so" in subprocess.run(["/sbin/ldconfig", "-p"], stdout=subprocess.PIPE, check=False).stdout.decode()
 
 
-@case
-def logs_for_machines(t):
+def test_logs_for_machines(t):
     t.clip()
     t.render("clip.avi", "--log-file", "log.json", "--log-format", "json", "--quiet").expect(0)
     lines = [json.loads(line) for line in t.path("log.json").read_text(encoding="utf-8").splitlines()]
@@ -320,8 +309,7 @@ def logs_for_machines(t):
     check(len(text.splitlines()) == 2 and "Z vvr: cannot read 'missing.avi'" in text, text)
 
 
-@case
-def logs_that_are_rotated(t):
+def test_logs_that_are_rotated(t):
     source(t, seconds=8)
     port = free_port()
     with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
@@ -334,8 +322,8 @@ def logs_that_are_rotated(t):
     check("pictures of" in t.path("log").read_text(encoding="utf-8"), "nothing in the new log")
 
 
-@slow_case
-def watch_latency(t):
+@pytest.mark.slow
+def test_watch_latency(t):
     """Half a second from the last frame of a brick to its picture, at the picture's usual size."""
     source(t, seconds=40)
     port = free_port()
@@ -361,8 +349,8 @@ def memory_of(t, minutes):
     return usage.ru_maxrss * 1024
 
 
-@slow_case
-def watch_takes_the_memory_of_its_window(t):
+@pytest.mark.slow
+def test_watch_takes_the_memory_of_its_window(t):
     source(t, seconds=30)
     short, long = memory_of(t, 2), memory_of(t, 20)
     print(f"{short / 1e6:.1f} MB for 2 minutes, {long / 1e6:.1f} MB for 20")

@@ -1,6 +1,6 @@
 """Commands, options and their values."""
 
-from harness import case, check
+from harness import check
 
 UNUSABLE = {  # option and value, and what the text has to say
     ("--size", "0x0"): "is not a size from 1x1 to 16384x16384",
@@ -42,30 +42,26 @@ UNUSABLE = {  # option and value, and what the text has to say
 }
 
 
-@case
-def unusable_values(t):
+def test_unusable_values(t):
     t.clip()
     for (option, value), text in UNUSABLE.items():
         t.render("clip.avi", option, value).expect(1, f"vvr: {option}: ", text)
     t.expect_files("clip.avi")
 
 
-@case
-def unknown_command(t):
+def test_unknown_command(t):
     t.vvr("rendr").expect(1, "there is no command 'rendr' (did you mean 'render'?); `vvr --help` lists them")
     t.vvr("xyzzy").expect(1, "there is no command 'xyzzy'; `vvr --help`")
     t.vvr().expect(1, "no command")
 
 
-@case
-def unknown_option(t):
+def test_unknown_option(t):
     t.vvr("render", "--szie", "3x3").expect(1, "there is no option '--szie' (did you mean '--size'?)", "`vvr render --help`")
     t.vvr("render", "--xyzzy=1", "a.avi").expect(1, "there is no option '--xyzzy';")
     t.vvr("doctor", "-z").expect(1, "there is no option '-z'")
 
 
-@case
-def missing_or_too_many_arguments(t):
+def test_missing_or_too_many_arguments(t):
     t.vvr("render", "-o", "out.png").expect(1, "no INPUT")
     t.vvr("render", "clip.avi").expect(1, "no output", "-o FILE")
     t.vvr("render", "a.avi", "b.avi", "-o", "out.png").expect(1, "'b.avi' is one argument too many")
@@ -73,29 +69,25 @@ def missing_or_too_many_arguments(t):
     t.vvr("info").expect(1, "no INPUT")
 
 
-@case
-def options_that_exclude_each_other(t):
+def test_options_that_exclude_each_other(t):
     t.clip()
     t.render("clip.avi", "--brick", "5", "--window", "2").expect(1, "--brick excludes --window")
     t.render("clip.avi", "--quiet", "--verbose").expect(1, "--verbose", "--quiet")
 
 
-@case
-def negative_values_are_values(t):
+def test_negative_values_are_values(t):
     t.clip()
     t.render("clip.avi", "--camera", "-30,25", "--layout", "box").expect(0)
     t.render("clip.avi", "--camera=-30,-25").expect(0)
 
 
-@case
-def the_last_of_two_counts(t):
+def test_the_last_of_two_counts(t):
     t.clip()
     t.render("clip.avi", "--size", "40x30").expect(0)
     t.expect_picture(size=(40, 30))
 
 
-@case
-def help_and_version(t):
+def test_help_and_version(t):
     for arguments in (["--help"], ["-h"], ["help"]):
         text = t.vvr(*arguments).expect(0, out=None)
         check("vvr render" in text.out and text.err == "", str(text))
@@ -109,8 +101,7 @@ def help_and_version(t):
         check(line.split()[1][0].isdigit(), line)
 
 
-@case
-def config_file(t):
+def test_config_file(t):
     t.clip()
     t.write("vvr.conf", "# for all commands\nsize = 40x30\nshow = volume,arrows\n[render]\nfov = 20\n[info]\nthreshold = 9\n")
     t.vvr("render", "clip.avi", "-o", "out.png", "--config", "vvr.conf").expect(0)
@@ -119,8 +110,7 @@ def config_file(t):
     t.expect_picture(size=(50, 30))
 
 
-@case
-def config_file_with_errors(t):
+def test_config_file_with_errors(t):
     t.clip()
     t.write("typo.conf", "szie = 40x30\n")
     t.render("clip.avi", "--config", "typo.conf").expect(1, "config file sets 'szie'", "did you mean 'size'?")

@@ -1,23 +1,23 @@
 """Where pictures go, and that they are whole or not there."""
 
+import fcntl
 import os
 import resource
 import struct
 import subprocess
+import time
 
-from harness import case, check
+from harness import check, part_name
 
 
-@case
-def every_format(t):
+def test_every_format(t):
     t.clip()
     for ending in ("png", "exr", "tif", "tiff", "jpg", "jpeg"):
         t.render("clip.avi", output=f"out.{ending}").expect(0)
         check(t.path(f"out.{ending}").stat().st_size > 500, f"out.{ending} is small")
 
 
-@case
-def same_bytes_every_time(t):
+def test_same_bytes_every_time(t):
     t.clip()
     for name in ("a.png", "b.png", "a.exr", "b.exr"):
         t.render("clip.avi", "--backend", "software", output=name).expect(0)
@@ -25,8 +25,7 @@ def same_bytes_every_time(t):
         check(t.path(f"a.{ending}").read_bytes() == t.path(f"b.{ending}").read_bytes(), f"two {ending} files differ")
 
 
-@case
-def layers_stand_in_an_exr(t):
+def test_layers_stand_in_an_exr(t):
     t.clip()
     for backend in ("software", "osmesa"):
         t.render("clip.avi", "--backend", backend, "--show", "volume,arrows,tracelines,outline,frames",
@@ -39,8 +38,7 @@ def layers_stand_in_an_exr(t):
     check(b"\0time\0" in t.path("series.1.exr").read_bytes()[:2000], "a series has no layers")
 
 
-@case
-def settings_stand_in_the_picture(t):
+def test_settings_stand_in_the_picture(t):
     t.clip()
     t.ffmpeg("-i", "clip.avi", "-frames:v", "1", "empty-scene.png")
     t.render("clip.avi", "--camera", "-12,34", "--reference", str(t.path("empty-scene.png"))).expect(0)
@@ -50,8 +48,7 @@ def settings_stand_in_the_picture(t):
     check(str(t.folder).encode() not in data, "the picture names a folder")
 
 
-@case
-def unknown_format(t):
+def test_unknown_format(t):
     t.clip()
     t.render("clip.avi", output="out.pgn").expect(
         1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg")
@@ -59,15 +56,13 @@ def unknown_format(t):
     t.expect_files("clip.avi")
 
 
-@case
-def missing_folder(t):
+def test_missing_folder(t):
     t.clip()
     t.render("clip.avi", output="none/out.png").expect(2, "there is no folder 'none'", "mkdir -p 'none'")
     t.expect_files("clip.avi")
 
 
-@case
-def folder_that_cannot_be_written(t):
+def test_folder_that_cannot_be_written(t):
     t.clip()
     t.render("clip.avi", output="/proc/out.png").expect(2, "'/proc'", "choose another folder")
     t.path("locked").mkdir()
@@ -79,13 +74,11 @@ def folder_that_cannot_be_written(t):
     t.expect_files("clip.avi", "folder.png", "locked")
 
 
-@case
-def folder_is_checked_before_the_clip_is_read(t):
+def test_folder_is_checked_before_the_clip_is_read(t):
     t.render("none.avi", output="none/out.png").expect(2, "there is no folder 'none'")
 
 
-@case
-def full_disk_by_file_size_limit(t):
+def test_full_disk_by_file_size_limit(t):
     t.clip()
     t.write("before.png", "an older picture")
 
@@ -98,8 +91,7 @@ def full_disk_by_file_size_limit(t):
     t.expect_files("before.png", "clip.avi")
 
 
-@case
-def full_disk_on_a_tiny_file_system(t):
+def test_full_disk_on_a_tiny_file_system(t):
     t.clip()
     t.path("tiny").mkdir()
     # In a mount namespace of its own, so that it goes away by itself; only root may do it.
@@ -112,8 +104,7 @@ def full_disk_on_a_tiny_file_system(t):
     check("No space left on device" in result.err, str(result))
 
 
-@case
-def replaces_an_older_picture(t):
+def test_replaces_an_older_picture(t):
     t.clip()
     t.write("out.png", "an older picture")
     t.render("clip.avi").expect(0)
@@ -121,49 +112,72 @@ def replaces_an_older_picture(t):
     t.expect_files("clip.avi", "out.png")
 
 
-@case
-def nothing_on_stdout(t):
+def test_removes_what_a_killed_run_left(t):
+    t.clip()
+    old, young, held, second = (part_name(name, number) for name, number in (("old.png", 0), ("young.png", 0), ("held.png", 0), ("held.png", 1)))
+    others = part_name("out.png"), part_name("out.jpg")
+    for name in (old, young, held, second, *others):
+        t.write(name, "half")
+    os.utime(t.path(old), (time.time() - 3700,) * 2)
+    t.render("clip.avi", output="old.png").expect(0)
+    check(old not in t.files(), "it has been there for an hour")
+    t.render("clip.avi", output="young.png").expect(0)
+    # Only where all who may be writing it share this kernel, it is certain that nobody is.
+    system = t.run(["stat", "-f", "-c", "%T", "."]).out.strip()
+    check(young not in t.files() or system not in ("ext2/ext3", "xfs", "btrfs", "tmpfs", "overlayfs"), f"left on {system}")
+    with open(t.path(held), "a") as writing:
+        fcntl.flock(writing, fcntl.LOCK_EX)
+        os.utime(t.path(held), (1, 1))
+        os.utime(t.path(second), (1, 1))
+        t.render("clip.avi", output="held.png").expect(0)
+        check(held in t.files() and second not in t.files(), "somebody is still writing it")
+    t.path(held).unlink()
+    check(all(name in t.files() for name in others), "of another name")
+    # What is no file of vvr's stays, and nothing waits for it.
+    t.path(others[0]).unlink()
+    os.mkfifo(t.path(others[0]))
+    t.path(part_name("out.png", 1)).symlink_to("clip.avi")
+    t.render("clip.avi", timeout=60).expect(0)
+    t.expect_picture()
+    check(others[0] in t.files() and t.path(part_name("out.png", 1)).is_symlink(), "not vvr's")
+
+
+def test_nothing_on_stdout(t):
     t.clip()
     result = t.render("clip.avi").expect(0, "vvr: 'out.png': 20 frames in 20 layers and 8 bricks", out="")
     check("\r" not in result.err and "\033" not in result.err, "a progress bar without a terminal")
 
 
-@case
-def quiet_is_quiet(t):
+def test_quiet_is_quiet(t):
     t.clip()
     result = t.render("clip.avi", "--quiet").expect(0, out="")
     check(result.err == "", str(result))
     t.render("none.avi", "--quiet").expect(2, "none.avi")
 
 
-@case
-def verbose_says_more(t):
+def test_verbose_says_more(t):
     t.clip()
     t.render("clip.avi", "--verbose").expect(0, "backend ", "arrows")
 
 
-@case
-def reader_that_has_seen_enough(t):
+def test_reader_that_has_seen_enough(t):
     result = t.run(["bash", "-c", f'set -o pipefail; "{t.vvr_path}" render --help | head -n 1'])
     check(result.status == 0 and result.err == "" and result.out.count("\n") == 1, str(result))
 
 
-@case
-def stdout_that_cannot_be_written(t):
+def test_stdout_that_cannot_be_written(t):
     with open("/dev/full", "wb") as full:
         done = subprocess.run([t.vvr_path, "--version"], stdout=full, stderr=subprocess.PIPE, check=False)
     check(done.returncode == 2 and b"cannot write to stdout: No space left" in done.stderr, str(done))
 
 
-@case
-def over_a_limit(t):
+def test_over_a_limit(t):
     t.clip()
     t.render("clip.avi", "--field-size", "16384x16384").expect(5, "vvr: ", "--field-size")
     t.expect_files("clip.avi")
 
 
-@case
-def a_page_and_a_thumbnail_beside_the_picture(t):
+def test_a_page_and_a_thumbnail_beside_the_picture(t):
     t.clip()
     t.render("clip.avi", "--page", "out.html", "--thumbnail", "small.jpg", "--size", "640x400").expect(0)
     t.expect_files("clip.avi", "out.png", "out.html", "small.jpg")

@@ -5,7 +5,7 @@ import fcntl
 import os
 import threading
 
-from harness import case, check
+from harness import check, lock_name
 
 SBATCH = """#!/bin/bash
 set -eu
@@ -46,8 +46,7 @@ def text_of(t, pattern):
     return "".join(path.read_text() for path in sorted(t.folder.glob(pattern)))
 
 
-@case
-def cluster_draws_an_archive(t):
+def test_cluster_draws_an_archive(t):
     for name in ("gate", "hall"):
         t.path(f"in/{name}").mkdir(parents=True)
         t.clip(f"in/{name}/clip.avi", seconds=1)
@@ -64,8 +63,7 @@ def cluster_draws_an_archive(t):
     check("--gres=gpu:1" in t.path("submitted").read_text() and "--backend egl" in t.path("submitted").read_text(), "no GPU asked for")
 
 
-@case
-def cluster_requeues_what_may_be_the_nodes_fault(t):
+def test_cluster_requeues_what_may_be_the_nodes_fault(t):
     t.path("in").mkdir()
     t.write("vvr", "#!/bin/sh\ncase $* in *--dry-run*) ;; *) exit 4 ;; esac\n")
     t.path("vvr").chmod(0o755)
@@ -84,20 +82,16 @@ def cluster_requeues_what_may_be_the_nodes_fault(t):
     check(not tried(RESTARTS="1"), "the run that was lost puts back the one that took its place")
 
 
-@case
-def cluster_waits_for_the_run_that_slurm_lost(t):
+def test_cluster_waits_for_the_run_that_slurm_lost(t):
     t.path("in").mkdir()
     t.path("out").mkdir()
     t.clip("in/a.avi", seconds=1)
-    number = 0xcbf29ce484222325
-    for byte in b"a.avi":
-        number = (number ^ byte) * 0x100000001b3 % 2**64
 
     def started_again(**environment):
         return submit(t, "submit-archive", "in", "out", "--shards", "1", "--", "--settle", "0s", "--size", "160x100",
                       SLURM_RESTART_COUNT="1", RESTARTS="1", **environment).expect(0, out=None)
 
-    with open(t.path(f"out/.vvr-{number:016x}.lock"), "w") as lock:
+    with open(t.path(f"out/{lock_name('a.avi')}"), "w") as lock:
         lock.write("a.avi")
         lock.flush()
         fcntl.flock(lock, fcntl.LOCK_EX)
@@ -110,8 +104,7 @@ def cluster_waits_for_the_run_that_slurm_lost(t):
         check(t.path("out/a.avi.png").exists() and not t.path("ended").exists(), text_of(t, "out/.logs/*"))
 
 
-@case
-def cluster_draws_a_clip_in_parts(t):
+def test_cluster_draws_a_clip_in_parts(t):
     t.clip("clip.avi", seconds=3)
     t.clip("long.avi", seconds=20)
     options = ("--grid", "9", "--color=video", "--size", "160x100", "--camera", "-20,40", "--opacity", "2")
@@ -127,12 +120,11 @@ def cluster_draws_a_clip_in_parts(t):
         check(not list(t.folder.glob("parts.png.*")), f"something is left: {t.files()}")
 
 
-@case
-def cluster_makes_the_parts_that_are_missing(t):
+def test_cluster_makes_the_parts_that_are_missing(t):
     t.clip("clip.avi", seconds=2)
     t.write("vvr", f"""#!/bin/bash
 [[ $* != *--part* ]] || echo "$*" >>extracted
-[[ $* != *--part\ 2/3* || -e mended ]] || exit 3
+[[ $* != *--part\\ 2/3* || -e mended ]] || exit 3
 exec '{t.vvr_path}' "$@"
 """)
     t.path("vvr").chmod(0o755)
@@ -151,8 +143,7 @@ exec '{t.vvr_path}' "$@"
     t.expect_picture("out.png")
 
 
-@case
-def cluster_refuses_what_cannot_be(t):
+def test_cluster_refuses_what_cannot_be(t):
     t.clip("clip.avi", seconds=1)
     t.path("in").mkdir()
     for arguments, text in [

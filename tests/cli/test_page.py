@@ -4,8 +4,9 @@ import os
 import re
 import subprocess
 
+import pytest
 from browser import Page
-from harness import case, check
+from harness import check
 
 SIZE = (192, 144)
 RATE = 25
@@ -77,8 +78,8 @@ def click_at_twenty(page, places, begin=0):
         check(clock >= shown - 1e-3 and clock < shown + 1 / RATE, f"frame {frame}: {clock} is not in the frame at {shown}")
 
 
-@case
-def page_plays_the_clip(t):
+@pytest.mark.browser
+def test_page_plays_the_clip(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0, "'out.html': 250 frames")
     with Page(t, "out.html") as page:
@@ -93,8 +94,8 @@ def page_plays_the_clip(t):
         check(strange == [], f"the page asks for {strange}")
 
 
-@case
-def page_points_at_moments(t):
+@pytest.mark.browser
+def test_page_points_at_moments(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
     with Page(t, "out.html") as page:
@@ -112,8 +113,8 @@ def page_points_at_moments(t):
         check(page.run("return now") == 0 and page.run("return video.currentTime") == 0, "pointing plays")
 
 
-@case
-def page_shows_a_preview_of_what_browsers_cannot_play(t):
+@pytest.mark.browser
+def test_page_shows_a_preview_of_what_browsers_cannot_play(t):
     places = discs(t, "discs.avi", *MSMPEG4)
     t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW).expect(0)
     with Page(t, "out.html") as page:
@@ -140,8 +141,8 @@ def page_shows_a_preview_of_what_browsers_cannot_play(t):
             check(off < 0.02, f"frame {frame}: the object is at {x}, {y}, not at {places[frame]}")
 
 
-@case
-def page_of_a_clip_that_has_gone(t):
+@pytest.mark.browser
+def test_page_of_a_clip_that_has_gone(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
     t.path("discs.mp4").unlink()
@@ -154,8 +155,8 @@ def page_of_a_clip_that_has_gone(t):
         check("a small preview" in page.source(), page.source())
 
 
-@case
-def page_of_stills(t):
+@pytest.mark.browser
+def test_page_of_stills(t):
     # So long and so slow that a preview would be no film.
     t.ffmpeg("-f", "lavfi", "-i", "testsrc=size=64x48:rate=1:duration=6500", "-c:v", "mpeg4", "long.avi")
     t.vvr("render", "long.avi", "-o", "out.html", "--size", "320x200", "--backend", "software", "--flow", "none", "--show",
@@ -171,8 +172,8 @@ def page_of_stills(t):
         check(page.text("clock") == "50:00.0", page.text("clock"))
 
 
-@case
-def page_of_a_variable_rate(t):
+@pytest.mark.browser
+def test_page_of_a_variable_rate(t):
     # Frames come farther and farther apart; the container rounds their times.
     discs(t, "steady.mkv", *H264)
     for clip in ("varying.mp4", "varying.webm"):
@@ -194,8 +195,8 @@ def page_of_a_variable_rate(t):
                 check(abs(nearest - frame) <= 1, f"{clip}: frame {frame} is to be shown, {nearest} is")
 
 
-@case
-def page_in_a_browser_that_tells_noise(t):
+@pytest.mark.browser
+def test_page_in_a_browser_that_tells_noise(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
     text = t.path("out.html").read_text()
@@ -214,8 +215,8 @@ def page_in_a_browser_that_tells_noise(t):
         check(abs(page.run("return now") - 125) <= 1, f"the strip's middle is frame {page.run('return now')}")
 
 
-@case
-def page_of_a_part(t):
+@pytest.mark.browser
+def test_page_of_a_part(t):
     places = discs(t, "discs.avi", *MSMPEG4)
     t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW, "--start", "4s", "--end", "8s").expect(0)
     with Page(t, "out.html") as page:
@@ -227,8 +228,8 @@ def page_of_a_part(t):
             check(abs(page.run("return now") - frame) <= 1, "the page counts from elsewhere")
 
 
-@case
-def page_steps_through_events(t):
+@pytest.mark.browser
+def test_page_steps_through_events(t):
     t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
     t.ffmpeg("-i", "bag.y4m", *H264, "bag.mp4")
     t.vvr("render", "bag.mp4", "-o", "out.html", "--report", "report.json", "--size", "640x400").expect(0, "3 events")
@@ -265,8 +266,8 @@ def page_steps_through_events(t):
         page.wait("Space plays", "return !video.paused && video.currentTime > 0")
 
 
-@case
-def page_zooms_and_pans(t):
+@pytest.mark.browser
+def test_page_zooms_and_pans(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
     with Page(t, "out.html") as page:
@@ -302,8 +303,8 @@ def page_zooms_and_pans(t):
         check(page.run("return chosen") is None, "Shift and an arrow step through the events")
 
 
-@case
-def page_of_hostile_names(t):
+@pytest.mark.browser
+def test_page_of_hostile_names(t):
     names = ["a \"b\" 'c' &amp; ü ñ 日本.mp4", "<script>alert(1)<%2Fscript>.mp4", "</title><img src=x onerror=alert(1)>.mp4",
              "--><!--{{name}}{{data}} #1?x=%41.mp4", "javascript:alert(1).mp4"]
     names = [name.replace("/", "\u2044") for name in names]
@@ -334,8 +335,8 @@ def page_of_hostile_names(t):
             page.driver.quit()
 
 
-@case
-def page_of_extracted_fields(t):
+@pytest.mark.browser
+def test_page_of_extracted_fields(t):
     t.clip("clip.avi", 2, size="96x72")
     for name, arguments, source in (("bare", (), "a still, as there is no film"), ("full", ("--with-color",), "a small preview")):
         t.vvr("extract", "clip.avi", "-o", name, *arguments).expect(0)
@@ -344,8 +345,7 @@ def page_of_extracted_fields(t):
             check(page.source().startswith(source), page.source())
 
 
-@case
-def page_is_whole_and_the_same(t):
+def test_page_is_whole_and_the_same(t):
     t.clip("clip.avi", 3, size="96x72")
     for name in ("a.html", "b.HTM"):
         t.render("clip.avi", "--backend", "software", output=name).expect(0, f"'{name}': 30 frames", "event")
@@ -360,8 +360,7 @@ def page_is_whole_and_the_same(t):
     t.expect_files("a.html", "b.HTM", "clip.avi", "old.html")
 
 
-@case
-def page_that_cannot_be(t):
+def test_page_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", output="p.{brick}.html").expect(1, "'p.{brick}.html': a page holds one picture; its name takes no field")
     t.render("clip.avi", "--animate", "5", output="p.html").expect(1, "'p.html': a page holds one picture; leave out --animate")

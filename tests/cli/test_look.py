@@ -1,6 +1,6 @@
 """Animations, transfer functions and colours."""
 
-from harness import case, check
+from harness import check
 
 LINES = ("--show", "volume,tracelines")
 
@@ -11,8 +11,7 @@ def frames_of(t, name):
     return probe.out.strip().rstrip(",")
 
 
-@case
-def a_series_of_pictures(t):
+def test_a_series_of_pictures(t):
     t.clip()
     for name, files in (("a.{frame:4}.png", "a.%04d.png"), ("b.###.png", "b.%03d.png"), ("c%d.png", "c%d.png")):
         t.render("clip.avi", "--animate", "3", *LINES, output=name).expect(0)
@@ -24,8 +23,7 @@ def a_series_of_pictures(t):
     check(len(pictures) == 3, "pictures of the series are the same")
 
 
-@case
-def animated_files(t):
+def test_animated_files(t):
     t.clip()
     for ending in ("gif", "mp4", "webm"):
         result = t.render("clip.avi", "--animate", "5", *LINES, output=f"out.{ending}").expect(0, out="")
@@ -36,8 +34,7 @@ def animated_files(t):
     check(frames_of(t, "standard.gif") == "24", "pictures if not told how many")
 
 
-@case
-def animations_that_cannot_be(t):
+def test_animations_that_cannot_be(t):
     t.clip()
     t.render("clip.avi", "--animate", "3", *LINES).expect(1, "--animate makes 3 pictures, but 'out.png' is the name of one")
     t.render("clip.avi", *LINES, output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate")
@@ -49,8 +46,7 @@ def animations_that_cannot_be(t):
     t.expect_files("clip.avi")
 
 
-@case
-def samples_smooth_edges(t):
+def test_samples_smooth_edges(t):
     t.clip()
     for samples in ("1", "4"):
         t.render("clip.avi", "--samples", samples, "--show", "outline", "--backend", "software",
@@ -68,8 +64,7 @@ def samples_smooth_edges(t):
     check(not t.path("no.png").exists(), "a picture all the same")
 
 
-@case
-def transfer_functions(t):
+def test_transfer_functions(t):
     t.clip()
     t.write("mine.tf", "0 0 0 0 0\n255, 1, 0, 0, 1  # red\n")
     t.render("clip.avi", "--transfer", "mine.tf", "--show", "volume").expect(0)
@@ -83,8 +78,7 @@ def transfer_functions(t):
     t.expect_files("clip.avi", "heat.png", "mine.tf", "out.png", "wrong.tf")
 
 
-@case
-def colours_of_the_video(t):
+def test_colours_of_the_video(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=0x404040:size=64x48:rate=10:duration=3", "-f", "lavfi", "-i",
              "color=0x20E020:size=16x24:rate=10:duration=3", "-filter_complex", "overlay=x=20*t:y=12", "-c:v", "ffv1",
              "green.mkv")
@@ -99,8 +93,7 @@ def colours_of_the_video(t):
     check(green_pixels("video.png") > 20, f"{green_pixels('video.png')} green pixels")
 
 
-@case
-def boxes_and_slices(t):
+def test_boxes_and_slices(t):
     t.clip()
     t.render("clip.avi", "--show", "boxes,slices,volume", "--slice-view", "0,10", "--camera", "35,30").expect(0)
     t.expect_picture()
