@@ -29,8 +29,7 @@ std::vector<PixelBox> cut_tiles(Size picture, std::int64_t pixels) {
     std::vector<PixelBox> tiles;
     for (int top = 0; top < picture.height; top += height) {
         for (int left = 0; left < picture.width; left += width) {
-            tiles.push_back(
-                {left, top, std::min(left + width, picture.width), std::min(top + height, picture.height)});
+            tiles.push_back({left, top, std::min(left + width, picture.width), std::min(top + height, picture.height)});
         }
     }
     return tiles;
@@ -72,8 +71,7 @@ Framebuffer::Drawn Framebuffer::make_drawn() const {
 
 Framebuffer::Resolved Framebuffer::make_resolved() const {
     const GladGLContext& gl = *gl_;
-    Resolved resolved{GlFramebuffer(gl), GlRenderbuffer(gl), GlVertexArray(gl),
-                      Program(gl, resolve_program())};
+    Resolved resolved{GlFramebuffer(gl), GlRenderbuffer(gl), GlVertexArray(gl), Program(gl, resolve_program())};
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved.framebuffer.id());
     gl.BindRenderbuffer(GL_RENDERBUFFER, resolved.colour.id());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size_.width, size_.height);

@@ -28,8 +28,9 @@ PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
         const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
-            throw Error(ErrorKind::backend, fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})",
-                                                        size.width, size.height, status));
+            throw Error(ErrorKind::backend,
+                        fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})", size.width,
+                                    size.height, status));
         }
     }
     check_gl(gl, "making a framebuffer for pixel data");

@@ -45,8 +45,7 @@ void Renderer::set_scene(Scene scene) {
 
 SliceStack Renderer::slices(const BrickWindow& window, const Camera& camera) const {
     // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
-    const double spacing =
-        window.cells().empty() ? 1 : 2 * layout_->shape().y_s / window.layers(0).size().height;
+    const double spacing = window.cells().empty() ? 1 : 2 * layout_->shape().y_s / window.layers(0).size().height;
     return stack_slices(camera, *layout_, options_.slices, spacing);
 }
 

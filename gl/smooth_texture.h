@@ -7,9 +7,9 @@
 
 namespace vvr {
 
-/// A texture with mip levels, of bytes as one channel or of a picture's colours. The levels are computed on the CPU: for
-/// glGenerateMipmap Mesa's software rasteriser compiles shaders of its own, which takes a quarter of a second in each
-/// run.
+/// A texture with mip levels, of bytes as one channel or of a picture's colours. The levels are computed on the CPU:
+/// for glGenerateMipmap Mesa's software rasteriser compiles shaders of its own, which takes a quarter of a second in
+/// each run.
 ///
 /// \throws Error limit when there is no memory for it, backend for anything else, as check_gl does
 GlTexture smooth_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture);

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "cli/render/shown_name.h"
-#include "core/words.h"
 #include "core/labels/legend.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_file.h"
+#include "core/words.h"
 
 namespace vvr {
 

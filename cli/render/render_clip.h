@@ -9,13 +9,13 @@
 
 #include "cli/render/stages.h"
 #include "core/events/event.h"
+#include "core/fields/field_source.h"
 #include "core/image/picture.h"
 #include "core/labels/lettering.h"
 #include "core/labels/time_ticks.h"
 #include "core/scene/glyph.h"
 #include "core/scene/theme.h"
 #include "core/scene/traceline.h"
-#include "core/fields/field_source.h"
 #include "gl/renderer.h"
 
 namespace vvr {

@@ -34,8 +34,8 @@ struct SliceMesh {
     std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that has triangles
 };
 
-/// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space units
-/// apart.
+/// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space
+/// units apart.
 SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
 
 /// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:

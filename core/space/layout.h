@@ -78,7 +78,8 @@ class Layout {
     ///
     /// A section may be drawn whole before the next: no ray from the eye enters one section, then another, then the
     /// first again. This needs a layout in which a plane separates each two sections. The box and the horseshoe, which
-    /// is half a turn, are such layouts. With more than one turn, or turns above each other, there need not be an order.
+    /// is half a turn, are such layouts. With more than one turn, or turns above each other, there need not be an
+    /// order.
     virtual std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const = 0;
 
   private:

@@ -19,9 +19,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/in_turn.h"
-#include "tests/bench/left_bag.h"
-#include "tests/bench/scale.h"
 #include "core/scene/slices.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
@@ -29,6 +26,9 @@
 #include "gl/framebuffer.h"
 #include "gl/program_sources.h"
 #include "gl/volume_slicer.h"
+#include "tests/bench/in_turn.h"
+#include "tests/bench/left_bag.h"
+#include "tests/bench/scale.h"
 
 namespace {
 

@@ -139,7 +139,8 @@ class Layers : public testing::Test {
         camera_ = renderer.camera();
         picture_ = renderer.draw(window);
         PictureLayers layers = renderer.draw_layers(window, TimeTable(volume));
-        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels())) << "the picture stays the same";
+        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels()))
+            << "the picture stays the same";
         return layers;
     }
 
