@@ -17,8 +17,10 @@ void check_samples(const GladGLContext& gl, int samples) {
     gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most_sampled);
     const GLint most = std::min(most_drawn, most_sampled);
     if (samples <= most) return;
-    throw Error(ErrorKind::limit, fmt::format("--samples {}: this OpenGL has at most {} a pixel; choose {} or fewer",
-                                              samples, most, most));
+    throw Error(
+        ErrorKind::limit,
+        fmt::format("samples {}: this OpenGL has at most {} per pixel; choose {} or fewer", samples, most, most),
+        {"samples"});
 }
 
 Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(&gl), size_(size), samples_(samples) {

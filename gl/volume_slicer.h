@@ -7,12 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bricks/cells.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
-#include "gl/brick_textures.h"
+#include "gl/brick_window.h"
 #include "gl/program.h"
 #include "gl/seen_target.h"
 
@@ -53,20 +52,17 @@ class VolumeSlicer {
 
     void set_transfer(const TransferFunction& transfer);
 
-    /// \param bricks ascending in time
-    void draw(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
-              const SliceStack& stack);
+    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack);
 
     /// The same into a target of what is seen: frames are counted from the window's first.
     /// \param frames_a_layer of the volume
-    void draw_seen(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
-                   const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target);
+    void draw_seen(BrickWindow& window, const Camera& camera, const SliceStack& stack, std::int64_t frames_a_layer,
+                   const SeenTarget& target);
 
   private:
-    /// Makes the mesh of each brick ready, back to front, and has it drawn.
-    void for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, BrickTextures& textures,
-                        const Camera& camera, const SliceStack& stack,
-                        const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw);
+    /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh.
+    void for_each_brick(const Program& program, BrickWindow& window, const Camera& camera, const SliceStack& stack,
+                        const std::function<void(std::size_t, const SliceMesh&)>& draw);
 
     const GladGLContext* gl_;
     const Layout* layout_;

@@ -31,7 +31,7 @@ struct AxisBox {
 AxisBox layout_box(const Layout& layout);
 
 /// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
-AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, const TransferFunction& transfer);
+AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const AxisBox& box);
 

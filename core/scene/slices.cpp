@@ -146,7 +146,7 @@ struct Cutting {
 /// The cells of a brick between two of its borders in time.
 using Sheet = std::vector<Proxy>;
 
-Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int iy, int it) {
+Proxy make_proxy(const Cutting& cutting, const PlacedCells& brick, int ix, int iy, int it) {
     const BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
@@ -171,7 +171,7 @@ Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int i
     return proxy;
 }
 
-Sheet make_sheet(const Cutting& cutting, const PlacedBrick& brick, int it) {
+Sheet make_sheet(const Cutting& cutting, const PlacedCells& brick, int it) {
     Sheet sheet;
     for (int iy = 0; iy < brick.cells->ny(); ++iy) {
         for (int ix = 0; ix < brick.cells->nx(); ++ix) sheet.push_back(make_proxy(cutting, brick, ix, iy, it));
@@ -207,10 +207,10 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     return stack;
 }
 
-SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
                      const TransferFunction& transfer, const Camera& camera, const SliceStack& stack) {
     const Cutting cutting{&layout, &transfer, &camera, &stack, camera.clip_from_p(), !transfer.visible({0, 0})};
-    const PlacedBrick& brick = bricks[number];
+    const PlacedCells& brick = bricks[number];
     const int nx = brick.cells->nx();
     const int ny = brick.cells->ny();
     const int nt = brick.cells->nt();

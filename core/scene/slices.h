@@ -40,7 +40,7 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
 /// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:
 /// plane ∩ cell polygons, farthest first. Polygons that meet have the corners on their common side in common, across
 /// bricks too, so that each pixel belongs to one of them.
-SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
                      const TransferFunction& transfer, const Camera& camera, const SliceStack& stack);
 
 /// Points of P-space whose hull holds the whole volume: what a camera has to show.

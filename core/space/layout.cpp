@@ -1,8 +1,6 @@
 #include "core/space/layout.h"
 
-#include <fmt/format.h>
-
-#include "core/error.h"
+#include "core/choice.h"
 
 namespace vvr {
 
@@ -15,12 +13,7 @@ const std::vector<LayoutRow>& layouts() {
 }
 
 std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape) {
-    std::string names;
-    for (const LayoutRow& row : layouts()) {
-        if (row.name == name) return row.make(shape);
-        names += names.empty() ? row.name : ", " + row.name;
-    }
-    throw Error(ErrorKind::usage, fmt::format("no layout is called '{}'; there are {}", name, names));
+    return choose("layout", name, layouts()).make(shape);
 }
 
 LayoutShape shape_for(Size field, double r_min, double r_max) {

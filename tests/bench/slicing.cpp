@@ -23,7 +23,7 @@
 #include "tests/bench/left_bag.h"
 #include "tests/bench/scale.h"
 #include "core/scene/slices.h"
-#include "gl/brick_textures.h"
+#include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
@@ -72,24 +72,14 @@ struct Bricks {
         : layout(make_layout("horseshoe", shape_for(volume.size()))),
           camera(fit_camera({}, outline_points(*layout), picture)),
           stack(stack_slices(camera, *layout, 0, 2 * layout->shape().y_s / volume.size().height)),
-          textures(gl, BrickRing(k)) {
-        const auto n = static_cast<double>(volume.layers());
-        const std::vector<Brick> cut = cut_into(volume.layers(), k);
-        for (const Brick& brick : cut) {
-            const BrickLayers layers(volume, brick);
-            textures.upload(static_cast<std::int64_t>(cells.size()), layers);
-            cells.push_back(brick_cells(layers, static_cast<double>(brick.count) / n, *layout));
-            placed.push_back({static_cast<std::int64_t>(placed.size()), brick.count,
-                              static_cast<double>(brick.first) / n, static_cast<double>(brick.first + brick.count) / n,
-                              layers.size(), layers.box(), nullptr});
-        }
-        for (std::size_t i = 0; i < cut.size(); ++i) placed[i].cells = &cells[i];
+          window(gl, *layout, volume.layers(), k) {
+        window.show(volume, cut_into(volume.layers(), k));
     }
 
     std::vector<SliceMesh> cut_all() const {
         std::vector<SliceMesh> meshes;
-        for (std::size_t i = 0; i < placed.size(); ++i) {
-            meshes.push_back(cut_slices(placed, i, *layout, default_transfer_function(), camera, stack));
+        for (std::size_t i = 0; i < window.cells().size(); ++i) {
+            meshes.push_back(cut_slices(window.cells(), i, *layout, default_transfer_function(), camera, stack));
         }
         return meshes;
     }
@@ -97,9 +87,7 @@ struct Bricks {
     std::unique_ptr<Layout> layout;
     Camera camera;
     SliceStack stack;
-    BrickTextures textures;
-    std::vector<BrickCells> cells;
-    std::vector<PlacedBrick> placed;
+    BrickWindow window;
 };
 
 /// The polygons of all slices, cut once and kept where OpenGL has them at hand: what is timed is only their drawing.
@@ -107,7 +95,7 @@ class ReadyPolygons {
   public:
     ReadyPolygons(const GladGLContext& gl, Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
         std::vector<double> borders{0};
-        for (const PlacedBrick& brick : bricks.placed) borders.push_back(brick.t_end);
+        for (const PlacedCells& brick : bricks.window.cells()) borders.push_back(brick.t_end);
         order_ = bricks.layout->back_to_front(bricks.camera.eye, borders);
         for (const SliceMesh& mesh : bricks.cut_all()) add(mesh);
         gl.BindVertexArray(0);
@@ -120,11 +108,11 @@ class ReadyPolygons {
         gl_->GetIntegerv(GL_CURRENT_PROGRAM, &program);
         const GLint scale = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_scale");
         const GLint offset = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_offset");
-        for (const int i : order_) {
-            const Mesh& mesh = meshes_[static_cast<std::size_t>(i)];
-            const PlacedBrick& brick = bricks_->placed[static_cast<std::size_t>(i)];
-            bricks_->textures.bind(brick);
-            const TextureMap map = texture_from_c(brick);
+        for (const int number : order_) {
+            const auto i = static_cast<std::size_t>(number);
+            const Mesh& mesh = meshes_[i];
+            bricks_->window.bind(i);
+            const TextureMap map = bricks_->window.texture_map(i);
             gl_->Uniform3fv(scale, 1, &map.scale.x);
             gl_->Uniform3fv(offset, 1, &map.offset.x);
             gl_->BindVertexArray(mesh.array.id());
@@ -238,7 +226,7 @@ class Ways {
         gl_->Finish();
     }
 
-    void slicer() { slicer_.draw(bricks_.placed, bricks_.textures, bricks_.camera, bricks_.stack); }
+    void slicer() { slicer_.draw(bricks_.window, bricks_.camera, bricks_.stack); }
 
     /// The slicer's own program on polygons that are ready: its state of depth test and blending is still set.
     void shader() {

@@ -52,7 +52,7 @@ std::vector<std::vector<double>> seconds_of_styles(const Context& context, const
         works.push_back({[&drawing, scene] { drawing.renderer().set_scene(scene); },
                          [&drawing, moving = style.moving] {
                              if (moving) drawing.push();
-                             drawing.renderer().draw_unread();
+                             drawing.draw();
                          }});
     }
     return bench::in_turn(works, runs);

@@ -80,8 +80,9 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
-    const RenderedClip clip = render_clip(job, source, {});
-    const PictureLayers& layers = clip.picture.layers;
+    PictureLayers layers;
+    render_clip(job, source, {},
+                [&](const RenderReport&, int, Picture&& picture) { layers = std::move(picture.layers); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 
     const auto layout = make_layout(look.layout, shape_for(field));
@@ -129,16 +130,16 @@ class Layers : public testing::Test {
     }
 
     PictureLayers draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
-        const std::vector<Brick> cut = cut_into(volume.layers(), bricks);
         layout_ = make_layout(layout_name_, shape_for(volume.size()));
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        renderer.show(volume, cut, 2);
+        BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
+        window.show(volume, cut_into(volume.layers(), bricks));
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
-        picture_ = renderer.draw();
-        PictureLayers layers = renderer.draw_layers(TimeTable(volume));
-        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw().pixels())) << "the picture stays the same";
+        picture_ = renderer.draw(window);
+        PictureLayers layers = renderer.draw_layers(window, TimeTable(volume));
+        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels())) << "the picture stays the same";
         return layers;
     }
 
