@@ -120,12 +120,12 @@ Plane<glm::vec4> Renderer::draw(double phase) {
     return picture;
 }
 
-PictureLayers Renderer::draw_layers(const TimeTable& times) {
+PixelData Renderer::draw_layers(const TimeTable& times) {
     if (!seen_) seen_.emplace(*gl_, tiles_.front().size);
     const SliceStack stack = slices(camera_);
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PictureLayers layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
-                         Plane<float>(options_.size, -1)};
+    PixelData layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
+                     Plane<float>(options_.size, -1)};
     for (const Tile& tile : tiles_) {
         const Plane<glm::vec4> seen = draw_tile_seen(stack, times.frames_a_layer(), tile);
         for (int j = 0; j < tile.size.height; ++j) {

@@ -79,7 +79,7 @@ class Renderer {
     /// as all that stands before it, else the sample of the volume, or the standing frame, that contributes most.
     /// Lines show no frame and hide none. It takes a pass of its own, and leaves `draw` as it is.
     /// \param times of the frames of the bricks and the scene
-    PictureLayers draw_layers(const TimeTable& times);
+    PixelData draw_layers(const TimeTable& times);
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw_unread(double phase = 0);

@@ -120,7 +120,7 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
                      double phase) {
     Picture picture = to_picture(renderer.draw(phase));
-    if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
+    if (job.pixel_data) picture.pixel_data = renderer.draw_layers(TimeTable(volume));
     draw(picture, lettering);
     return picture;
 }

@@ -9,13 +9,13 @@
 
 #include "cli/render/stages.h"
 #include "core/events/event.h"
+#include "core/fields/field_source.h"
 #include "core/image/picture.h"
 #include "core/labels/lettering.h"
 #include "core/labels/time_ticks.h"
 #include "core/scene/glyph.h"
 #include "core/scene/theme.h"
 #include "core/scene/traceline.h"
-#include "core/fields/field_source.h"
 #include "gl/renderer.h"
 
 namespace vvr {
@@ -47,7 +47,7 @@ struct RenderJob {
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
     bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
-    bool layers = false;       ///< pictures come with what each of their pixels shows
+    bool pixel_data = false;   ///< pictures come with what each of their pixels shows
     int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;     ///< ring and window_layers are found out
     TransferFunction transfer = default_transfer_function();
