@@ -53,9 +53,9 @@ RenderJob job_for(const RenderSettings& settings) {
     }
 
     job.layout = settings.view.layout;
-    job.r_min = settings.view.radii.first;
-    job.r_max = settings.view.radii.second;
-    job.height = settings.view.height.value_or(0);
+    job.shape.r_min = settings.view.radii.first;
+    job.shape.r_max = settings.view.radii.second;
+    job.shape.height = settings.view.height.value_or(0);
     job.picture.size = settings.view.size;
     job.picture.view = view_of(settings.view);
     job.slice_view = slice_view_of(settings.view);

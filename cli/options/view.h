@@ -15,7 +15,7 @@ namespace vvr {
 /// Layout, camera and size of the picture.
 struct ViewOptions {
     std::string layout = layouts().front().name;
-    std::pair<double, double> radii{0.45, 1};  ///< inner, outer
+    std::pair<double, double> radii{LayoutOptions{}.r_min, LayoutOptions{}.r_max};  ///< inner, outer
     std::optional<double> height;              ///< none = square pixels
     Size size{1280, 800};
     std::pair<double, double> camera{View{}.azimuth, View{}.elevation};  ///< degrees

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "cli/render/shown_name.h"
-#include "core/words.h"
 #include "core/labels/legend.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_file.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -77,9 +77,9 @@ std::string span_of(const RenderJob& job, const RenderReport& report, const Volu
 
 /// In the middle of the volume: an empty picture would look like a mistake.
 void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& lettering) {
-    const Tile& tile = framing.sheet.volume;
-    lettering.add(make_label_around("nothing moves", framing.sheet.text * 2, tile.column + tile.size.width / 2.0,
-                                    tile.row + tile.size.height / 2.0, colour),
+    const PixelBox& box = framing.sheet.volume;
+    lettering.add(make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
+                                    (box.top + box.bottom) / 2.0, colour),
                   framing.sheet.between, 0);
 }
 
@@ -89,19 +89,19 @@ Framing frame_volume(const RenderJob& job, const Layout& layout) {
     Framing framing;
     const bool ruler = job.show.contains("ruler");
     framing.sheet = arrange_sheet(job.picture.size, {job.show.contains("title"), ruler, job.show.contains("legend")});
-    const Tile& tile = framing.sheet.volume;
+    const PixelBox& part = framing.sheet.volume;
     std::vector<glm::dvec3> points = outline_points(layout);
     if (job.show.contains("boxes") || job.show.contains("slices")) points = corners(layout_box(layout));
     View view = job.picture.view;
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
-    Camera camera = fit_camera(view, points, tile.size);
-    framing.edge = outer_edge(layout, camera, tile.size);
+    Camera camera = fit_camera(view, points, part.size());
+    framing.edge = outer_edge(layout, camera, part.size());
     if (ruler) {
         const std::vector<glm::dvec3> reach = ruler_reach(layout, framing.edge);
         points.insert(points.end(), reach.begin(), reach.end());
-        camera = fit_camera(view, points, tile.size);
+        camera = fit_camera(view, points, part.size());
     }
-    framing.camera = camera.within(tile, job.picture.size);
+    framing.camera = camera.within(part, job.picture.size);
     return framing;
 }
 

@@ -4,16 +4,8 @@
 #include <utility>
 
 #include "core/scene/overlay.h"
-#include "gl/context.h"
-#include "gl/framebuffer.h"
 
 namespace vvr {
-
-std::unique_ptr<Context> open_drawing(const RenderJob& job) {
-    auto context = open_context(job.backend, job.device);
-    check_samples(context->gl(), job.picture.samples);
-    return context;
-}
 
 void describe(const FieldSource& source, const Context& context, RenderReport& report) {
     report.info = source.info();
@@ -25,7 +17,7 @@ void describe(const FieldSource& source, const Context& context, RenderReport& r
 }
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
-    // Arrows at so many times along the arc leave each other room.
+    // Arrows at this many times along the arc don't overlap.
     constexpr std::int64_t arrow_times = 80;
     FieldNeeds needs;
     needs.flow = job.show.contains("tracelines");
@@ -36,17 +28,7 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
 }
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
-    LayoutShape shape = shape_for(field_size, job.r_min, job.r_max);
-    if (job.height > 0) shape.y_s = job.height;
-    return make_layout(job.layout, shape);
-}
-
-RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers) {
-    RenderOptions options = job.picture;
-    options.camera = framing.camera;
-    options.ring = bricks;
-    options.window_layers = layers;
-    return options;
+    return make_layout(job.layout, shape_for(field_size, job.shape));
 }
 
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
@@ -72,7 +54,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
     if (job.show.contains("frames")) {
         constexpr float at_the_ends = 0.5F;
-        constexpr float between = 0.3F;  // they stand before what the volume shows
+        constexpr float between = 0.3F;  // they hide what is behind them
         const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
             Plane<Bgr> picture = picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
@@ -86,8 +68,9 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     return scene;
 }
 
-void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
-                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene) {
+void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
+                  std::int64_t window_layers, Scene& scene) {
+    const Layout& layout = *drawing.layout;
     const auto add = [&scene](const std::vector<Segment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
@@ -97,16 +80,18 @@ void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<cons
             if (t > 0) add(cross_section(layout, t, glm::vec4(job.theme.lines, 0.5)));
         }
     }
-    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
+    const AxisBox rendered = visible_box(drawing.window->cells(), layout, job.transfer.scaled(job.opacity));
     if (job.show.contains("boxes")) {
         add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
         add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
     }
     if (job.show.contains("slices")) {
         constexpr int shown = 20;
+        const Renderer& renderer = *drawing.renderer;
         const Camera camera =
             job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
-        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+        const SliceStack stack = renderer.slices(*drawing.window, camera);
+        add(slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
     }
 }
 
@@ -117,10 +102,10 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
     return true;
 }
 
-Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+Picture draw_picture(const RenderJob& job, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase) {
-    Picture picture = to_picture(renderer.draw(phase));
-    if (job.pixel_data) picture.pixel_data = renderer.draw_layers(TimeTable(volume));
+    Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
+    if (job.pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
     draw(picture, lettering);
     return picture;
 }

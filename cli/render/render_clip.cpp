@@ -9,16 +9,16 @@
 
 #include "cli/render/annotate.h"
 #include "cli/render/build_scene.h"
-#include "cli/render/drawing_ahead.h"
+#include "cli/render/render_thread.h"
 #include "core/events/event_finder.h"
 
 namespace vvr {
 
 namespace {
 
-// So many frames are read in a few seconds: not worth waiting until it is known that they can be drawn.
+// Fewer frames are read in a few seconds: reading begins before OpenGL is known to work.
 constexpr std::int64_t soon_read = 5000;
-// So many take longer than a hundred times what is won by being ready to draw when they have been read.
+// With more frames the renderer is made after they have been read: memory counts for more than a moment then.
 constexpr std::int64_t long_read = 100'000;
 
 /// The volume of a clip, and the frames at its ends.
@@ -70,6 +70,45 @@ std::vector<Brick> cut(const RenderJob& job, const Fields& fields) {
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
+/// All after the fields: draws each picture and gives it to the sink.
+void draw_pictures(const RenderJob& job, Fields& fields, Drawing& drawing, RenderReport& report,
+                   const PictureSink& sink) {
+    const Volume& volume = fields.volume;
+    const Layout& layout = *drawing.layout;
+    report.events = std::move(fields.events);
+    report.frames = fields.summary.frames;
+    report.damaged = fields.summary.damaged;
+    report.first_frame = fields.first->index;
+    report.last_frame = fields.last->index;
+    report.first_pts = fields.first->pts;
+    report.last_pts = fields.last->pts;
+    report.layers = volume.layers();
+    report.step = volume.step();
+    report.bricks = cut(job, fields);
+
+    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing);
+    report.arrows = scene.arrows.size();
+    report.keyframes = fields.keyframes.size();
+    report.stages.end("scene");
+    report.still = nothing_visible(volume, job.transfer);
+
+    const std::vector<Brick> pieces =
+        job.show.contains("volume") ? cut_into_pieces(report.bricks) : std::vector<Brick>{};
+    const int textures = textures_of(job, static_cast<int>(pieces.size()));
+    drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
+    drawing.window->show(volume, pieces);
+    add_overlays(job, drawing, report.bricks, volume.layers(), scene);
+    drawing.renderer->set_scene(std::move(scene));
+    report.lettering = letter(job, report, volume, layout, drawing.framing);
+    for (int i = 0; i < job.pictures; ++i) {
+        Picture picture = draw_picture(job, drawing, volume, report.lettering, static_cast<double>(i) / job.pictures);
+        report.stages.end("draw");
+        report.pictures = i + 1;
+        sink(report, i, std::move(picture));
+        report.stages.end("write");
+    }
+}
+
 }  // namespace
 
 const std::vector<std::string>& show_words() {
@@ -94,21 +133,20 @@ int textures_of(const RenderJob& job, int pieces) {
     return std::max(1, drawn_again ? pieces : std::min(2, pieces));
 }
 
-RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress) {
-    RenderedClip clip;
-    clip.report = render_clip(job, source, progress, [&](const RenderReport&, int number, Picture&& picture) {
-        if (number == 0) clip.picture = std::move(picture);
-    });
-    return clip;
-}
-
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink) {
-    RenderReport report;
     const std::int64_t expected = source.expected_frames();
-    using Part = DrawingAhead::Part;
-    DrawingAhead ahead(job, source.field_size(), expected > long_read ? Part::context : Part::all);
-    if (expected == 0 || expected > soon_read) ahead.wait_for_context();
+    const Size field_size = source.field_size();
+    RenderThread thread;
+    auto opened = thread.start([&job](Drawing& drawing) { open_context(job, drawing); });
+    // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
+    if (expected <= long_read) {
+        thread.start([&job, field_size](Drawing& drawing) {
+            make_renderer(job, field_size, RenderOptions{}.tile_samples, drawing);
+            rehearse(job, drawing);
+        });
+    }
+    if (expected == 0 || expected > soon_read) opened.get();
     std::int64_t step = planned_step(job, expected);
     Fields fields = read_fields(job, source, step, progress);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
@@ -117,49 +155,13 @@ RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameP
         fields = read_fields(job, source, step, progress);
     }
 
+    RenderReport report;
     report.stages.end("fields");
-
-    const Drawing drawing = ahead.take();
-    const Layout& layout = *drawing.layout;
-    const Framing& framing = drawing.framing;
-    Renderer& renderer = *drawing.renderer;
-    describe(source, *drawing.context, report);
-
-    Volume& volume = fields.volume;
-    report.events = std::move(fields.events);
-    report.frames = fields.summary.frames;
-    report.damaged = fields.summary.damaged;
-    report.first_frame = fields.first->index;
-    report.last_frame = fields.last->index;
-    report.first_pts = fields.first->pts;
-    report.last_pts = fields.last->pts;
-    report.layers = volume.layers();
-    report.step = volume.step();
-    report.bricks = cut(job, fields);
-
-    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, framing);
-    report.arrows = scene.arrows.size();
-    report.keyframes = fields.keyframes.size();
-
-    report.stages.end("scene");
-
-    report.still = nothing_visible(volume, job.transfer);
-
-    const TransferFunction transfer = job.transfer.scaled(job.opacity);
-    renderer.set_transfer(transfer);
-    const std::vector<Brick> pieces =
-        job.show.contains("volume") ? cut_into_pieces(report.bricks) : std::vector<Brick>{};
-    renderer.show(volume, pieces, textures_of(job, static_cast<int>(pieces.size())));
-    add_overlays(job, renderer, report.bricks, volume.layers(), layout, transfer, scene);
-    renderer.set_scene(std::move(scene));
-    report.lettering = letter(job, report, volume, layout, framing);
-    for (int i = 0; i < job.pictures; ++i) {
-        Picture picture = draw_picture(job, renderer, volume, report.lettering, static_cast<double>(i) / job.pictures);
-        report.stages.end("draw");
-        report.pictures = i + 1;
-        sink(report, i, std::move(picture));
-        report.stages.end("write");
-    }
+    thread.run([&](Drawing& drawing) {
+        if (!drawing.renderer) make_renderer(job, field_size, RenderOptions{}.tile_samples / 4, drawing);
+        describe(source, *drawing.context, report);
+        draw_pictures(job, fields, drawing, report, sink);
+    });
     return report;
 }
 

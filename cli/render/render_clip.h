@@ -41,15 +41,13 @@ struct RenderJob {
     std::int64_t brick_frames = 0;
 
     std::string layout = "horseshoe";
-    double r_min = 0.45;
-    double r_max = 1;
-    double height = 0;  ///< y_s; 0 = square pixels
+    LayoutOptions shape;
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
     bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
     bool pixel_data = false;   ///< pictures come with what each of their pixels shows
     int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
-    RenderOptions picture;     ///< ring and window_layers are found out
+    RenderOptions picture;
     TransferFunction transfer = default_transfer_function();
     double opacity = 1;  ///< factor on its extinctions
     GlyphOptions glyphs;
@@ -92,11 +90,6 @@ struct RenderReport {
     Stages stages;
 };
 
-struct RenderedClip {
-    Picture picture;
-    RenderReport report;
-};
-
 /// Called now and then with the number of frames read.
 using FrameProgress = std::function<void(std::int64_t)>;
 
@@ -107,15 +100,15 @@ std::int64_t planned_step(const RenderJob& job, std::int64_t frames);
 /// texture is filled while another is drawn.
 int textures_of(const RenderJob& job, int pieces);
 
-/// The main job: frames → fields → bricks → renderer → picture. The GL context is opened first: hours of video are not
-/// to be read in vain.
-RenderedClip render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress);
-
 /// Takes each picture of a job with its number from 0 on.
 using PictureSink = std::function<void(const RenderReport& report, int number, Picture&& picture)>;
 
-/// The same for all `job.pictures`: only the phase of the tracelines' texture changes from one to the next, and the
-/// last is followed by the first.
+/// The main job: frames → fields → bricks → renderer → picture. OpenGL is opened while the clip is read; a clip that
+/// takes long to read waits until it has been opened.
+///
+/// Draws all `job.pictures`: only the phase of the tracelines' texture changes from one to the next, and the last is
+/// followed by the first.
+/// \param sink takes each picture, on any thread
 RenderReport render_clip(const RenderJob& job, FieldSource& source, const FrameProgress& progress,
                          const PictureSink& sink);
 

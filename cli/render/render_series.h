@@ -10,16 +10,16 @@ namespace vvr {
 struct SlidingWindow {
     int bricks = 8;  ///< k
     std::int64_t brick_layers = 1;
-    std::int64_t step = 1;  ///< frames a layer
+    std::int64_t step = 1;  ///< frames per layer
 
     std::int64_t layers() const { return bricks * brick_layers; }
     std::int64_t brick_frames() const { return brick_layers * step; }
     std::int64_t frames() const { return layers() * step; }
 };
 
-/// The window of a job's series. A brick is as long as the job says; where it says nothing, 10 s, or as much less as
-/// lets k bricks hold a clip that is shorter than such a window.
-/// \throws Error usage when bricks are told in seconds and nothing says how many frames a second there are
+/// The window of a job's series. A brick is as long as the job says; by default 10 s, or less
+/// if k bricks of that length are longer than the clip.
+/// \throws Error usage when bricks are in seconds and the rate is unknown
 SlidingWindow sliding_window(const RenderJob& job, const FieldSource& source);
 
 /// A series: one picture for each brick of the clip, drawn when the brick has entered the window. Picture j shows

@@ -100,8 +100,8 @@ void tidy(const fs::path& out, const Outputs& outputs) {
 
 Gone find_gone(const fs::path& in, const std::vector<Sidecar>& sidecars, std::size_t clips_there) {
     if (clips_there == 0 && !sidecars.empty()) {
-        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so --prune removes nothing; if its disk is "
-                                               "mounted and they are gone for good, remove the pictures yourself",
+        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
+                                               "and they are gone for good, remove the pictures yourself",
                                                in.string()));
     }
     Gone gone;

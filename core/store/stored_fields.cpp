@@ -145,14 +145,18 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
 
 FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted with --flow none, so there are no arrows or "
-                                                  "tracelines: extract it again, or leave them out of --show",
-                                                  info_.name));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
+                                "again, or don't show them",
+                                info_.name),
+                    {"show"});
     }
     if (needs.colour && !parts_.front().manifest.colour) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted without the frames' colours: extract it again "
-                                                  "with --with-color, or render the clip itself",
-                                                  info_.name));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
+                                "render the clip itself",
+                                info_.name),
+                    {"with-color"});
     }
     FieldSummary summary;
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;

@@ -14,6 +14,7 @@
 #include "core/video/picture_list.h"
 #include "core/video/picture_source.h"
 #include "core/video/scaler.h"
+#include "core/video/settings.h"
 #include "core/video/time_sampler.h"
 
 namespace vvr {
@@ -40,9 +41,9 @@ Size field_size_for(Size shown, Size asked) {
     if (std::int64_t{size.width} * size.height > av::max_pixels)
         throw Error(
             ErrorKind::limit,
-            fmt::format(
-                "a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose a smaller --field-size",
-                size.width, size.height, av::max_pixels / 1'000'000));
+            fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
+                        size.width, size.height, av::max_pixels / 1'000'000),
+            {"field-size"});
     return size;
 }
 
@@ -51,9 +52,7 @@ void FrameSource::seek(double) {
 }
 
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
-    if (!(options.rate > 0) || !(options.rate <= 100'000))
-        throw Error(ErrorKind::usage,
-                    fmt::format("a rate of {} frames a second: it has to be above 0 and at most 100000", options.rate));
+    check(setting::rate, options.rate);
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
     return std::make_unique<FileSource>(open_input(name), options);
 }

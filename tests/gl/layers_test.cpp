@@ -80,8 +80,9 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
-    const RenderedClip clip = render_clip(job, source, {});
-    const PixelData& layers = clip.picture.pixel_data;
+    PixelData layers;
+    render_clip(job, source, {},
+                [&](const RenderReport&, int, Picture&& picture) { layers = std::move(picture.pixel_data); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 
     const auto layout = make_layout(look.layout, shape_for(field));
@@ -129,16 +130,17 @@ class Layers : public testing::Test {
     }
 
     PixelData draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
-        const std::vector<Brick> cut = cut_into(volume.layers(), bricks);
         layout_ = make_layout(layout_name_, shape_for(volume.size()));
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        renderer.show(volume, cut, 2);
+        BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
+        window.show(volume, cut_into(volume.layers(), bricks));
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
-        picture_ = renderer.draw();
-        PixelData layers = renderer.draw_layers(TimeTable(volume));
-        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw().pixels())) << "the picture stays the same";
+        picture_ = renderer.draw(window);
+        PixelData layers = renderer.draw_pixel_data(window, TimeTable(volume));
+        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels()))
+            << "the picture stays the same";
         return layers;
     }
 

@@ -14,6 +14,7 @@
 #include "core/scene/theme.h"
 #include "core/scene/time_table.h"
 #include "core/scene/transfer_file.h"
+#include "tests/support/layouts.h"
 
 namespace vvr {
 namespace {
@@ -204,7 +205,7 @@ TEST(LeftOut, IsToldInTheTitle) {
     RenderJob job;
     RenderReport report;
     report.last_pts = 12000;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.shape));
     const Framing framing = frame_volume(job, *layout);
     const Lettering lettering = letter(job, report, volume, *layout, framing);
     const auto tells = [&](const std::string& text) {
@@ -251,7 +252,7 @@ TEST(Gaps, AreWhereNoFrameCame) {
 TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
     const Volume volume = clip_with_gap();
     RenderJob job;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.shape));
     const Framing framing = frame_volume(job, *layout);
     RenderReport report;
     const Lettering lettering = letter(job, report, volume, *layout, framing);
@@ -336,7 +337,7 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Pictures, OnASheet,
     testing::Combine(testing::Values(Size{640, 480}, Size{1280, 800}, Size{3840, 2160}, Size{600, 1000}),
-                     testing::Values("horseshoe", "box"),
+                     testing::ValuesIn(test::layout_names()),
                      testing::Values(std::pair{0.0, 46.0}, std::pair{40.0, 20.0}, std::pair{-120.0, -15.0}),
                      testing::Values(30, 2000)));
 
@@ -377,8 +378,8 @@ TEST(ShownName, TellsNeitherFoldersNorWhoMaySeeIt) {
 TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
     const Sheet sheet = arrange_sheet({160, 100}, {true, true, true});
     EXPECT_EQ(sheet.text, 0);
-    EXPECT_EQ(sheet.volume.size, (Size{160, 100}));
-    EXPECT_EQ(arrange_sheet({1280, 800}, {}).volume.size, (Size{1280, 800})) << "nor where none is asked for";
+    EXPECT_EQ(sheet.volume.size(), (Size{160, 100}));
+    EXPECT_EQ(arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
 }
 
 TEST(Themes, AreReadable) {
