@@ -58,10 +58,10 @@ Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
     return picture;
 }
 
-PictureLayers Renderer::draw_layers(BrickWindow& window, const TimeTable& times) {
+PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times) {
     if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PictureLayers layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
+    PixelData layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
                          Plane<float>(options_.size, -1)};
     for (const PixelBox& tile : tiles_) {
         const Plane<glm::vec4> data = draw_tile_data(window, tile, times.frames_per_layer());

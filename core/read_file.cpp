@@ -1,4 +1,4 @@
-#include "core/fields/read_file.h"
+#include "core/read_file.h"
 
 #include <cerrno>
 #include <cstring>
