@@ -83,8 +83,11 @@ bool could_not_draw(const WorkerEnd& end) {
 }
 
 bool is_disk_full(const std::string& text) {
+    // A name in quotes may say anything; the reason comes after it.
+    const auto quote = text.rfind('\'');
+    const std::string reason = quote == std::string::npos ? text : text.substr(quote);
     return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG}, [&](int error) {
-        return text.find(std::generic_category().message(error)) != std::string::npos;
+        return reason.find(std::generic_category().message(error)) != std::string::npos;
     });
 }
 

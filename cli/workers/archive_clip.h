@@ -38,7 +38,8 @@ class ClipTurn {
 
     /// Writes down what came of it, and removes what is no longer true.
     /// \param counts whether a failure counts as a try; not when it may be the machine's
-    /// \throws Error when it was not the clip's fault, and the next clip would fare no better
+    /// \throws Error io when that can't be done for this clip
+    /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk
     Sidecar finish(const WorkerEnd& end, bool counts);
 
   private:

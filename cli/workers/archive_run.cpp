@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -76,6 +77,19 @@ std::optional<ClipTurn> take_turn(const ArchiveJob& job, const std::string& clip
     }
 }
 
+/// What came of a clip, unless that can't be read or written down: then the clip has failed, and the others go on. A
+/// full disk, and what is no matter of this clip's files, is an error still.
+std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end, bool counts,
+                                   Account& account) {
+    try {
+        return turn.finish(end, counts);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
+        account.fail(clip, error.what());
+        return std::nullopt;
+    }
+}
+
 bool holds(const fs::path& path, const std::string& text) {
     std::ifstream file(path, std::ios::binary);
     return file && std::string(std::istreambuf_iterator<char>(file), {}) == text;
@@ -107,14 +121,16 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
         std::optional<ClipTurn> turn = take_turn(job, planned.clip.path, account);
         if (!turn) continue;
         std::unique_ptr<Worker> worker = turn->start();
-        pool.add(std::move(worker), [&, held = std::make_shared<ClipTurn>(std::move(*turn))](const WorkerEnd& end) {
+        pool.add(std::move(worker), [&, held = std::make_shared<ClipTurn>(std::move(*turn)),
+                                     clip = planned.clip.path](const WorkerEnd& end) {
             const auto lock = environment.signals.hold();
             const bool nothing_drawn = account.outcome().drawn == 0;
-            const Sidecar sidecar = held->finish(end, !(could_not_draw(end) && nothing_drawn));
-            account.add(sidecar);
+            const auto sidecar = finish_turn(*held, clip, end, !(could_not_draw(end) && nothing_drawn), account);
+            if (!sidecar) return;
+            account.add(*sidecar);
             if (!could_not_draw(end) || !nothing_drawn || ++undrawn < std::min(enough_undrawn, clips.size())) return;
             throw Error(ErrorKind::backend,
-                        fmt::format("no clip could be drawn, so this run ends here: {}", sidecar.reason));
+                        fmt::format("no clip could be drawn, so this run ends here: {}", sidecar->reason));
         });
     }
     pool.wait_for_all();
@@ -124,9 +140,11 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 void write_index(const ArchiveJob& job, const Environment& environment) {
     const auto held = environment.signals.hold();
     // Of two runs that end together, the later one has to read what the other wrote.
-    const Claim claim = Claim::wait_for(job.out, std::string(index_name));
+    const std::vector<std::string> names{std::string(index_name)};
+    const Claim claim = Claim::wait_for(job.out, names.front());
+    if (claim.was_left_behind()) remove_leftovers(job.out, names);
     const Outputs outputs = list_outputs(job.out, job.in);
-    tidy(outputs);
+    tidy(job.out, outputs);
     const fs::path path = job.out / index_name;
     const std::string text = make_index(outputs.sidecars);
     if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));

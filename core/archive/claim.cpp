@@ -5,13 +5,14 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "core/archive/plain_name.h"
 #include "core/error.h"
+#include "core/file_lock.h"
 #include "core/fnv.h"
 
 namespace vvr {
@@ -29,6 +30,12 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) {
+    std::error_code none;
+    const fs::file_status there = fs::symlink_status(path, none);
+    if (fs::exists(there) && !fs::is_regular_file(there)) {
+        throw Error(ErrorKind::io, fmt::format("cannot lock '{}': it is {}; remove it", path.string(),
+                                               fs::is_symlink(there) ? "a link" : "not a regular file"));
+    }
     const bool full = error == ENOSPC || error == EDQUOT;
     const char* next = full ? "free some space or choose another folder"
                             : "choose a folder that can be written to, on a file system with locks";
@@ -36,18 +43,15 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
-bool is_still(int file, const fs::path& path) {
-    struct stat ours {
-    }, there{};
-    return ::fstat(file, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
-           ours.st_dev == there.st_dev;
-}
-
-int lock(int file, bool wait) {
-    int result = 0;
-    do result = ::flock(file, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
-    while (result != 0 && errno == EINTR);
-    return result;
+/// What a claim that was left behind says that it is about. Nothing where no claim of vvr says so: its file's name is
+/// made of what it is about.
+std::optional<std::string> name_in(int file, const fs::path& path) {
+    std::array<char, longest_name + 1> bytes{};  // one more than is possible, to see that there is more
+    const ssize_t length = ::pread(file, bytes.data(), bytes.size(), 0);
+    if (length <= 0) return std::nullopt;
+    std::string name(bytes.data(), static_cast<std::size_t>(length));
+    if (!is_plain_name(name) || file_for(path.parent_path(), name) != path) return std::nullopt;
+    return name;
 }
 
 }  // namespace
@@ -66,10 +70,9 @@ Claim::~Claim() {
 
 std::optional<Claim> Claim::take(const fs::path& path, const std::string& name, bool wait) {
     for (;;) {
-        const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        const int file = open_file_itself(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
-        if (lock(file, wait) != 0) {
-            const int error = errno;
+        if (const int error = lock_file(file, wait); error != 0) {
             ::close(file);
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);
@@ -104,16 +107,16 @@ bool Claim::is_claim(const fs::path& file) {
 }
 
 std::optional<std::pair<Claim, std::string>> Claim::take_over(const fs::path& file) {
-    const int open = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+    const int open = open_file_itself(file, O_RDWR);
     if (open < 0) return std::nullopt;
-    if (lock(open, false) != 0 || !is_still(open, file)) {
+    std::optional<std::string> name;
+    if (lock_file(open, false) == 0 && is_still(open, file)) name = name_in(open, file);
+    // What is none of ours stays as it is, so there must be no claim yet that would remove it.
+    if (!name) {
         ::close(open);
         return std::nullopt;
     }
-    Claim claim(file, open, true);
-    std::array<char, 4096> name{};
-    const ssize_t length = ::pread(open, name.data(), name.size(), 0);
-    return std::pair(std::move(claim), std::string(name.data(), length > 0 ? static_cast<std::size_t>(length) : 0));
+    return std::pair(Claim(file, open, true), std::move(*name));
 }
 
 }  // namespace vvr

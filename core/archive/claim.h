@@ -20,7 +20,9 @@ class Claim {
     /// \throws Error io
     static Claim wait_for(const std::filesystem::path& folder, const std::string& name);
 
-    /// What a claim that was left behind is about, taken over; nothing where the file is none, or somebody has it.
+    /// What a claim that was left behind is about, taken over. Nothing where somebody has it, or where the file is
+    /// none: no regular file, or one that does not hold the plain name of which its own name is made. Such a file
+    /// stays.
     static std::optional<std::pair<Claim, std::string>> take_over(const std::filesystem::path& file);
 
     /// Whether `file` is the hidden file of a claim, by its name.

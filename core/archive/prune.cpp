@@ -34,6 +34,16 @@ std::string folder_left(const fs::path& in, const std::string& clip) {
     return folder.string();
 }
 
+/// The files that are somebody's: the index, and those of clips that have a sidecar.
+std::set<fs::path> files_with_owners(const fs::path& out, const Outputs& outputs) {
+    std::set<fs::path> files{out / index_name};
+    for (const Sidecar& sidecar : outputs.sidecars) {
+        files.insert(sidecar_path(out, sidecar.clip.path));
+        for (const OutputKind kind : sidecar.files) files.insert(output_path(out, sidecar.clip.path, kind));
+    }
+    return files;
+}
+
 }  // namespace
 
 Outputs list_outputs(const fs::path& out, const fs::path& in) {
@@ -67,7 +77,9 @@ std::vector<std::string> written_names(const std::string& file_name) {
     return names;
 }
 
-void tidy(const Outputs& outputs) {
+void tidy(const fs::path& out, const Outputs& outputs) {
+    if (outputs.claims.empty()) return;
+    const std::set<fs::path> owned = files_with_owners(out, outputs);
     for (const fs::path& file : outputs.claims) {
         const auto left = Claim::take_over(file);
         if (!left) continue;
@@ -77,7 +89,12 @@ void tidy(const Outputs& outputs) {
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
         // Nobody came back to finish it, and no sidecar will ever name what is there.
-        for (const OutputRow& row : output_rows) fs::remove(output_path(folder, name, row.kind), none);
+        for (const OutputRow& row : output_rows) {
+            const fs::path path = output_path(folder, name, row.kind);
+            // `x` has its report where `x.report` has its sidecar, and a clip `index` its page where the index is.
+            if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
+            fs::remove(path, none);
+        }
     }
 }
 

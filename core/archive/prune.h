@@ -18,8 +18,9 @@ struct Outputs {
 /// \throws Error io
 Outputs list_outputs(const std::filesystem::path& out, const std::filesystem::path& in);
 
-/// Removes what killed programs left that nobody will come back to, with their claims.
-void tidy(const Outputs& outputs);
+/// Removes what killed programs left that nobody will come back to, with their claims: files, and none that are the
+/// index or another clip's.
+void tidy(const std::filesystem::path& out, const Outputs& outputs);
 
 /// The names of all files that are written for a clip, or for the index under its own name.
 std::vector<std::string> written_names(const std::string& file_name);

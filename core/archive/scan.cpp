@@ -13,7 +13,9 @@
 #include <fmt/format.h>
 
 #include "core/archive/names.h"
+#include "core/archive/plain_name.h"
 #include "core/error.h"
+#include "core/video/playlist.h"
 
 namespace vvr {
 
@@ -62,7 +64,6 @@ class Walk {
             enter(folder);
         }
         std::ranges::sort(scan_.clips, {}, &Clip::path);
-        std::ranges::sort(scan_.problems, {}, &ScanProblem::path);
         return std::move(scan_);
     }
 
@@ -98,6 +99,10 @@ class Walk {
         const bool clip = names_.matches(path);
         const bool link = type == fs::file_type::symlink;
         if (!clip && !link) return;
+        if (clip && is_playlist_name(path)) {
+            scan_.problems.push_back({path, "it is a playlist, and an archive draws only video files; name those"});
+            return;
+        }
         struct stat status {};
         if (::stat((in_ / path).c_str(), &status) != 0) {
             if (clip) scan_.problems.push_back({path, reason_of(errno)});
@@ -115,6 +120,23 @@ class Walk {
     std::deque<std::string> links_;
     Scan scan_;
 };
+
+/// Takes out clips of whose files one could not be made, as its name would be too long. All of an archive's files
+/// count, wanted or not, so that a clip does not come and go with the options.
+void take_out_long_names(Scan& scan) {
+    std::erase_if(scan.clips, [&](const Clip& clip) {
+        std::string longest = sidecar_path("", clip.path).filename().string();
+        for (const OutputRow& row : output_rows) {
+            const std::string file = output_path("", clip.path, row.kind).filename().string();
+            if (file.size() > longest.size()) longest = file;
+        }
+        if (longest.size() <= longest_name) return false;
+        scan.problems.push_back(
+            {clip.path, fmt::format("its '{}' would be too long a name ({} bytes, {} are possible); rename the clip",
+                                    text_of_path(longest), longest.size(), longest_name)});
+        return true;
+    });
+}
 
 /// Takes out clips of whose files others would be written over.
 void take_out_clashes(Scan& scan) {
@@ -144,7 +166,9 @@ void take_out_clashes(Scan& scan) {
 
 Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& names) {
     Scan scan = Walk(in, out, names).run();
+    take_out_long_names(scan);
     take_out_clashes(scan);
+    std::ranges::sort(scan.problems, {}, &ScanProblem::path);
     return scan;
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/archive/plain_name.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 
@@ -51,9 +52,9 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
     for (const OutputRow& row : output_rows) {
         const auto found = files.find(std::string(row.name));
         if (found == files.end()) continue;
+        const std::string name = path_of_text(found->get<std::string>());
         // Whatever else it may be, a file of another name is none of ours to touch.
-        if (path_of_text(found->get<std::string>()) == file_name(clip) + std::string(row.ending))
-            kinds.push_back(row.kind);
+        if (is_plain_name(name) && name == file_name(clip) + std::string(row.ending)) kinds.push_back(row.kind);
     }
     return kinds;
 }
@@ -65,6 +66,7 @@ std::optional<Sidecar> parse(const std::string& text) {
     const Json& clip = json.at("clip");
     sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), clip.at("bytes").get<std::int64_t>(),
                     clip.at("modified_ns").get<std::int64_t>()};
+    if (!is_plain_path(sidecar.clip.path)) return std::nullopt;
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
     sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;

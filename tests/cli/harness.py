@@ -13,6 +13,24 @@ def check(condition, text):
         raise AssertionError(text)
 
 
+def fnv1a(text):
+    """The hash that vvr makes names of hidden files and shares of clips with."""
+    number = 0xcbf29ce484222325
+    for byte in os.fsencode(text):
+        number = (number ^ byte) * 0x100000001b3 % 2**64
+    return number
+
+
+def lock_name(name):
+    """The hidden file of the claim to the files of that name."""
+    return f".vvr-{fnv1a(name):016x}.lock"
+
+
+def part_name(name, number=0):
+    """The hidden file in which a file of that name is written."""
+    return f".vvr-{fnv1a(name):016x}-{number}.part"
+
+
 @dataclass
 class Result:
     command: str

@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import pytest
-from harness import check
+from harness import check, fnv1a, lock_name, part_name
 
 QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
 ENDINGS = (".png", ".html", ".jpg", ".report.json", ".json")
@@ -335,12 +335,6 @@ def test_archive_is_shared_out(t):
     check(sorted(sum(parts, [])) == sorted(archive(t, "--dry-run").out.splitlines()), "not each clip once")
     check(all(parts) and parts == [of_shard(t, number, 3) for number in (1, 2, 3)], "shares are not stable")
 
-    def fnv1a(text):
-        number = 0xcbf29ce484222325
-        for byte in text.encode():
-            number = (number ^ byte) * 0x100000001b3 % 2**64
-        return number
-
     for number, part in enumerate(parts):
         check(all(fnv1a(line[16:]) % 3 == number for line in part), "not the hash that docs/archive.md names")
     for number in (1, 2, 3):
@@ -372,6 +366,92 @@ def test_archive_prunes(t):
     t.path("in/a.avi").unlink()
     archive(t, "--prune").expect(2, "no clip is left in 'in', so --prune removes nothing")
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
+
+
+def test_archive_takes_no_other_file_for_a_lock(t):
+    """Whoever may write into PICTURES can't have files of others removed or written."""
+    clips(t, "a.avi")
+    t.path("victim").mkdir()
+    t.path("out").mkdir()
+    victims = [f"victim/photo{ending}" for ending in ENDINGS[:4]] + ["out/photo.png", "victim/empty"]
+    for name in victims:
+        t.write(name, "" if name.endswith("empty") else "mine")
+    beyond = "x" * 256
+    for name in ("../victim/photo", str(t.path("victim/photo")), "./photo", "..", ".", "", "photo\0", beyond):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/.vvr-0000000000000000.lock", "../victim/photo")
+    t.write("out/.vvr-1111111111111111.lock", "photo")
+    t.write("victim/name", "photo")
+    t.path(f"out/{lock_name('photo')}").symlink_to("../victim/name")
+    os.mkfifo(t.path("out/.vvr-2222222222222222.lock"))
+    t.path("out/.vvr-3333333333333333.lock").mkdir()
+    before = t.files()
+    t.vvr("archive", "-o", "out", "--index-only", timeout=20).expect(0, "'out/index.html' is up to date")
+    check(t.files() == sorted(before + ["out/index.html"]), f"files are gone or new: {set(before) ^ set(t.files())}")
+    check(t.path("out/.vvr-1111111111111111.lock").read_text() == "photo", "what is no lock was written")
+    # A link at the place of a clip's own lock.
+    t.path(f"out/{lock_name('a.avi')}").symlink_to("../victim/new")
+    clips(t, "b.avi", "c.avi")
+    t.path(f"out/{lock_name('b.avi')}").symlink_to("../victim/empty")
+    os.mkfifo(t.path(f"out/{lock_name('c.avi')}"))
+    clips(t, "d.avi")
+    archive(t, timeout=60).expect(6, "1 clip drawn, 3 failed", f"a.avi failed, cannot lock 'out/{lock_name('a.avi')}': it is a link; remove it",
+                                  "b.avi failed, cannot lock", f"'out/{lock_name('c.avi')}': it is not a regular file; remove it")
+    check(not t.path("victim/new").exists(), "a link was followed to nowhere")
+    check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
+    t.path("out/index.html").unlink()
+    t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
+    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link; remove it")
+
+
+def test_archive_tidies_only_what_is_the_clips(t):
+    clips(t, "gone.report")
+    archive(t, "--match", "*").expect(0, "1 clip drawn")
+    for name in ("gone", "index", "other"):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/gone.png", "half")
+    t.path("out/gone.jpg").mkdir()
+    t.path("out/gone.html").symlink_to("other.html")
+    t.write("out/other.txt", "mine")
+    kept = [f"gone.report{ending}" for ending in ENDINGS] + ["gone.html", "gone.jpg", "index.html", "other.txt"]
+    t.vvr("archive", "-o", "out", "--index-only").expect(0)
+    check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
+
+
+def test_archive_names_names_that_are_too_long(t):
+    long = {length: "n" * (length - 4) + ".avi" for length in (243, 244, 251, 255)}
+    clips(t, "a.avi", *long.values())
+    os.utime(t.path("in/a.avi"), (1, 1))  # so that it comes last
+    result = archive(t, "--jobs", "1").expect(6, "2 clips drawn, 0 failed")
+    for length in (244, 251, 255):
+        text = f"'in/{long[length]}': its '{long[length]}.report.json' would be too long a name ({length + 12} bytes, 255 are possible); rename the clip"
+        check(text in result.err, f"{result}\nexpected {text}")
+    complete(t, ["a.avi", long[243]])
+    archive(t).expect(6, "nothing to do; 2 done before")
+
+
+def test_archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
+    full = "No space left on device.avi"
+    clips(t, "a.avi", "b.avi", "c.avi", full)
+    os.utime(t.path("in/a.avi"), (1, 1))
+    for name in ("b.avi", full):
+        t.path(f"out/{name}.json").mkdir(parents=True)
+    t.path("out/c.avi.json").symlink_to("c.avi.json")
+    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': Is a directory",
+                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link that can't be followed",
+                                     f"{full} failed, cannot write", "4/4 a.avi: ")
+    check("a.avi" in t.path("out/index.html").read_text(), "no index")
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
+def test_archive_removes_what_a_killed_index_left(t):
+    clips(t, "a.avi")
+    archive(t).expect(0, "1 clip drawn")
+    t.write(f"out/{lock_name('index.html')}", "index.html")
+    t.write(f"out/{part_name('index.html', 3)}", "half")
+    t.write(f"out/.vvr-{fnv1a('index.html'):016x}-4711-0.part", "half, of an older vvr")
+    archive(t).expect(0, "nothing to do; 1 done before")
+    complete(t, ["a.avi"])
 
 
 def start(t, *arguments, **options):
@@ -497,3 +577,12 @@ def test_archive_ends_its_workers(t):
         check(not any(os.path.exists(f"/proc/{worker}") for worker in workers), "workers outlive a polite end")
         check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
     archive(t).expect(0, "0 failed")
+
+
+def test_archive_draws_no_playlists(t):
+    t.path("in").mkdir()
+    t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
+    t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
+    result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
+    result.expect(6, "list.m3u8", "it is a playlist, and an archive draws only video files")
+    check(t.path("out/seg.ts.png").exists(), "the video was not drawn")

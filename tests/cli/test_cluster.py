@@ -5,7 +5,7 @@ import fcntl
 import os
 import threading
 
-from harness import check
+from harness import check, lock_name
 
 SBATCH = """#!/bin/bash
 set -eu
@@ -86,15 +86,12 @@ def test_cluster_waits_for_the_run_that_slurm_lost(t):
     t.path("in").mkdir()
     t.path("out").mkdir()
     t.clip("in/a.avi", seconds=1)
-    number = 0xcbf29ce484222325
-    for byte in b"a.avi":
-        number = (number ^ byte) * 0x100000001b3 % 2**64
 
     def started_again(**environment):
         return submit(t, "submit-archive", "in", "out", "--shards", "1", "--", "--settle", "0s", "--size", "160x100",
                       SLURM_RESTART_COUNT="1", RESTARTS="1", **environment).expect(0, out=None)
 
-    with open(t.path(f"out/.vvr-{number:016x}.lock"), "w") as lock:
+    with open(t.path(f"out/{lock_name('a.avi')}"), "w") as lock:
         lock.write("a.avi")
         lock.flush()
         fcntl.flock(lock, fcntl.LOCK_EX)

@@ -1,11 +1,13 @@
 """Where pictures go, and that they are whole or not there."""
 
+import fcntl
 import os
 import resource
 import struct
 import subprocess
+import time
 
-from harness import check
+from harness import check, part_name
 
 
 def test_every_format(t):
@@ -108,6 +110,36 @@ def test_replaces_an_older_picture(t):
     t.render("clip.avi").expect(0)
     t.expect_picture()
     t.expect_files("clip.avi", "out.png")
+
+
+def test_removes_what_a_killed_run_left(t):
+    t.clip()
+    old, young, held, second = (part_name(name, number) for name, number in (("old.png", 0), ("young.png", 0), ("held.png", 0), ("held.png", 1)))
+    others = part_name("out.png"), part_name("out.jpg")
+    for name in (old, young, held, second, *others):
+        t.write(name, "half")
+    os.utime(t.path(old), (time.time() - 3700,) * 2)
+    t.render("clip.avi", output="old.png").expect(0)
+    check(old not in t.files(), "it has been there for an hour")
+    t.render("clip.avi", output="young.png").expect(0)
+    # Only where all who may be writing it share this kernel, it is certain that nobody is.
+    system = t.run(["stat", "-f", "-c", "%T", "."]).out.strip()
+    check(young not in t.files() or system not in ("ext2/ext3", "xfs", "btrfs", "tmpfs", "overlayfs"), f"left on {system}")
+    with open(t.path(held), "a") as writing:
+        fcntl.flock(writing, fcntl.LOCK_EX)
+        os.utime(t.path(held), (1, 1))
+        os.utime(t.path(second), (1, 1))
+        t.render("clip.avi", output="held.png").expect(0)
+        check(held in t.files() and second not in t.files(), "somebody is still writing it")
+    t.path(held).unlink()
+    check(all(name in t.files() for name in others), "of another name")
+    # What is no file of vvr's stays, and nothing waits for it.
+    t.path(others[0]).unlink()
+    os.mkfifo(t.path(others[0]))
+    t.path(part_name("out.png", 1)).symlink_to("clip.avi")
+    t.render("clip.avi", timeout=60).expect(0)
+    t.expect_picture()
+    check(others[0] in t.files() and t.path(part_name("out.png", 1)).is_symlink(), "not vvr's")
 
 
 def test_nothing_on_stdout(t):

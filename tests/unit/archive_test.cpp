@@ -14,6 +14,7 @@
 #include "core/archive/clip_names.h"
 #include "core/archive/index.h"
 #include "core/archive/names.h"
+#include "core/archive/plain_name.h"
 #include "core/archive/prune.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"
@@ -44,6 +45,14 @@ class Archive : public ::testing::Test {
     static void write(const fs::path& path, const std::string& text = "x") {
         fs::create_directories(path.parent_path());
         std::ofstream(path) << text;
+    }
+
+    /// The file of a claim to `name`, as one who was killed leaves it, with any text in it.
+    fs::path leave_claim(const std::string& name, const std::string& text) const {
+        char file[64];
+        std::snprintf(file, sizeof file, ".vvr-%016lx.lock", static_cast<unsigned long>(fnv1a(name)));
+        write(out() / file, text);
+        return out() / file;
     }
 
     std::vector<std::string> found(const ClipNames& names = ClipNames()) const {
@@ -80,6 +89,25 @@ TEST(ArchiveNames, AreTextAndBackWhateverTheirBytes) {
     for (const std::string& path : {all, std::string("%41"), std::string("€😀\xE2")}) {
         EXPECT_EQ(path_of_text(text_of_path(path)), path);
         EXPECT_NO_THROW(nlohmann::json(text_of_path(path)).dump());
+    }
+}
+
+TEST(ArchiveNames, ArePlainOrNotTaken) {
+    for (const std::string& name : {std::string("a"), std::string("..."), std::string(".a"), std::string("a\n\xFF"),
+                                    std::string(longest_name, 'n')}) {
+        EXPECT_TRUE(is_plain_name(name)) << name;
+        EXPECT_TRUE(is_plain_path("cam/" + name)) << name;
+    }
+    for (const std::string& name : {std::string(), std::string("."), std::string(".."), std::string("a\0", 2),
+                                    std::string(longest_name + 1, 'n')}) {
+        EXPECT_FALSE(is_plain_name(name)) << name;
+        for (const std::string& path : {name, name + "/x", "x/" + name, "x/" + name + "/x"}) {
+            EXPECT_FALSE(is_plain_path(path)) << path;
+        }
+    }
+    for (const char* path : {"/x", "../x", "x/../../y", "x/", "/"}) {
+        EXPECT_FALSE(is_plain_name(path)) << path;
+        EXPECT_FALSE(is_plain_path(path)) << path;
     }
 }
 
@@ -174,6 +202,18 @@ TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
     for (const ScanProblem& problem : scan.problems) refused.insert(problem.path);
     EXPECT_EQ(refused, (std::set<std::string>{"index", "a.report", "c"}));
     EXPECT_EQ(scan.clips.size(), 4);
+}
+
+TEST_F(Archive, RefusesNamesThatAreTooLong) {
+    const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
+    for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
+    const Scan scan = scan_archive(in(), out(), ClipNames());
+    EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
+    EXPECT_EQ(scan.problems[1].reason, "its '" + long_one +
+                                           ".report.json' would be too long a name (256 bytes, 255 are "
+                                           "possible); rename the clip");
 }
 
 TEST_F(Archive, ReadsWhatItWroteOfAClip) {
@@ -282,7 +322,7 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
         const auto claim = Claim::try_take(out(), "a.avi");
         ASSERT_TRUE(claim);
         EXPECT_TRUE(claim->was_left_behind());
-        tidy(list_outputs(out(), in()));
+        tidy(out(), list_outputs(out(), in()));
         EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
     }
     const pid_t other = ::fork();
@@ -291,10 +331,72 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
         ::_exit(claim ? 0 : 1);
     }
     ASSERT_EQ(::waitpid(other, &status, 0), other);
-    tidy(list_outputs(out(), in()));
+    tidy(out(), list_outputs(out(), in()));
     EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
     EXPECT_TRUE(fs::exists(out() / "other.png"));
     EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+}
+
+TEST_F(Archive, TakesOverNoClaimThatIsNone) {
+    write(out() / "victim/photo.png");
+    write(out() / "photo.png");
+    std::vector<fs::path> files;
+    for (const std::string& name : {std::string("victim/photo"), std::string("../out/victim/photo"), std::string("."),
+                                    (out() / "victim/photo").string(), std::string(".."), std::string(),
+                                    std::string("photo\0", 6), std::string(longest_name + 1, 'n')}) {
+        files.push_back(leave_claim(name, name));
+    }
+    files.push_back(leave_claim("another name", "photo"));
+    write(out() / "elsewhere", "photo");
+    files.push_back(leave_claim("photo", ""));
+    fs::remove(files.back());
+    fs::create_symlink("elsewhere", files.back());
+    files.push_back(leave_claim("pipe", ""));
+    fs::remove(files.back());
+    ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
+    for (const fs::path& file : files) {
+        EXPECT_TRUE(Claim::is_claim(file));
+        EXPECT_FALSE(Claim::take_over(file)) << file;
+        EXPECT_TRUE(fs::exists(file)) << file;
+    }
+    tidy(out(), list_outputs(out(), in()));
+    EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
+    EXPECT_TRUE(fs::exists(out() / "photo.png"));
+    EXPECT_TRUE(Claim::take_over(leave_claim("good", "good")));
+}
+
+TEST_F(Archive, ClaimsThroughNoLink) {
+    const fs::path file = leave_claim("a.avi", "");
+    for (const char* target : {"nowhere", "empty"}) {
+        write(out() / "empty", "");
+        fs::remove(file);
+        fs::create_symlink(target, file);
+        EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+        EXPECT_FALSE(fs::exists(out() / "nowhere"));
+        EXPECT_TRUE(fs::is_empty(out() / "empty"));
+        EXPECT_TRUE(fs::is_symlink(file));
+    }
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
+    done("x.report");
+    leave_claim("x", "x");
+    leave_claim("index", "index");
+    write(out() / "index.html");
+    write(out() / "x.png");
+    fs::create_symlink("index.html", out() / "x.html");
+    fs::create_directory(out() / "x.jpg");
+    tidy(out(), list_outputs(out(), in()));
+    EXPECT_FALSE(fs::exists(out() / "x.png"));
+    EXPECT_TRUE(fs::is_symlink(out() / "x.html"));
+    EXPECT_TRUE(fs::exists(out() / "x.jpg"));
+    EXPECT_TRUE(fs::exists(out() / "index.html"));
+    EXPECT_TRUE(read_sidecar(out(), "x.report")) << "where the report of x would be";
+    EXPECT_TRUE(list_outputs(out(), in()).claims.empty());
 }
 
 TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {

@@ -1,23 +1,31 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/fnv.h"
+#include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
 
 namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 
 /// A folder of its own for each test, gone at the end.
 class ImageTest : public testing::Test {
@@ -210,6 +218,48 @@ TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
     std::ofstream(file("text.png")) << "not a picture";
     expect_text(error_of([&] { read_picture(file("text.png")); }), "cannot read picture");
     expect_text(error_of([&] { read_picture(file("none.png")); }), "none.png");
+}
+
+TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
+    const auto part = [&](int number) {
+        char name[64];
+        std::snprintf(name, sizeof name, ".vvr-%016lx-%d.part", static_cast<unsigned long>(fnv1a("x")), number);
+        return file(name);
+    };
+    const auto leave = [&](int number) {
+        std::ofstream(part(number)) << "half";
+        fs::last_write_time(part(number), fs::file_time_type::clock::now() - 61min);
+    };
+    const auto replace = [&](const std::string& text) {
+        replace_file(file("x"), std::as_bytes(std::span(text)));
+        EXPECT_EQ(bytes(file("x")), text);
+    };
+    leave(0);
+    leave(1);
+    replace("first");
+    EXPECT_EQ(files(), 1) << "two that were left";
+    leave(0);
+    const int writer = ::open(part(0).c_str(), O_WRONLY);
+    ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+    replace("second");
+    const std::vector<std::string> names{"x"};
+    remove_leftovers(file("."), names);
+    EXPECT_EQ(bytes(part(0)), "half") << "somebody is writing it";
+    ::close(writer);
+    check_file_path(file("x"));
+    EXPECT_EQ(files(), 1);
+    std::ofstream(part(0)) << "half";
+    remove_leftovers(file("."), names);
+    EXPECT_EQ(files(), 1) << "young, but known to be nobody's";
+}
+
+TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
+    fs::create_symlink("round", file("round"));
+    const std::string text = "text";
+    const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    EXPECT_NE(std::string(error.what()).find("it is a link that can't be followed"), std::string::npos);
+    EXPECT_EQ(files(), 1);
 }
 
 }  // namespace
