@@ -2,7 +2,7 @@
 
 #include "core/fields/choice.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
+#include "core/fields/solvers.h"
 
 namespace vvr {
 namespace {
