@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/pipeline.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {

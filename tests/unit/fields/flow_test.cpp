@@ -9,10 +9,10 @@
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/flows/median.h"
-#include "core/fields/flows/solvers.h"
+#include "core/fields/solvers.h"
 #include "tests/support/errors.h"
-#include "tests/unit/fields_flow_tools.h"
-#include "tests/unit/fields_plain_jacobi.h"
+#include "tests/unit/fields/flow_tools.h"
+#include "tests/unit/fields/plain_jacobi.h"
 
 namespace vvr {
 namespace {

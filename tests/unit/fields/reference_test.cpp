@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/reference.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {

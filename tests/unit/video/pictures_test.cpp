@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "tests/unit/video_clips.h"
+#include "tests/unit/video/clips.h"
 
 namespace vvr {
 namespace {

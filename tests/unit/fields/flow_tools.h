@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/fields/flow.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr::test {
 

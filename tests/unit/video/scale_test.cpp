@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/video_clips.h"
+#include "tests/unit/video/clips.h"
 
 namespace vvr {
 namespace {

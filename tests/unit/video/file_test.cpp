@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/video/packet_scan.h"
-#include "tests/unit/video_clips.h"
+#include "tests/unit/video/clips.h"
 
 namespace vvr {
 namespace {

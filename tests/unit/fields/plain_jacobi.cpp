@@ -1,4 +1,4 @@
-#include "tests/unit/fields_plain_jacobi.h"
+#include "tests/unit/fields/plain_jacobi.h"
 
 #include <utility>
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/flows/derivatives.h"
-#include "tests/unit/fields_flow_tools.h"
+#include "tests/unit/fields/flow_tools.h"
 
 namespace vvr {
 namespace {

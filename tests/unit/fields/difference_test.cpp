@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/object.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/fields/pipeline.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
-#include "tests/unit/fields_flow_tools.h"
+#include "tests/unit/fields/flow_tools.h"
 
 namespace vvr {
 namespace {
