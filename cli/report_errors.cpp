@@ -11,8 +11,7 @@ namespace vvr {
 std::string with_flags(const std::string& text, const About& about) {
     std::string flagged = text;
     std::string others;
-    for (const std::string_view name : about.names()) {
-        if (name.empty()) continue;
+    for (const std::string& name : about.names()) {
         if (text.starts_with(name)) {
             flagged = "--" + text;
         } else {

@@ -61,7 +61,7 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
         throw Error(ErrorKind::limit,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
-                                "make the field smaller or the bricks shorter",
+                                "choose smaller fields or shorter bricks",
                                 width, height, layers.brick().count, largest),
                     {"field-size", "brick"});
     }

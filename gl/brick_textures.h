@@ -37,7 +37,7 @@ class BrickTextures {
     struct Slot {
         GlTexture texture;
         std::int64_t number = nobody;  ///< of the brick
-        PixelBox box;  ///< of the layers' texels
+        PixelBox box;                  ///< of the layers' texels
         std::int64_t layers = 0;
         bool coloured = false;
     };

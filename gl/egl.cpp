@@ -81,8 +81,7 @@ std::vector<Device> list_devices(const Egl& egl) {
 
 class EglContext final : public Context {
   public:
-    EglContext(std::string backend, Egl egl, const Device& device)
-        : Context(std::move(backend)), egl_(std::move(egl)) {
+    EglContext(std::string backend, Egl egl, const Device& device) : Context(std::move(backend)), egl_(std::move(egl)) {
         display_ = egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
         if (display_ == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
         if (!egl_.initialize(display_, nullptr, nullptr)) fail("eglInitialize");

@@ -36,8 +36,17 @@ struct OSMesa {
 class OSMesaContext final : public Context {
   public:
     OSMesaContext() : Context("osmesa") {
-        constexpr std::array attributes = {osmesa_format,  GL_RGBA, osmesa_depth_bits, 0,  osmesa_profile,
-                                           osmesa_core_profile, osmesa_major, 3, osmesa_minor, 3, 0};
+        constexpr std::array attributes = {osmesa_format,
+                                           GL_RGBA,
+                                           osmesa_depth_bits,
+                                           0,
+                                           osmesa_profile,
+                                           osmesa_core_profile,
+                                           osmesa_major,
+                                           3,
+                                           osmesa_minor,
+                                           3,
+                                           0};
         handle_.reset(mesa_.create(attributes.data(), nullptr));
         if (!handle_) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
         if (!mesa_.make_current(handle_.get(), surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
@@ -50,7 +59,7 @@ class OSMesaContext final : public Context {
     }
 
   private:
-    // OSMesa wants a picture to draw into; ours is drawn into a framebuffer object, so the smallest one does.
+    // OSMesa needs a picture to draw into. We draw into a framebuffer object, so a small one is enough.
     static constexpr int side = 4;
 
     OSMesa mesa_;

@@ -17,7 +17,7 @@
 #include "gl/context.h"
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
-#include "gl/seen_target.h"
+#include "gl/pixel_data_target.h"
 #include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
@@ -28,7 +28,7 @@ struct RenderOptions {
     View view;
     std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
     int slices = 0;                       ///< 0 = one for every two voxels
-    int samples = 4;                      ///< a pixel, for smooth edges; 1 takes about half the time
+    int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
     std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
     glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
     VolumeColour colour = VolumeColour::transfer;
@@ -38,7 +38,7 @@ struct RenderOptions {
 };
 
 /// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
-/// (§6.2), so that each hides the other where it should.
+/// (§6.2), so that each hides the other.
 class Renderer {
   public:
     /// `context` and `layout` outlive the renderer.
@@ -54,14 +54,14 @@ class Renderer {
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(BrickWindow& window, double phase = 0);
 
-    /// What is seen in each pixel of the picture, at its centre: opaque geometry where it contributes at least as much
-    /// as all that stands before it, else the sample of the volume, or the standing frame, that contributes most.
-    /// Lines show no frame and hide none. It takes a pass of its own, and leaves `draw` as it is.
+    /// What each pixel of the picture shows at its centre: opaque geometry where it contributes at least as much as all
+    /// in front of it, else the sample of the volume, or the standing frame, that contributes most. Lines show no frame
+    /// and hide none. This is a pass of its own; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
-    PictureLayers draw_layers(BrickWindow& window, const TimeTable& times);
+    PixelData draw_pixel_data(BrickWindow& window, const TimeTable& times);
 
     /// Draws a tile of the picture, no larger than `tile_samples` allows, and reads nothing back.
-    void draw_tile(BrickWindow& window, const Tile& tile, double phase = 0);
+    void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);
 
     /// Draws and reads back a corner of the picture, so that the driver compiles its shaders. Mesa compiles a shader
     /// when it first draws with it.
@@ -73,16 +73,15 @@ class Renderer {
     SliceStack slices(const BrickWindow& window, const Camera& camera) const;
 
   private:
-    Plane<glm::vec4> draw_tile_seen(BrickWindow& window, const SliceStack& stack, std::int64_t frames_a_layer,
-                                    const Tile& tile);
+    Plane<glm::vec4> draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
 
     const GladGLContext* gl_;
     const Layout* layout_;
     RenderOptions options_;
     Camera camera_;
-    std::vector<Tile> tiles_;
+    std::vector<PixelBox> tiles_;
     Framebuffer framebuffer_;
-    std::optional<SeenTarget> seen_;  ///< made when layers are first asked for
+    std::optional<PixelDataTarget> pixel_data_;  ///< made when it is first drawn
     VolumeSlicer slicer_;
     FlowGeometry flow_geometry_;
     TracelineStrips traceline_strips_;

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/scene/slices.h"
@@ -12,39 +10,14 @@
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 #include "gl/brick_window.h"
+#include "gl/pixel_data_target.h"
 #include "gl/program.h"
-#include "gl/seen_target.h"
+#include "gl/volume_look.h"
 
 namespace vvr {
 
-/// Where the volume's colour comes from; extinction is always the transfer function's.
-enum class VolumeColour { transfer, video };
-
-struct VolumeColourRow {
-    VolumeColour colour;
-    std::string_view name;
-    std::string_view help;
-    std::string_view shader;  ///< defines optical_of(voxel)
-};
-
-/// The sources of colour there are; the first is the default.
-std::span<const VolumeColourRow> volume_colours();
-
-/// How light falls on the volume.
-enum class VolumeShading { none, relief };
-
-struct VolumeShadingRow {
-    VolumeShading shading;
-    std::string_view name;
-    std::string_view help;
-    std::string_view shader;  ///< defines shaded(colour)
-};
-
-/// The ways there are; the first is the default.
-std::span<const VolumeShadingRow> volume_shadings();
-
 /// Draws the window's bricks as view-aligned slices, back to front, with the layout's backward map in the fragment
-/// shader (§5.1, §6.1): one draw call a brick, in visibility order.
+/// shader (§5.1, §6.1): one draw call per brick, in visibility order.
 class VolumeSlicer {
   public:
     /// \param colour for VolumeColour::video the bricks are coloured ones
@@ -54,10 +27,10 @@ class VolumeSlicer {
 
     void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack);
 
-    /// The same into a target of what is seen: frames are counted from the window's first.
-    /// \param frames_a_layer of the volume
-    void draw_seen(BrickWindow& window, const Camera& camera, const SliceStack& stack, std::int64_t frames_a_layer,
-                   const SeenTarget& target);
+    /// Draws into a target of pixel data. Frames are counted from the window's first.
+    /// \param frames_per_layer of the volume
+    void draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+                         std::int64_t frames_per_layer, const PixelDataTarget& target);
 
   private:
     /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh.
@@ -68,7 +41,7 @@ class VolumeSlicer {
     const Layout* layout_;
     VolumeColour colour_;
     Program program_;
-    std::optional<Program> seen_program_;  ///< made when it is first asked for
+    std::optional<Program> pixel_data_program_;  ///< made when it is first used
     TransferFunction transfer_;
     GlTexture transfer_texture_;
     GlVertexArray vertex_array_;

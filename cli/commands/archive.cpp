@@ -1,8 +1,6 @@
 #include "cli/options/archive.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,16 +10,12 @@
 #include "cli/render/open_fields.h"
 #include "cli/render/settings.h"
 #include "core/archive/names.h"
+#include "core/read_file.h"
 #include "core/sha256.h"
 
 namespace vvr {
 
 namespace {
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
 std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
@@ -30,11 +24,13 @@ std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
         for (const OptionValue& value : line.values({group})) {
             text += fmt::format("{}={}\n", value.name, value.shown());
             std::error_code none;
-            if (value.may_be_file && std::filesystem::is_regular_file(value.value, none)) text += bytes_of(value.value);
+            if (value.may_be_file && std::filesystem::is_regular_file(value.value, none))
+                text += read_file(value.value);
         }
     }
     for (const OutputRow& row : output_rows) {
-        if (row.kind != OutputKind::page || !options.no_pages) text += fmt::format("file {}\n", static_cast<int>(row.kind));
+        if (row.kind != OutputKind::page || !options.no_pages)
+            text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
     std::string digest;
     for (const std::byte byte : sha256(text)) digest += fmt::format("{:02x}", std::to_integer<int>(byte));

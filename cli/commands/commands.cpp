@@ -6,6 +6,7 @@
 #include "cli/commands/command.h"
 #include "cli/options/talk.h"
 #include "cli/print.h"
+#include "cli/versions.h"
 #include "core/error.h"
 #include "core/suggest.h"
 
@@ -42,6 +43,10 @@ ExitStatus run_command(Arguments arguments, const Environment& environment) {
     const std::string& name = arguments.front();
     if (name == "--help" || name == "-h" || name == "help") {
         print(help());
+        return ExitStatus::done;
+    }
+    if (name == "--version") {
+        print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return ExitStatus::done;
     }
     const auto row = std::ranges::find(table, name, &CommandRow::name);

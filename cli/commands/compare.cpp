@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
+#include "core/json_text.h"
 
 namespace vvr {
 
@@ -32,10 +33,10 @@ class Compare final : public Command {
                         fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names_.size()));
         }
         check(options_);
-        const Samples a = without_layers(read_samples(names_[0]));
-        const Samples b = without_layers(read_samples(names_[1]));
+        const Samples a = without_pixel_data(read_samples(names_[0]));
+        const Samples b = without_pixel_data(read_samples(names_[1]));
         const Comparison comparison = compare(a, b, options_.tolerance);
-        print(json_ ? json_text(comparison) : numbers_of(comparison));
+        print(json_ ? json_of_files(comparison) : numbers_of(comparison));
         Console console(environment, false);
         if (comparison.has_numbers() && !options_.diff.empty()) {
             const auto held = console.guard();
@@ -48,10 +49,10 @@ class Compare final : public Command {
     }
 
   private:
-    std::string json_text(const Comparison& comparison) const {
+    std::string json_of_files(const Comparison& comparison) const {
         nlohmann::ordered_json json{{"a", names_[0]}, {"b", names_[1]}};
         json.update(json_of(comparison));
-        return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        return json_text(json, 2) + "\n";
     }
 
     std::vector<std::string> names_;

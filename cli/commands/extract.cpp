@@ -13,11 +13,10 @@ namespace vvr {
 namespace {
 
 namespace text {
-constexpr Setting output{
-    "output", "DIR", "a new or empty folder, or one with an older extraction, which is replaced"};
+constexpr Setting output{"output", "DIR", "a new or empty folder, or one with an older extraction, which is replaced"};
 constexpr Setting with_color{"with-color", "", "keep every frame's picture, for renders with --color video"};
-constexpr Setting part{
-    "part", "I/N", "only the I-th of N parts of the clip, 1/N to N/N, as from one extraction of all of it"};
+constexpr Setting part{"part", "I/N",
+                       "only the I-th of N parts of the clip, 1/N to N/N, as from one extraction of all of it"};
 }  // namespace text
 
 class Extract final : public Command {

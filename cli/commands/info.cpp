@@ -6,6 +6,7 @@
 #include "cli/print.h"
 #include "cli/render/open_fields.h"
 #include "cli/render/plan.h"
+#include "core/json_text.h"
 #include "core/labels/time_ticks.h"
 #include "core/words.h"
 
@@ -64,7 +65,7 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
           {"bricks", plan.bricks},
           {"memory_bytes", plan.bytes}}},
     };
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 constexpr Setting json_option{"json", "", "for programs: null where the container does not say"};

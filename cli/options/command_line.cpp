@@ -19,7 +19,8 @@ namespace vvr {
 
 namespace {
 
-constexpr Setting config{"config", "FILE", "read long option names and values, as `size = 1280x800`; the command line wins"};
+constexpr Setting config{"config", "FILE",
+                         "read long option names and values, as `size = 1280x800`; the command line wins"};
 
 template <class T>
 struct Unwrapped {
@@ -48,7 +49,7 @@ void as_setting(const Setting& setting, Action action) {
     try {
         action();
     } catch (const Error& error) {
-        if (error.about().names()[0] == setting.name) throw;
+        if (!error.about().names().empty() && error.about().names().front() == setting.name) throw;
         throw Error(error.kind(), fmt::format("{}: {}", setting.name, error.what()), {setting.name});
     }
 }
@@ -68,7 +69,8 @@ struct CommandLine::Impl {
             std::ranges::any_of(groups, [&](Group group) { return option.get_group() == title_of(group); });
         if (!asked || option.get_lnames().empty()) return std::nullopt;
         return OptionValue{option.get_lnames().front(),
-                           option.empty() ? option.get_default_str() : option.results().back(), files.contains(&option)};
+                           option.empty() ? option.get_default_str() : option.results().back(),
+                           files.contains(&option)};
     }
 };
 
@@ -114,8 +116,8 @@ void CommandLine::number(Group group, Number& target, const Setting& setting, co
     }
     const auto set = [&target, range = setting.range](const std::string& given) {
         if constexpr (std::is_integral_v<Value>) {
-            target = static_cast<Value>(parse_integer(given, static_cast<std::int64_t>(range.low),
-                                                      static_cast<std::int64_t>(range.high)));
+            target = static_cast<Value>(
+                parse_integer(given, static_cast<std::int64_t>(range.low), static_cast<std::int64_t>(range.high)));
         } else {
             target = parse_number(given, range);
         }
@@ -130,16 +132,18 @@ template void CommandLine::number(Group, std::optional<double>&, const Setting&,
 template void CommandLine::number(Group, std::optional<int>&, const Setting&, const OptionExtra&);
 
 void CommandLine::text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra) {
-    value(group, setting, target, [&target](const std::string& given) { target = given; }, extra);
+    value(
+        group, setting, target, [&target](const std::string& given) { target = given; }, extra);
 }
 
-void CommandLine::path(Group group, std::filesystem::path& target, const Setting& setting,
-                       const OptionExtra& extra) {
-    value(group, setting, target.string(), [&target](const std::string& given) { target = given; }, extra);
+void CommandLine::path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra) {
+    value(
+        group, setting, target.string(), [&target](const std::string& given) { target = given; }, extra);
 }
 
 void CommandLine::flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra) {
-    impl_->app.add_flag(flag_of(setting, extra.letter), target, std::string(setting.help) + extra.help)->group(title_of(group));
+    impl_->app.add_flag(flag_of(setting, extra.letter), target, std::string(setting.help) + extra.help)
+        ->group(title_of(group));
 }
 
 void CommandLine::list(Group group, std::vector<std::string>& target, const Setting& setting,
@@ -153,13 +157,12 @@ void CommandLine::list(Group group, std::vector<std::string>& target, const Sett
 
 void CommandLine::name(Group group, std::string& target, const std::vector<std::string>& names,
                        const Setting& setting) {
-    value(
-        group, setting, target,
-        [&target, names, name = setting.name](const std::string& given) {
-            if (std::ranges::count(names, given) == 0) refuse_choice(name, given, names);
-            target = given;
-        },
-        {.help = fmt::format(": {}", fmt::join(names, ", "))});
+    value(group, setting, target,
+          [&target, names, name = setting.name](const std::string& given) {
+              if (std::ranges::count(names, given) == 0) refuse_choice(name, given, names);
+              target = given;
+          },
+          {.help = fmt::format(": {}", fmt::join(names, ", "))});
 }
 
 void CommandLine::add_footer(const std::string& text) {

@@ -36,7 +36,7 @@ struct OptionValue {
 
 /// What an option has beside its setting.
 struct OptionExtra {
-    char letter = 0;    ///< its short name
+    char letter = 0;     ///< its short name
     std::string help{};  ///< goes on from the setting's
 };
 
@@ -82,10 +82,9 @@ class CommandLine {
     template <class Rows, class Set>
     void choice(Group group, const Rows& rows, std::string_view chosen, const Setting& setting, Set set) {
         explain(setting, rows);
-        value(
-            group, setting, std::string(chosen),
-            [set, rows, name = setting.name](const std::string& given) { set(choose(name, given, rows)); },
-            {.help = list_of(rows)});
+        value(group, setting, std::string(chosen),
+              [set, rows, name = setting.name](const std::string& given) { set(choose(name, given, rows)); },
+              {.help = list_of(rows)});
     }
 
     /// The name of one row of a table.

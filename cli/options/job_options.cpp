@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
 #include "core/fields/illumination.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
+#include "core/fields/solvers.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -58,8 +58,7 @@ void add_input_options(CommandLine& line, InputOptions& options, const std::stri
 void add_span_options(CommandLine& line, FrameSpan& span) {
     line.value(Group::input, setting::start, std::string(setting::start.otherwise),
                [&span](const std::string& given) { set_start(span, parse_time(given)); });
-    line.value(Group::input, setting::end, "",
-               [&span](const std::string& given) { set_end(span, parse_time(given)); });
+    line.value(Group::input, setting::end, "", [&span](const std::string& given) { set_end(span, parse_time(given)); });
 }
 
 void add_field_options(CommandLine& line, FieldOptions& options) {

@@ -12,8 +12,9 @@ inline constexpr std::initializer_list<Group> picture_groups{Group::input, Group
 
 /// INPUT, if `help` says what it is, and how it is read.
 void add_input_options(CommandLine& line, InputOptions& options,
-                       const std::string& help = "a video file, a folder or pattern of pictures (frames/%05d.png), "
-                                                 "- for stdin");
+                       const std::string& help =
+                           "a video file, a folder or pattern of pictures (frames/%05d.png), "
+                           "- for stdin");
 
 /// The part of a clip that is read.
 void add_span_options(CommandLine& line, FrameSpan& span);

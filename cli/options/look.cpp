@@ -62,8 +62,7 @@ void add_look_options(CommandLine& line, RenderJob& job) {
     LookOptions& look = job.look;
     line.explain(setting::show, parts());
     line.value(group, setting::show, text_of(look.show),
-               [&look](const std::string& given) { look.show = parse_parts(given); },
-               {.help = list_of(parts())});
+               [&look](const std::string& given) { look.show = parse_parts(given); }, {.help = list_of(parts())});
     line.number(group, look.keyframes, setting::keyframes);
     line.choice(group, themes(), look.theme.name, setting::theme, [&look](const Theme& row) { look.theme = row; });
     line.value(group, setting::background, "",
@@ -71,8 +70,7 @@ void add_look_options(CommandLine& line, RenderJob& job) {
     line.text(group, look.title, setting::title);
     line.value(group, setting::start_time, "",
                [&look](const std::string& given) { look.start_time = parse_start(given); });
-    line.value(group, setting::transfer,
-               std::string(setting::transfer.otherwise),
+    line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
                [&look](const std::string& given) { look.transfer = find_transfer(given); },
                {.help = list_of(transfer_functions()) + ", or a file of points"});
     line.choice(group, volume_colours(), volume_colours().front().name, setting::colour,

@@ -23,10 +23,13 @@ constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting plain_name{"plain-name", "", "FILE has no field, whatever is in its name"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
 constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
-constexpr Setting report{"report", "FILE", "a JSON file of the input, the settings, the events and the run; needs no -o"};
-constexpr Setting golden{"golden", "FILE", "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
+constexpr Setting report{"report", "FILE",
+                         "a JSON file of the input, the settings, the events and the run; needs no -o"};
+constexpr Setting golden{"golden", "FILE",
+                         "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
 constexpr Setting bless{"bless", "", "make the picture the golden one instead of comparing"};
-constexpr Setting diff{"diff", "FILE", "a picture of the differences: yellow = small, red = larger, black = all of the range"};
+constexpr Setting diff{"diff", "FILE",
+                       "a picture of the differences: yellow = small, red = larger, black = all of the range"};
 }  // namespace text
 
 /// Whether both name one file, be it there or not.
@@ -64,8 +67,7 @@ void check_names(const OutputOptions& options) {
 /// The page and the thumbnail beside a picture.
 void check_companions(const OutputOptions& options) {
     if (!options.page.empty() && !is_page(options.page)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
+        throw Error(ErrorKind::usage, fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
     }
     if (!options.page.empty() && is_page(options.path)) {
         throw Error(ErrorKind::usage,
@@ -77,9 +79,9 @@ void check_companions(const OutputOptions& options) {
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
         if (options.path.empty() || pictures_of(options) > 1 || is_series(options)) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("{} goes with one picture; {}", option,
-                                    options.path.empty() ? "say where that goes with -o FILE" : "make those separately"));
+            throw Error(ErrorKind::usage, fmt::format("{} goes with one picture; {}", option,
+                                                      options.path.empty() ? "say where that goes with -o FILE"
+                                                                           : "make those separately"));
         }
         check_file_path(path);
     }

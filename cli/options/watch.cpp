@@ -56,7 +56,7 @@ void check_stream(const CommandLine& line, const RenderJob& job) {
         {job.bricks.skip_idle > 0, "--skip-idle",
          "it is for one picture of a clip; the pictures of a series share one scale of time"},
         {job.look.keyframes > 0, "--keyframes",
-         "they are for one picture of a clip; the pictures of a series show their first and last frame"},
+         "it is for one picture of a clip; the pictures of a series show their first and last frame"},
         {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference,
          "it takes the whole clip; take running, first or a picture"},
     };

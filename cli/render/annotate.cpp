@@ -71,17 +71,17 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
 }
 
 std::string span_of(const Caption& caption, const Volume& volume) {
-    std::string text = fmt::format("{}, {}", counted(caption.frames, "frame"),
-                                   format_span(caption.begin, caption.end, caption.clock));
+    std::string text =
+        fmt::format("{}, {}", counted(caption.frames, "frame"), format_span(caption.begin, caption.end, caption.clock));
     if (volume.left_out() > 0) text += fmt::format(", {} without motion left out", format_length(volume.left_out()));
     return text;
 }
 
 /// In the middle of the volume: an empty picture would look like a mistake.
 void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& lettering) {
-    const Tile& tile = framing.sheet.volume;
-    lettering.add(make_label_around("nothing moves", framing.sheet.text * 2, tile.column + tile.size.width / 2.0,
-                                    tile.row + tile.size.height / 2.0, colour),
+    const PixelBox& box = framing.sheet.volume;
+    lettering.add(make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
+                                    (box.top + box.bottom) / 2.0, colour),
                   framing.sheet.between, 0);
 }
 
@@ -90,20 +90,21 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
 Framing frame_volume(const RenderJob& job, const Layout& layout) {
     Framing framing;
     const bool ruler = job.look.show.has(Part::ruler);
-    framing.sheet = arrange_sheet(job.picture.size, {job.look.show.has(Part::title), ruler, job.look.show.has(Part::legend)});
-    const Tile& tile = framing.sheet.volume;
+    framing.sheet =
+        arrange_sheet(job.picture.size, {job.look.show.has(Part::title), ruler, job.look.show.has(Part::legend)});
+    const PixelBox& part = framing.sheet.volume;
     std::vector<glm::dvec3> points = outline_points(layout);
     if (job.look.show.any(&PartRow::around_volume)) points = corners(layout_box(layout));
     View view = job.picture.view;
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
-    Camera camera = fit_camera(view, points, tile.size);
-    framing.edge = outer_edge(layout, camera, tile.size);
+    Camera camera = fit_camera(view, points, part.size());
+    framing.edge = outer_edge(layout, camera, part.size());
     if (ruler) {
         const std::vector<glm::dvec3> reach = ruler_reach(layout, framing.edge);
         points.insert(points.end(), reach.begin(), reach.end());
-        camera = fit_camera(view, points, tile.size);
+        camera = fit_camera(view, points, part.size());
     }
-    framing.camera = camera.within(tile, job.picture.size);
+    framing.camera = camera.within(part, job.picture.size);
     return framing;
 }
 

@@ -26,8 +26,8 @@ Framing frame_volume(const RenderJob& job, const Layout& layout);
 struct Caption {
     std::string title;
     std::int64_t frames = 0;
-    double begin = 0;  ///< seconds of the first frame in the clip
-    double end = 0;    ///< seconds of the last frame
+    double begin = 0;    ///< seconds of the first frame in the clip
+    double end = 0;      ///< seconds of the last frame
     bool still = false;  ///< nothing of the volume is visible
     WallClock clock{};   ///< when the clip began
 };

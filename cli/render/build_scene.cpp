@@ -53,7 +53,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.look.show.has(Part::floor)) scene.floor = floor_shadow(volume, job.look.theme.shadow);
     if (job.look.show.has(Part::frames)) {
         constexpr float at_the_ends = 0.5F;
-        constexpr float between = 0.3F;  // they stand before what the volume shows
+        constexpr float between = 0.3F;  // they hide what is behind them
         const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
             Plane<Bgr> picture = picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
@@ -87,8 +87,9 @@ void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const 
     if (job.look.show.has(Part::slices)) {
         constexpr int shown = 20;
         const Renderer& renderer = *drawing.renderer;
-        const Camera camera =
-            job.look.slice_view ? fit_camera(*job.look.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
+        const Camera camera = job.look.slice_view
+                                  ? fit_camera(*job.look.slice_view, outline_points(layout), job.picture.size)
+                                  : renderer.camera();
         const SliceStack stack = renderer.slices(*drawing.window, camera);
         add(slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
     }
@@ -104,7 +105,7 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase) {
     Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
-    if (pixel_data) picture.layers = drawing.renderer->draw_layers(*drawing.window, TimeTable(volume));
+    if (pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
     draw(picture, lettering);
     return picture;
 }

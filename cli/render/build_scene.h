@@ -28,7 +28,7 @@ struct WindowFrames {
     std::span<const KeyFrame> between{};
 };
 
-/// Puts into the report what there is before anything is drawn.
+/// Reports the source and the context.
 void describe(const FieldSource& source, const Context& context, RenderReport& report);
 
 /// What a picture of `frames` frames needs of the fields.
@@ -36,7 +36,7 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
 
-/// The frame's colours where the volume takes them, else none.
+/// The frame's colours if the volume shows them, else none.
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.

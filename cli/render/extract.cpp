@@ -27,11 +27,11 @@ void choose_part(ExtractJob& job, const VideoInfo& clip) {
     }
     const auto [part, count] = *job.part;
     if (clip.frames < count) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part,
-                                count, clip.name,
-                                clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
-                    {"part", setting::start.name, setting::end.name});
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part, count,
+                        clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
+            {"part", setting::start.name, setting::end.name});
     }
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
     if (part > 1) {

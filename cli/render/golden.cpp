@@ -1,7 +1,7 @@
 #include "cli/render/golden.h"
 
 #include <algorithm>
-#include <span>
+#include <cstddef>
 #include <system_error>
 #include <vector>
 
@@ -18,11 +18,7 @@ namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<unsigned char>;
-
-void write(const fs::path& path, const Bytes& bytes) {
-    replace_file(path, std::as_bytes(std::span(bytes)));
-}
+using Bytes = std::vector<std::byte>;
 
 void remove_candidate(const fs::path& golden) {
     std::error_code none;
@@ -34,7 +30,7 @@ void remove_candidate(const fs::path& golden) {
 [[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
-        write(candidate, bytes);
+        replace_file(candidate, bytes);
     } catch (const Error& error) {
         throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
     }
@@ -48,8 +44,9 @@ std::string renderer_of(const Metadata& metadata) {
 }
 
 /// Another renderer is the first thing to suspect.
-void show_renderers(const fs::path& golden, const Metadata& metadata, Observer& observer) {
-    const std::string before = renderer_of(read_metadata(golden));
+void show_renderers(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
+                    Observer& observer) {
+    const std::string before = renderer_of(golden_settings);
     const std::string now = renderer_of(metadata);
     if (!before.empty() && before != now) {
         observer.info(fmt::format("'{}' was drawn by {}, this by {}", golden.string(), before, now));
@@ -62,14 +59,13 @@ fs::path candidate_of(const fs::path& golden) {
     return fs::path(golden).replace_extension(".candidate" + golden.extension().string());
 }
 
-void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata,
-                 Observer& observer) {
+void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
     const fs::path& golden = options.path;
     const ComparisonOptions& how = options.comparison;
     const Bytes bytes = encode_picture(golden, picture, metadata);
     const auto held = observer.guard();
     if (options.bless) {
-        write(golden, bytes);
+        replace_file(golden, bytes);
         remove_candidate(golden);
         observer.info(fmt::format("'{}': blessed", golden.string()));
         return;
@@ -77,7 +73,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     if (!fs::exists(golden)) {
         fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
     }
-    const Samples expected = without_layers(read_samples(golden));
+    const Samples expected = without_pixel_data(read_samples(golden));
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));
@@ -87,7 +83,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
                                   golden.string(), comparison.percent, comparison.patch));
         return;
     }
-    show_renderers(golden, metadata, observer);
+    show_renderers(golden, settings_of(expected), metadata, observer);
     show_difference(comparison, how.tolerance, observer);
     fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }

@@ -24,9 +24,10 @@ void inspect(const InspectJob& job, Observer& observer) {
     });
     const std::string name = job.path.string();
     if (!inspection.captions) {
-        observer.warn(fmt::format("fontconfig finds no font, so '{}' has no captions; install one, for example "
-                                  "fonts-dejavu-core",
-                                  name));
+        observer.warn(
+            fmt::format("fontconfig finds no font, so '{}' has no captions; install one, for example "
+                        "fonts-dejavu-core",
+                        name));
     }
     const auto held = observer.guard();
     write_picture(job.path, inspection.picture);

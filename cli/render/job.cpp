@@ -32,7 +32,7 @@ void validate(const BrickOptions& bricks, const LookOptions& look, bool series) 
     }
     if (series && look.keyframes > 0) {
         throw Error(ErrorKind::usage,
-                    "keyframes are for one picture of a clip; the pictures of a series show their first and last frame",
+                    "keyframes is for one picture of a clip; the pictures of a series show their first and last frame",
                     {setting::keyframes.name});
     }
 }
@@ -50,10 +50,10 @@ void validate(const LayoutOptions& shape) {
     check(setting::radius, shape.r_min);
     check(setting::radius, shape.r_max);
     if (shape.r_min < shape.r_max) return;
-    throw Error(ErrorKind::usage,
-                fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min,
-                            shape.r_max),
-                {setting::radius.name});
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min, shape.r_max),
+        {setting::radius.name});
 }
 
 void validate(const RenderJob& job) {
@@ -70,8 +70,7 @@ Products products_of(const RenderJob& job) {
     Products products;
     products.pictures = pictures_of(output);
     products.series = is_series(output);
-    products.pixel_data =
-        page || (!output.path.empty() && !is_animation(output.path) && holds_layers(output.path));
+    products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
     products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
     return products;
@@ -122,10 +121,10 @@ GlyphStyle glyph_style_of(const RenderJob& job) {
 WallClock clock_of(const StartTime& start, const VideoInfo& info) {
     if (!start.as_recorded) return start.clock;
     if (info.created) return info.created;
-    throw Error(ErrorKind::usage,
-                fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time",
-                            info.name),
-                {setting::start_time.name});
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),
+        {setting::start_time.name});
 }
 
 }  // namespace vvr

@@ -26,9 +26,9 @@ struct SlidingWindow {
     std::int64_t frames() const { return layers() * step; }
 };
 
-/// The window of a series. Without a length in the options a brick has 10 s, or as much less as lets k bricks hold a
-/// clip that is shorter than such a window.
-/// \throws Error usage when bricks are given in seconds and the clip does not say how many frames it has per second
+/// The window of a series. A brick is as long as the options say; by default 10 s, or less if k bricks of that length
+/// are longer than the clip.
+/// \throws Error usage when bricks are in seconds and the rate is unknown
 SlidingWindow sliding_window(const BrickOptions& bricks, const FieldSource& source);
 
 }  // namespace vvr

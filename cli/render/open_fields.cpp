@@ -22,9 +22,9 @@ OpenedFields open_extracted(const RenderJob& job) {
         const std::string extracted = found == source->settings().end() ? "" : found->second;
         if (value == extracted) continue;
         throw Error(ErrorKind::usage,
-                    fmt::format("{} {}: '{}' was extracted with {}; leave the setting out, or extract the fields again "
-                                "with it",
-                                name, value, folders.front(), extracted.empty() ? "none" : extracted));
+                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr extract` with it", name,
+                                value, folders.front(), extracted.empty() ? "none" : extracted),
+                    {name});
     }
     Metadata settings = source->settings();
     return {std::move(source), std::move(settings)};

@@ -1,9 +1,8 @@
 #include "cli/render/output.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 
+#include "core/ending.h"
 #include "core/image/animation_file.h"
 
 namespace vvr {
@@ -17,8 +16,7 @@ bool is_series(const OutputOptions& options) {
 }
 
 bool is_page(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = ending_of(path);
     return ending == ".html" || ending == ".htm";
 }
 

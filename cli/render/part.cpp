@@ -54,7 +54,7 @@ Parts Parts::by_default() {
     return parts;
 }
 
-bool Parts::any(bool PartRow::* trait) const {
+bool Parts::any(bool PartRow::*trait) const {
     return std::ranges::any_of(table, [&](const PartRow& row) { return row.*trait && has(row.part); });
 }
 

@@ -41,7 +41,7 @@ class Parts {
     bool has(Part part) const { return set_.test(static_cast<std::size_t>(part)); }
 
     /// Whether one of them has a trait: `any(&PartRow::needs_flow)`.
-    bool any(bool PartRow::* trait) const;
+    bool any(bool PartRow::*trait) const;
 
   private:
     std::bitset<16> set_;

@@ -50,11 +50,12 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
 void check_memory(const Plan& plan) {
     const std::int64_t there = machine_memory();
     if (there <= 0 || plan.bytes <= there) return;
-    throw Error(ErrorKind::limit,
-                fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
-                            "picture or smaller fields",
-                            static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9),
-                {setting::size.name, setting::field_size.name});
+    throw Error(
+        ErrorKind::limit,
+        fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
+                    "picture or smaller fields",
+                    static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9),
+        {setting::size.name, setting::field_size.name});
 }
 
 Plan make_plan(const RenderJob& job, const Products& products, const FieldSource& source) {

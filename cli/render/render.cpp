@@ -28,19 +28,22 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
     observer.debug(
         fmt::format("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows));
     if (report.damaged > 0) {
-        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name, counted(report.damaged, "damaged packet"),
-                                  counted(report.frames, "frame")));
+        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
+                                  counted(report.damaged, "damaged packet"), counted(report.frames, "frame")));
     }
     if (report.frames_missing) {
-        observer.warn(fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
+        observer.warn(
+            fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
     }
     if (report.keyframes < static_cast<std::size_t>(job.look.keyframes)) {
-        observer.warn(fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
-                                  "is shorter",
-                                  name, report.keyframes, counted(job.look.keyframes, "key frame")));
+        observer.warn(
+            fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
+                        "is shorter",
+                        name, report.keyframes, counted(job.look.keyframes, "key frame")));
     }
     if (report.lettering.font_missing) {
-        observer.warn("fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
+        observer.warn(
+            "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
     }
     if (report.still) {
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),

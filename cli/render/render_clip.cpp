@@ -32,8 +32,7 @@ struct Fields {
     std::optional<std::vector<Event>> events{};
 };
 
-Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, std::int64_t step,
-                   Observer& observer) {
+Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, std::int64_t step, Observer& observer) {
     const std::int64_t expected = source.expected_frames();
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
 
@@ -82,8 +81,12 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const Layout& layout = *drawing.layout;
     const WallClock clock = clock_of(job.look.start_time, report.info);
     const std::vector<Brick> bricks = cut(job.bricks, fields, clock);
-    const Caption caption{title_of(job.look.title, report.info), fields.summary.frames, fields.first->pts,
-                          fields.last->pts, nothing_visible(volume, transfer_of(job.look)), clock};
+    const Caption caption{title_of(job.look.title, report.info),
+                          fields.summary.frames,
+                          fields.first->pts,
+                          fields.last->pts,
+                          nothing_visible(volume, transfer_of(job.look)),
+                          clock};
     report.events = std::move(fields.events);
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
@@ -103,8 +106,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
 
-    const std::vector<Brick> pieces =
-        job.look.show.has(Part::volume) ? cut_into_pieces(bricks) : std::vector<Brick>{};
+    const std::vector<Brick> pieces = job.look.show.has(Part::volume) ? cut_into_pieces(bricks) : std::vector<Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
     drawing.window->show(volume, pieces);

@@ -78,8 +78,8 @@ class Series {
         first_of_bricks_.pop_front();
     }
 
-    /// A stream's numbers skip the frames that never came. There is no picture of a brick that ends without one, and
-    /// of a gap longer than the window only its end is to be seen.
+    /// A stream's numbers skip the frames that never came. A brick that ends in such a gap gets no picture. Of a gap
+    /// longer than the window only the end is shown.
     void fill_gap(const Field& next) {
         const std::int64_t gap = next.index - last_->index - 1;
         const std::int64_t shown = std::min(gap, window_.frames());

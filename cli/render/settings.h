@@ -11,21 +11,28 @@ inline constexpr Setting step{
 
 inline constexpr Setting brick{
     "brick", "TIME", "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"};
-inline constexpr Setting window{
-    "window", "COUNT", "bricks shown: one picture cuts the clip into this many, a series moves by one of them", {1, 256}};
+inline constexpr Setting window{"window",
+                                "COUNT",
+                                "bricks shown: one picture cuts the clip into this many, a series moves by one of them",
+                                {1, 256}};
 inline constexpr Setting skip_idle{
-    "skip-idle", "SECONDS", "shorten longer stretches without motion to this; the ruler marks them; 0 = keep all", {0, 86'400}};
+    "skip-idle",
+    "SECONDS",
+    "shorten longer stretches without motion to this; the ruler marks them; 0 = keep all",
+    {0, 86'400}};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
 inline constexpr Setting height{"height", "UNITS", "height of a frame; square pixels if not given", {0.001, 100}};
 inline constexpr Setting size{"size", "WxH", "pixels of the picture", {1, 16'384}};
-inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION", "where the viewer is: degrees to the right and above the floor"};
-inline constexpr Setting slice_view{
-    "slice-view", "AZIMUTH,ELEVATION", "viewer whose slices --show slices draws; the picture's own if not given"};
+inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
+                                "where the viewer is: degrees to the right and above the floor"};
+inline constexpr Setting slice_view{"slice-view", "AZIMUTH,ELEVATION",
+                                    "viewer whose slices --show slices draws; the picture's own if not given"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
 inline constexpr Setting slices{"slices", "COUNT", "slices of the volume; 0 = one per two voxels", {0, 16'384}, "auto"};
-inline constexpr Setting samples{"samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
+inline constexpr Setting samples{
+    "samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
 
 inline constexpr Setting show{"show", "LIST", "what is drawn"};
 inline constexpr Setting keyframes{"keyframes", "COUNT", "frames shown between the first and the last", {0, 32}};
@@ -47,8 +54,10 @@ inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the arr
 inline constexpr Setting trace_steps{"trace-steps", "COUNT", "steps of a traceline", {1, 100'000}};
 inline constexpr Setting trace_dt{"trace-dt", "FRAMES", "length of a traceline's step in time", {1e-3, 1000}};
 inline constexpr Setting time_velocity{
-    "time-velocity", "NUMBER",
-    "the paper's v_t, frames moved along the arc per frame; 0 = arrows and tracelines stay in their frame", {-1000, 1000}};
+    "time-velocity",
+    "NUMBER",
+    "the paper's v_t, frames moved along the arc per frame; 0 = arrows and tracelines stay in their frame",
+    {-1000, 1000}};
 
 inline constexpr Setting backend{"backend", "NAME", "which OpenGL draws"};
 inline constexpr Setting device{
@@ -56,7 +65,9 @@ inline constexpr Setting device{
 
 inline constexpr Setting animate{"animate", "COUNT", "pictures in which stripes run along the tracelines", {2, 10'000}};
 inline constexpr Setting tolerance{"tolerance", "LEVEL", "a pixel is off if a channel differs by more", {0, 1}};
-inline constexpr Setting tolerance_percent{"tolerance-percent", "PERCENT", "share of the pixels that may be off", {0, 100}};
-inline constexpr Setting tolerance_patch{"tolerance-patch", "LEVEL", "mean difference that any small patch may have", {0, 1}};
+inline constexpr Setting tolerance_percent{
+    "tolerance-percent", "PERCENT", "share of the pixels that may be off", {0, 100}};
+inline constexpr Setting tolerance_patch{
+    "tolerance-patch", "LEVEL", "mean difference that any small patch may have", {0, 1}};
 
 }  // namespace vvr::setting

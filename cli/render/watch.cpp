@@ -126,15 +126,16 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
 std::int64_t StreamWatch::run() {
     Products products;
     products.series = true;
-    products.pixel_data = !is_page(job_.output.path) && holds_layers(job_.output.path);
+    products.pixel_data = !is_page(job_.output.path) && holds_pixel_data(job_.output.path);
     check_memory(make_plan(job_, products, *fields_));
     const VideoInfo& info = stream_->info();
-    observer_.info(fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height,
-                               info.rate));
+    observer_.info(
+        fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
     LivePictures pictures(job_, *stream_, observer_);
-    const RenderReport report = render_series(
-        job_, products, *fields_, observer_,
-        [&](const RenderReport& so_far, int number, Picture&& picture) { pictures.add(so_far, number, std::move(picture)); });
+    const RenderReport report = render_series(job_, products, *fields_, observer_,
+                                              [&](const RenderReport& so_far, int number, Picture&& picture) {
+                                                  pictures.add(so_far, number, std::move(picture));
+                                              });
     observer_.info(summary_of(*stream_, report, pictures));
     return pictures.count();
 }

@@ -11,8 +11,8 @@ namespace vvr {
 
 /// How long a stream is watched, and how patiently.
 struct StreamOptions {
-    std::optional<double> duration{};            ///< seconds; none = for ever
-    double lag = LiveOptions{}.lag;              ///< as in LiveOptions
+    std::optional<double> duration{};  ///< seconds; none = for ever
+    double lag = LiveOptions{}.lag;    ///< as in LiveOptions
     double patience = LiveOptions{}.patience;
 };
 

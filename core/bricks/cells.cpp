@@ -125,7 +125,7 @@ class Strip {
     Reach box_rows_;
     std::size_t width_;
     Reach rows_{0, -1};
-    bool whole_rows_ = true;  ///< the box holds all of the rows that were asked for
+    bool whole_rows_ = true;  ///< the box holds all rows of the strip
     std::vector<std::uint8_t> low_;
     std::vector<std::uint8_t> high_;
 };

@@ -31,10 +31,11 @@ struct SliceVertex {
 struct SliceMesh {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that there is something of
+    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that has triangles
 };
 
-/// `count` slices through the volume as seen by `camera`; 0 = as many as bring the spacing to `spacing` P-space units.
+/// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space
+/// units apart.
 SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
 
 /// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:

@@ -21,4 +21,14 @@ LayoutShape shape_for(Size field, const LayoutOptions& options) {
     return {options.r_min, options.r_max, options.height > 0 ? options.height : square};
 }
 
+std::vector<int> sections_towards(double t, std::span<const double> borders) {
+    const int n = static_cast<int>(borders.size()) - 1;
+    int split = 0;
+    while (split < n - 1 && borders[static_cast<std::size_t>(split) + 1] <= t) ++split;
+    std::vector<int> order;
+    for (int i = 0; i < split; ++i) order.push_back(i);
+    for (int i = n - 1; i >= split; --i) order.push_back(i);
+    return order;
+}
+
 }  // namespace vvr

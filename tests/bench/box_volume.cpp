@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/image/atomic_file.h"
+#include "core/image/picture_file.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
-#include "core/image/atomic_file.h"
-#include "core/image/picture_file.h"
 
 namespace {
 

@@ -36,7 +36,7 @@ class Drawing {
 
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw() {
-        for (const Tile& tile : tiles_) renderer_.draw_tile(window_, tile);
+        for (const PixelBox& tile : tiles_) renderer_.draw_tile(window_, tile);
         gl_->Finish();
     }
 
@@ -52,7 +52,7 @@ class Drawing {
 
     const GladGLContext* gl_;
     const Volume* volume_;
-    std::vector<Tile> tiles_;
+    std::vector<PixelBox> tiles_;
     std::vector<Brick> bricks_;
     std::unique_ptr<Layout> layout_;
     Renderer renderer_;

@@ -19,17 +19,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/in_turn.h"
-#include "tests/bench/left_bag.h"
-#include "tests/bench/scale.h"
 #include "core/scene/slices.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
-#include "gl/layout_shader.h"
-#include "gl/program.h"
+#include "gl/program_sources.h"
 #include "gl/volume_slicer.h"
+#include "tests/bench/in_turn.h"
+#include "tests/bench/left_bag.h"
+#include "tests/bench/scale.h"
 
 namespace {
 
@@ -65,6 +64,10 @@ uniform float value;
 layout(location = 0) out vec4 colour;
 void main() { colour = vec4(value); }
 )";
+
+ProgramSource bare_program(const char* name, const Layout& layout, std::string_view fragment) {
+    return {name, {shader_piece(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
+}
 
 /// A volume in k bricks, as the renderer holds it, and where it is seen from.
 struct Bricks {
@@ -170,16 +173,16 @@ class Ways {
           bricks_(gl, volume, picture),
           polygons_(gl, bricks_),
           slicer_(gl, *bricks_.layout, VolumeColour::transfer, VolumeShading::none),
-          fetching_(gl, "a bare fetch", {layout_shader(*bricks_.layout), bare_vert}, {fetch_frag}),
-          blending_(gl, "a bare blend", {layout_shader(*bricks_.layout), bare_vert}, {blend_frag}),
+          fetching_(gl, bare_program("a bare fetch", *bricks_.layout, fetch_frag)),
+          blending_(gl, bare_program("a bare blend", *bricks_.layout, blend_frag)),
           framebuffer_(gl, picture, 1) {
         slicer_.set_transfer(default_transfer_function());
         for (const Program* program : {&fetching_, &blending_}) {
             program->use();
             set_layout(*program, *bricks_.layout);
             program->set("clip_from_p", glm::mat4(bricks_.camera.clip_from_p()));
-            program->set("value", 1.0F / 512);
         }
+        blending_.set("value", 1.0F / 512);
         clear();
         slicer();
         // The slicer leaves its program, with all uniforms and textures, in use.
@@ -260,7 +263,7 @@ class Ways {
         gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         std::int64_t sum = 0;
         Plane<glm::vec4> picture(picture_);
-        framebuffer_.read({0, 0, picture_}, picture);
+        framebuffer_.read({0, 0, picture_.width, picture_.height}, picture);
         for (const glm::vec4& pixel : picture.pixels()) sum += std::llround(pixel.x);
         return sum;
     }

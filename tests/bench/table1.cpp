@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/glyph.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
 #include "tests/bench/scale.h"
-#include "core/scene/glyph.h"
 
 namespace {
 

@@ -14,13 +14,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/in_turn.h"
-#include "tests/bench/lit_volume.h"
-#include "tests/bench/scale.h"
 #include "gl/brick_textures.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
+#include "tests/bench/in_turn.h"
+#include "tests/bench/lit_volume.h"
+#include "tests/bench/scale.h"
 
 namespace {
 

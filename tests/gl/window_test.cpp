@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/renderer.h"
+#include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -41,9 +42,7 @@ Volume otherwise(const Volume& volume, const Brick& brick) {
 
 class MovingWindow : public testing::TestWithParam<std::string> {
   protected:
-    MovingWindow() {
-        options_.size = {160, 120};
-    }
+    MovingWindow() { options_.size = {160, 120}; }
 
     Renderer renderer() {
         Renderer made(*context_, *layout_, options_);
@@ -73,7 +72,8 @@ class MovingWindow : public testing::TestWithParam<std::string> {
             Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
             const std::vector<Brick> bricks = cut_by(part.layers(), brick_layers);
             if (older == Older::otherwise) {
-                for (int i = oldest; i < newest; ++i) part = otherwise(part, bricks[static_cast<std::size_t>(i - oldest)]);
+                for (int i = oldest; i < newest; ++i)
+                    part = otherwise(part, bricks[static_cast<std::size_t>(i - oldest)]);
             }
             moving.show(part, bricks, oldest);
             const Plane<glm::vec4> moved = drawing.draw(moving);
@@ -109,7 +109,8 @@ TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
             BrickWindow shown = window(volume.layers(), textures);
             shown.show(volume, bricks);
             for (int again = 0; again < 2; ++again) {
-                EXPECT_TRUE(std::ranges::equal(drawing.draw(shown).pixels(), expected.pixels())) << textures << " textures";
+                EXPECT_TRUE(std::ranges::equal(drawing.draw(shown).pixels(), expected.pixels()))
+                    << textures << " textures";
             }
         }
     }
@@ -124,7 +125,7 @@ TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {
     expect_fresh_pictures(Older::otherwise);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::Values("horseshoe", "box"));
+INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::ValuesIn(test::layout_names()));
 
 }  // namespace
 }  // namespace vvr
