@@ -47,7 +47,8 @@ ShaderPiece shader_piece(std::string_view file) {
 
 std::string shader_text(std::span<const ShaderPiece> pieces) {
     std::string text = "#version 330 core\n";
-    for (std::size_t i = 0; i < pieces.size(); ++i) text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);
     return text;
 }
 

@@ -58,7 +58,7 @@ class Renderer {
     /// in front of it, else the sample of the volume, or the standing frame, that contributes most. Lines show no frame
     /// and hide none. This is a pass of its own; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
-    PictureLayers draw_layers(BrickWindow& window, const TimeTable& times);
+    PixelData draw_pixel_data(BrickWindow& window, const TimeTable& times);
 
     /// Draws a tile of the picture, no larger than `tile_samples` allows, and reads nothing back.
     void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -14,15 +12,16 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/workers/archive_run.h"
-#include "cli/render/open_fields.h"
 #include "cli/options/option.h"
 #include "cli/options/render_settings.h"
-#include "core/words.h"
 #include "cli/print.h"
+#include "cli/render/open_fields.h"
+#include "cli/workers/archive_run.h"
 #include "core/image/atomic_file.h"
+#include "core/read_file.h"
 #include "core/sha256.h"
 #include "core/version.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -33,11 +32,6 @@ namespace fs = std::filesystem;
 constexpr std::initializer_list<const char*> picture_groups{group::input, group::fields, group::bricks, group::view,
                                                             group::look};
 
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
 std::string digest_of(const CommandLine& line, const std::vector<OutputKind>& files) {
     std::string text;
@@ -45,7 +39,7 @@ std::string digest_of(const CommandLine& line, const std::vector<OutputKind>& fi
         for (const auto& [option, value] : line.settings(name)) {
             text += fmt::format("{}={}\n", option, without_folder(option, value));
             std::error_code none;
-            if (may_name_file(option) && fs::is_regular_file(value, none)) text += bytes_of(value);
+            if (may_name_file(option) && fs::is_regular_file(value, none)) text += read_file(value);
         }
     }
     for (const OutputKind kind : files) text += fmt::format("file {}\n", static_cast<int>(kind));

@@ -5,6 +5,7 @@
 #include "cli/commands/command.h"
 #include "cli/options/option.h"
 #include "cli/print.h"
+#include "cli/versions.h"
 #include "core/suggest.h"
 
 namespace vvr {
@@ -39,6 +40,10 @@ ExitStatus run_command(Arguments arguments, const Environment& environment) {
     const std::string& name = arguments.front();
     if (name == "--help" || name == "-h" || name == "help") {
         print(help());
+        return ExitStatus::done;
+    }
+    if (name == "--version") {
+        print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return ExitStatus::done;
     }
     const auto command = std::ranges::find(commands(), name, &Command::name);

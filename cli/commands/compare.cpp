@@ -5,13 +5,14 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/render/show_comparison.h"
 #include "cli/options/comparison.h"
 #include "cli/options/option.h"
 #include "cli/options/run.h"
 #include "cli/print.h"
+#include "cli/render/show_comparison.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
+#include "core/json_text.h"
 
 namespace vvr {
 
@@ -33,13 +34,13 @@ ExitStatus run_compare(const Command& command, Arguments arguments, const Enviro
     }
     check(options);
 
-    const Samples a = without_layers(read_samples(names[0]));
-    const Samples b = without_layers(read_samples(names[1]));
+    const Samples a = without_pixel_data(read_samples(names[0]));
+    const Samples b = without_pixel_data(read_samples(names[1]));
     const Comparison comparison = compare(a, b, options.tolerance);
     if (json) {
         nlohmann::ordered_json told{{"a", names[0]}, {"b", names[1]}};
         told.update(json_of(comparison));
-        print(told.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        print(json_text(told, 2) + "\n");
     } else {
         print(numbers_of(comparison));
     }

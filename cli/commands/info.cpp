@@ -3,13 +3,14 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/plan.h"
 #include "cli/options/option.h"
 #include "cli/options/render_settings.h"
-#include "core/words.h"
 #include "cli/print.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/plan.h"
+#include "core/json_text.h"
 #include "core/labels/time_ticks.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -66,7 +67,7 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
           {"bricks", plan.bricks},
           {"memory_bytes", plan.bytes}}},
     };
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 }  // namespace

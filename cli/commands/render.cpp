@@ -8,6 +8,9 @@
 
 #include "cli/command_line.h"
 #include "cli/commands/command.h"
+#include "cli/options/output.h"
+#include "cli/options/render_settings.h"
+#include "cli/progress.h"
 #include "cli/render/golden.h"
 #include "cli/render/open_fields.h"
 #include "cli/render/page_output.h"
@@ -17,12 +20,9 @@
 #include "cli/render/render_clip.h"
 #include "cli/render/render_series.h"
 #include "cli/render/report.h"
-#include "cli/options/output.h"
-#include "cli/options/render_settings.h"
-#include "core/words.h"
-#include "cli/progress.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -82,7 +82,7 @@ RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, co
     job.pictures = pictures_of(output);
     job.series = is_series(output);
     const bool page = !page_of(output).empty();
-    job.layers = page || (!output.path.empty() && !is_animation(output.path) && holds_layers(output.path));
+    job.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
     job.find_events = (page || !output.report.empty()) && marks_objects(settings, fields.extracted);
     return job;
 }

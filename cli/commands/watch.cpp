@@ -16,11 +16,11 @@
 #include "cli/render/plan.h"
 #include "cli/render/render_series.h"
 #include "cli/render/shown_name.h"
-#include "core/words.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/live_page.h"
 #include "core/video/input.h"
 #include "core/video/live_source.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -59,7 +59,7 @@ RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, co
     RenderJob job = job_for(settings);
     job.title = title_of(settings, stream);
     job.series = true;
-    job.layers = !is_page(output) && holds_layers(output.path);
+    job.pixel_data = !is_page(output) && holds_pixel_data(output.path);
     job.clock = settings.look.start_time.clock ? settings.look.start_time.clock : wall_clock_now();
     return job;
 }

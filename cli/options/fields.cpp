@@ -5,7 +5,7 @@
 #include "cli/options/option.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
+#include "core/fields/solvers.h"
 #include "core/fields/illumination.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/option.h"
+#include "core/ending.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
@@ -32,8 +33,7 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 }
 
 bool ends_as_page(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = ending_of(path);
     return ending == page_ending || ending == ".htm";
 }
 

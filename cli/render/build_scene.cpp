@@ -105,7 +105,7 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
 Picture draw_picture(const RenderJob& job, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase) {
     Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
-    if (job.layers) picture.layers = drawing.renderer->draw_layers(*drawing.window, TimeTable(volume));
+    if (job.pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
     draw(picture, lettering);
     return picture;
 }

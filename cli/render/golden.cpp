@@ -18,11 +18,7 @@ namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<unsigned char>;
-
-void write(const fs::path& path, const Bytes& bytes) {
-    replace_file(path, std::as_bytes(std::span(bytes)));
-}
+using Bytes = std::vector<std::byte>;
 
 void remove_candidate(const fs::path& golden) {
     std::error_code none;
@@ -34,7 +30,7 @@ void remove_candidate(const fs::path& golden) {
 std::string leave_candidate(const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
-        write(candidate, bytes);
+        replace_file(candidate, bytes);
     } catch (const Error& error) {
         return fmt::format("the candidate could not be kept: {}", error.what());
     }
@@ -47,8 +43,9 @@ std::string renderer_of(const Metadata& metadata) {
 }
 
 /// Another renderer is the first thing to suspect.
-void log_renderers(const fs::path& golden, const Metadata& metadata, spdlog::logger& log) {
-    const std::string before = renderer_of(read_metadata(golden));
+void log_renderers(const fs::path& golden, const Metadata& before_settings, const Metadata& metadata,
+                   spdlog::logger& log) {
+    const std::string before = renderer_of(before_settings);
     const std::string now = renderer_of(metadata);
     if (!before.empty() && before != now) log.info("'{}' was drawn by {}, this by {}", golden.string(), before, now);
 }
@@ -66,7 +63,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     const Bytes bytes = encode_picture(golden, picture, metadata);
     const auto held = environment.signals.hold();
     if (options.bless) {
-        write(golden, bytes);
+        replace_file(golden, bytes);
         remove_candidate(golden);
         environment.log.info("'{}': blessed", golden.string());
         return;
@@ -75,7 +72,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
         throw Error(ErrorKind::differs, fmt::format("there is no golden picture '{}' to compare with; {}",
                                                     golden.string(), leave_candidate(golden, bytes)));
     }
-    const Samples expected = without_layers(read_samples(golden));
+    const Samples expected = without_pixel_data(read_samples(golden));
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));
@@ -85,7 +82,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
                              comparison.percent, comparison.patch);
         return;
     }
-    log_renderers(golden, metadata, environment.log);
+    log_renderers(golden, settings_of(expected), metadata, environment.log);
     log_difference(comparison, how.tolerance, environment.log);
     throw Error(ErrorKind::differs, fmt::format("the picture differs from '{}': {}; {}", golden.string(),
                                                 comparison.reason, leave_candidate(golden, bytes)));

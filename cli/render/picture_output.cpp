@@ -2,14 +2,16 @@
 
 #include <span>
 
+#include "core/fit_into.h"
 #include "core/image/atomic_file.h"
-#include "core/image/smaller.h"
+#include "core/image/codec.h"
+#include "core/image/resized.h"
 
 namespace vvr {
 
 namespace {
 
-constexpr int pictures_a_second = 20;  // a whole number of a GIF's hundredths of a second each
+constexpr int pictures_per_second = 20;  // a whole number of a GIF's hundredths of a second each
 constexpr int thumbnail_side = 400;
 constexpr int thumbnail_quality = 80;
 
@@ -24,7 +26,11 @@ PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals)
     } else {
         check_picture_path(name_.at(0));
     }
-    if (is_animation(options.path)) animation_.emplace(options.path, pictures_a_second);
+    if (is_animation(options.path)) {
+        animation_.emplace(options.path, pictures_per_second);
+    } else {
+        loading_ = std::async(std::launch::async, [] { picture_codec(); });
+    }
 }
 
 void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
@@ -39,10 +45,10 @@ void PictureOutput::add(int number, const Picture& picture, const Metadata& meta
 
 void PictureOutput::add_thumbnail(const Picture& picture) {
     if (thumbnail_.empty()) return;
-    const std::vector<unsigned char> encoded =
-        encode_picture(thumbnail_, smaller(picture, thumbnail_side), {}, thumbnail_quality);
+    const Picture small{resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)), picture.encoding};
+    const std::vector<std::byte> encoded = encode_picture(thumbnail_, small, {}, thumbnail_quality);
     const auto held = signals_.hold();
-    replace_file(thumbnail_, std::as_bytes(std::span(encoded)));
+    replace_file(thumbnail_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,7 @@ class PictureOutput {
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
     std::optional<AnimationFile> animation_;
+    std::future<void> loading_;  ///< of the library that encodes pictures, while the clip is read
 };
 
 }  // namespace vvr

@@ -29,7 +29,7 @@ std::int64_t bytes_of(const RenderJob& job, const Plan& plan, const FieldSource&
     constexpr std::int64_t frames_in_flight = 16;
     constexpr std::int64_t field_bytes = 30;  // a pixel of a frame in flight: colour, planes of floats, flow
     constexpr std::int64_t source_bytes = 2;  // a pixel of a decoded picture
-    const std::int64_t picture_bytes = job.layers ? 56 : 20;  // a pixel, as floats and as bytes
+    const std::int64_t picture_bytes = job.pixel_data ? 56 : 20;  // a pixel, as floats and as bytes
     // In a layer and in a texture, if something is everywhere; of a street scene it is a twentieth and a half of that.
     const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 4 : 1;
     const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);

@@ -45,7 +45,7 @@ struct RenderJob {
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
     bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
-    bool layers = false;       ///< pictures come with what each of their pixels shows
+    bool pixel_data = false;   ///< pictures come with what each of their pixels shows
     int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe
     RenderOptions picture;
     TransferFunction transfer = default_transfer_function();

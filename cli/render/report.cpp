@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/words.h"
+#include "core/json_text.h"
 #include "core/version.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -168,7 +169,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
             json["events"].push_back(json_of((*report.events)[k], k, scale));
         }
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 std::string summary_of(const std::vector<Event>& events) {

@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/fields/flo_file.h"
-#include "core/fields/read_file.h"
 #include "core/fields/seed_file.h"
+#include "core/read_file.h"
 #include "core/store/grey_file.h"
 
 namespace vvr {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/fit_into.h"
 #include "core/video/av.h"
 #include "core/video/file_source.h"
 #include "core/video/input.h"
@@ -33,13 +34,7 @@ Size field_size_for(Size shown, Size asked) {
     constexpr Size automatic{0, 0};
     constexpr Size source{-1, -1};
     Size size = asked == source ? shown : asked;
-    if (asked == automatic) {
-        const int side = std::max(shown.width, shown.height);
-        const double scale = std::min(1.0, static_cast<double>(default_long_side) / side);
-        size = {static_cast<int>(std::lround(shown.width * scale)),
-                static_cast<int>(std::lround(shown.height * scale))};
-        size = {std::max(1, size.width), std::max(1, size.height)};
-    }
+    if (asked == automatic) size = fit_into(shown, default_long_side);
     if (size.width < 1 || size.height < 1)
         throw Error(ErrorKind::usage,
                     fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));

@@ -6,7 +6,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/flows/solvers.h"
+#include "core/fields/solvers.h"
 #include "core/fields/flows/weighted_sum.h"
 
 namespace vvr {
