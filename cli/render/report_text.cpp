@@ -1,4 +1,4 @@
-#include "cli/render/report.h"
+#include "cli/render/report_text.h"
 
 #include <algorithm>
 #include <cmath>
