@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const Rows& rows) {
                                 std::string_view or_else = {});
 
 /// The row of a table whose name is `found`.
-/// \param setting that chooses the row: its name lives as long as the program
+/// \param setting that chooses the row
 /// \param or_else what else the setting takes: ", or the name of a file"
 /// \throws Error usage when there is none
 template <class Rows>

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <array>
 #include <initializer_list>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vvr {
 
@@ -19,17 +21,19 @@ enum class ErrorKind {
     differs,    ///< a picture differs from its reference
 };
 
-/// The names of at most three settings (core/setting.h) that a text is about. They live as long as the program.
+/// The names of the settings (core/setting.h) that a text is about.
 class About {
   public:
-    About(std::initializer_list<std::string_view> names = {}) {
-        for (std::size_t i = 0; const std::string_view name : names) names_.at(i++) = name;
+    About() = default;
+    About(std::initializer_list<std::string_view> names)
+        : names_(std::make_shared<std::vector<std::string>>(names.begin(), names.end())) {}
+
+    std::span<const std::string> names() const {
+        return names_ ? std::span<const std::string>(*names_) : std::span<const std::string>();
     }
 
-    const std::array<std::string_view, 3>& names() const { return names_; }  ///< empty where there is none
-
   private:
-    std::array<std::string_view, 3> names_{};
+    std::shared_ptr<const std::vector<std::string>> names_;  ///< shared, so that a copy throws nothing
 };
 
 /// The one exception of vvr. The text names the file, call or setting, what was asked, what was found, and the next

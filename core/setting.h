@@ -22,6 +22,7 @@ struct Setting {
     std::string_view help;
     Range range{};                 ///< of a number
     std::string_view otherwise{};  ///< what decides where no value is given: "the filter's"
+    bool may_be_file = false;      ///< the value may be the name of a file
 };
 
 /// \throws Error usage for a number out of the setting's range, NaN too

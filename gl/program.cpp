@@ -32,9 +32,9 @@ void compile(const GladGLContext& gl, GLuint shader, const std::string& name, st
     gl.ShaderSource(shader, 1, &begin, nullptr);
     gl.CompileShader(shader);
     std::string files;
-    for (std::size_t i = 0; i < pieces.size(); ++i) files += fmt::format(" {} {}", i + 1, pieces[i].file);
+    for (std::size_t i = 0; i < pieces.size(); ++i) files += fmt::format(" {}001... {}", i + 1, pieces[i].file);
     check_done(shader, GL_COMPILE_STATUS, gl.GetShaderiv, gl.GetShaderInfoLog,
-               fmt::format("the driver does not compile {} (files by number:{})", name, files));
+               fmt::format("the driver does not compile {} (lines{})", name, files));
 }
 
 }  // namespace
@@ -47,7 +47,8 @@ ShaderPiece shader_piece(std::string_view file) {
 
 std::string shader_text(std::span<const ShaderPiece> pieces) {
     std::string text = "#version 330 core\n";
-    for (std::size_t i = 0; i < pieces.size(); ++i) text += fmt::format("#line 1 {}\n{}\n", i + 1, pieces[i].text);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);
     return text;
 }
 

@@ -29,14 +29,14 @@ struct ProgramSource {
     std::vector<ShaderPiece> fragment;
 };
 
-/// The text of a shader: "#version 330 core", then each piece behind a #line with the piece's number, from 1 on. So
-/// "2:7" in a driver's message is line 7 of the second piece.
+/// The text of a shader: "#version 330 core", then each piece behind a #line with its number k, from 1 on. The lines of
+/// piece k are numbered from 1000 k + 1 on, as Mesa's messages name only the line.
 std::string shader_text(std::span<const ShaderPiece> pieces);
 
 /// A linked program.
 class Program {
   public:
-    /// \throws Error backend with the compiler's or linker's log, and the files that its numbers stand for
+    /// \throws Error backend with the compiler's or linker's log and the numbers of each file's lines
     Program(const GladGLContext& gl, const ProgramSource& source);
 
     void use() const { gl_->UseProgram(program_.id()); }

@@ -61,8 +61,8 @@ Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
 PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times) {
     if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PixelData layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
-                         Plane<float>(options_.size, -1)};
+    PixelData shown{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
+                    Plane<float>(options_.size, -1)};
     for (const PixelBox& tile : tiles_) {
         const Plane<glm::vec4> data = draw_tile_data(window, tile, times.frames_per_layer());
         for (int j = 0; j < tile.height(); ++j) {
@@ -70,13 +70,13 @@ PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times)
                 const glm::vec4& pixel = data.at(i, j);
                 if (pixel.w < least_opacity) continue;
                 const FrameTime at = times.at(static_cast<double>(pixel.y));
-                layers.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
-                layers.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
-                layers.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);
+                shown.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
+                shown.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
+                shown.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);
             }
         }
     }
-    return layers;
+    return shown;
 }
 
 Plane<glm::vec4> Renderer::draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer) {

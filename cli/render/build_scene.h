@@ -6,7 +6,9 @@
 
 #include "cli/render/annotate.h"
 #include "cli/render/drawing.h"
-#include "cli/render/render_clip.h"
+#include "cli/render/job.h"
+#include "cli/render/report.h"
+#include "core/fields/field_source.h"
 #include "core/scene/scene.h"
 #include "core/video/frame.h"
 
@@ -38,8 +40,9 @@ std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.
+/// \param ticks of the ruler
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing);
+                  const Framing& framing, const std::vector<TimeTick>& ticks);
 
 /// Fig. 5: what the renderer makes of the bricks.
 /// \param drawing its window shows them
@@ -49,9 +52,10 @@ void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const 
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
 
-/// Draws the window of the drawing and its scene, with the layers if the job wants them, and writes on it.
+/// Draws the window of the drawing and its scene, and writes on it.
+/// \param pixel_data whether the picture comes with what each pixel shows
 /// \param phase of the texture that moves along the tracelines, 0..1
-Picture draw_picture(const RenderJob& job, Drawing& drawing, const Volume& volume, const Lettering& lettering,
+Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase = 0);
 
 }  // namespace vvr

@@ -25,7 +25,7 @@ Volume rehearsed_volume(VolumeColour colour) {
 }  // namespace
 
 void open_context(const RenderJob& job, Drawing& drawing) {
-    drawing.context = open_context(job.backend, job.device);
+    drawing.context = open_context(job.backend.name, job.backend.device);
     check_samples(drawing.context->gl(), job.picture.samples);
 }
 
@@ -34,18 +34,20 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
     drawing.framing = frame_volume(job, *drawing.layout);
     RenderOptions options = job.picture;
     options.camera = drawing.framing.camera;
+    options.background = background_of(job.look);
+    options.glyphs = glyph_style_of(job);
     options.tile_samples = tile_samples;
     drawing.renderer = std::make_unique<Renderer>(*drawing.context, *drawing.layout, options);
-    drawing.renderer->set_transfer(job.transfer.scaled(job.opacity));
+    drawing.renderer->set_transfer(drawn_transfer_of(job.look));
 }
 
 void rehearse(const RenderJob& job, const Drawing& drawing) {
     const Volume volume = rehearsed_volume(job.picture.colour);
     const Frame frame{0, 0, Plane<std::uint8_t>(rehearsed_size), {}};
     BrickWindow window(drawing.context->gl(), *drawing.layout, rehearsed_frames, 1);
-    if (job.show.contains("volume")) window.show(volume, cut_into(rehearsed_frames, 1));
+    if (job.look.show.has(Part::volume)) window.show(volume, cut_into(rehearsed_frames, 1));
     Renderer& renderer = *drawing.renderer;
-    renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing));
+    renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing, {}));
     renderer.rehearse(window);
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cli/render/annotate.h"
-#include "cli/render/render_clip.h"
+#include "cli/render/job.h"
 #include "gl/context.h"
 
 namespace vvr {

@@ -17,11 +17,11 @@ constexpr int thumbnail_quality = 80;
 
 }  // namespace
 
-PictureOutput::PictureOutput(const OutputOptions& options, Signals& signals)
-    : signals_(signals), name_(name_of(options)), page_(page_of(options)), thumbnail_(options.thumbnail) {
+PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
+    : observer_(observer), name_(name_of(options)), page_(page_of(options)), thumbnail_(options.thumbnail) {
     if (options.path.empty()) return;
-    const auto held = signals.hold();
-    if (is_animation(options.path) || is_page(options)) {
+    const auto held = observer.guard();
+    if (is_animation(options.path) || is_page(options.path)) {
         check_file_path(options.path);
     } else {
         check_picture_path(name_.at(0));
@@ -39,7 +39,7 @@ void PictureOutput::add(int number, const Picture& picture, const Metadata& meta
         animation_->add(picture);
         return;
     }
-    const auto held = signals_.hold();
+    const auto held = observer_.guard();
     write_picture(name_.at(number), picture, metadata);
 }
 
@@ -47,18 +47,18 @@ void PictureOutput::add_thumbnail(const Picture& picture) {
     if (thumbnail_.empty()) return;
     const Picture small{resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)), picture.encoding};
     const std::vector<std::byte> encoded = encode_picture(thumbnail_, small, {}, thumbnail_quality);
-    const auto held = signals_.hold();
+    const auto held = observer_.guard();
     replace_file(thumbnail_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {
-    const auto held = signals_.hold();
+    const auto held = observer_.guard();
     replace_file(page_, std::as_bytes(std::span(text)));
 }
 
 void PictureOutput::close() {
     if (!animation_) return;
-    const auto held = signals_.hold();
+    const auto held = observer_.guard();
     animation_->close();
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/options/output.h"
-#include "cli/signals.h"
+#include "cli/render/observer.h"
+#include "cli/render/output.h"
 #include "core/image/animation_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
@@ -17,7 +17,7 @@ class PictureOutput {
   public:
     /// What can fail without a picture fails here.
     /// \throws Error usage or io
-    PictureOutput(const OutputOptions& options, Signals& signals);
+    PictureOutput(const OutputOptions& options, Observer& observer);
 
     void add(int number, const Picture& picture, const Metadata& metadata);
 
@@ -31,7 +31,7 @@ class PictureOutput {
     void close();
 
   private:
-    Signals& signals_;
+    Observer& observer_;
     NamePattern name_;
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;

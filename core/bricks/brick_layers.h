@@ -17,8 +17,9 @@ using ColouredTexel = std::array<std::uint8_t, 4>;
 
 /// What goes into a brick's texture: its layers with one more before and after (the neighbour's layer, or the brick's
 /// own end layer repeated where there is no neighbour), so that interpolation is continuous across bricks. It
-/// covers only the box in which something isn't 0, with a border of 0 wherever the box ends before the layers do. Texels
-/// are laid out on demand, some layers at a time: all at once they would be most of the memory that a picture needs.
+/// covers only the box in which something isn't 0, with a border of 0 wherever the box ends before the layers do.
+/// Texels are laid out on demand, some layers at a time: all at once they would be most of the memory that a picture
+/// needs.
 class BrickLayers {
   public:
     /// \param volume outlives this, and doesn't change

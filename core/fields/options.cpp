@@ -6,12 +6,12 @@
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
 #include "core/fields/illumination.h"
 #include "core/fields/reference.h"
 #include "core/fields/region.h"
 #include "core/fields/seeds.h"
 #include "core/fields/settings.h"
+#include "core/fields/solvers.h"
 
 namespace vvr {
 namespace {

@@ -7,14 +7,20 @@
 namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
-inline constexpr Setting reference{"reference", "NAME", "the empty scene"};
+inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{
     "threshold", "GREY", "smaller differences, in grey levels, count as none", {0, 255}, "the filter's"};
 inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
 inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};
-inline constexpr Setting roi{"roi", "AREA", "look only here: 'x,y x,y x,y; ...' in pixels of the video, or a picture"};
-inline constexpr Setting mask{"mask", "AREA", "don't look here, for example at the camera's burnt-in clock"};
+inline constexpr Setting roi{.name = "roi",
+                             .unit = "AREA",
+                             .help = "look only here: 'x,y x,y x,y; ...' in pixels of the video, or a picture",
+                             .may_be_file = true};
+inline constexpr Setting mask{.name = "mask",
+                              .unit = "AREA",
+                              .help = "don't look here, for example at the camera's burnt-in clock",
+                              .may_be_file = true};
 
 inline constexpr Setting flow{"flow", "NAME", "optical flow"};
 inline constexpr Setting flow_area{"flow-area", "NAME", "where flow is computed"};
@@ -37,8 +43,10 @@ inline constexpr Setting min_magnitude{
 inline constexpr Setting seed_order{"seed-order", "NAME", "which seeds come first"};
 inline constexpr Setting seed_select{"seed-select", "HOW",
                                      "which seeds of a frame are kept: all, first:N or random:N[:NUMBER]"};
-inline constexpr Setting seeds{"seeds", "DIR",
-                               "read seeds from lists that `vvr extract` wrote instead of computing them"};
+inline constexpr Setting seeds{.name = "seeds",
+                               .unit = "DIR",
+                               .help = "read seeds from lists that `vvr extract` wrote, instead of computing them",
+                               .may_be_file = true};
 
 inline constexpr Setting threads{"threads", "COUNT", "threads; 0 = one per core", {0, 1024}};
 

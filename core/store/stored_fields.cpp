@@ -45,7 +45,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
         for (const auto& [option, value] : *settings) {
             const std::string one = value_of(a.settings, option);
             const std::string other = value_of(b.settings, option);
-            if (!says_where(option) && one != other) return fmt::format("--{} is '{}' and '{}'", option, one, other);
+            if (!says_where(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
     if (b.frames.front().index != a.frames.back().index + 1) {

@@ -18,7 +18,7 @@
 #include "core/fields/pipeline.h"
 #include "core/fields/seeds.h"
 #include "tests/scene/scene.h"
-#include "tests/unit/fields_plain_jacobi.h"
+#include "tests/unit/fields/plain_jacobi.h"
 
 namespace {
 

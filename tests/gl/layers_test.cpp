@@ -73,15 +73,15 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
 
     RenderJob job;
     job.layout = look.layout;
-    job.show = {"volume"};
-    job.opacity = look.opacity;
-    job.pixel_data = true;
-    job.backend = "software";
+    job.look.show = {Part::volume};
+    job.look.opacity = look.opacity;
+    job.backend.name = "software";
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
     PixelData layers;
-    render_clip(job, source, {},
+    Observer observer;
+    render_clip(job, {.pixel_data = true}, source, observer,
                 [&](const RenderReport&, int, Picture&& picture) { layers = std::move(picture.pixel_data); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 

@@ -2,8 +2,8 @@
 
 #include "core/choice.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
 #include "core/fields/settings.h"
+#include "core/fields/solvers.h"
 
 namespace vvr {
 namespace {
