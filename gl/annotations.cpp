@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "gl/check.h"
+#include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
-#include "shaders.h"
 
 namespace vvr {
 
@@ -23,11 +23,11 @@ void blend_over(const GladGLContext& gl, bool writes_depth) {
 
 Annotations::Annotations(const GladGLContext& gl)
     : gl_(&gl),
-      line_program_(gl, "the lines", {shaders::line_vert}, {shaders::line_frag}),
+      line_program_(gl, line_program()),
       line_array_(gl),
       corners_(gl),
       segments_(gl),
-      picture_program_(gl, "the standing frames", {shaders::picture_vert}, {shaders::picture_frag}),
+      picture_program_(gl, frame_program(Channels::colour)),
       picture_array_(gl),
       picture_vertices_(gl) {
     gl.BindVertexArray(line_array_.id());
@@ -95,20 +95,17 @@ void Annotations::upload_vertices(std::span<const PictureVertex> vertices) {
     gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
 }
 
-void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
-                                  const SeenTarget& target) {
-    if (!seen_program_) {
-        seen_program_ = Program(*gl_, "the standing frames' layers", {shaders::picture_vert},
-                                {shaders::seen_over_glsl, shaders::seen_picture_frag});
-    }
-    seen_program_->use();
-    seen_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    seen_program_->set("opacity", frame.opacity);
-    seen_program_->set("frame", static_cast<float>(frame.frame));
+void Annotations::draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,
+                                        const PixelDataTarget& target) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, frame_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    pixel_data_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    pixel_data_program_->set("opacity", frame.opacity);
+    pixel_data_program_->set("frame", static_cast<float>(frame.frame));
     upload_frame(frame, layout);
-    target.draw_over(*seen_program_, [&] { gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
+    target.draw_over(*pixel_data_program_, [&] { gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
     gl_->BindVertexArray(0);
-    check_gl(*gl_, "drawing a standing frame's layers");
+    check_gl(*gl_, "drawing a standing frame's pixel data");
 }
 
 void Annotations::draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera) {
@@ -133,7 +130,7 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     if (floor.darkness.empty()) return;
     constexpr int steps = 128;
     const GladGLContext& gl = *gl_;
-    if (!floor_program_) floor_program_ = Program(gl, "the floor", {shaders::picture_vert}, {shaders::floor_frag});
+    if (!floor_program_) floor_program_ = Program(gl, floor_program());
     std::vector<PictureVertex> vertices;
     for (int i = 0; i <= steps; ++i) {
         const double along = static_cast<double>(i) / steps;

@@ -3,18 +3,14 @@
 #include <cstddef>
 
 #include "gl/check.h"
-#include "shaders.h"
+#include "gl/light.h"
+#include "gl/program_sources.h"
 
 namespace vvr {
 
-glm::vec3 to_light(const Camera& camera) {
-    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
-    return glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right));
-}
-
 FlowGeometry::FlowGeometry(const GladGLContext& gl)
     : gl_(&gl),
-      program_(gl, "the flow geometry", {shaders::arrow_vert}, {shaders::arrow_frag}),
+      program_(gl, arrow_program(Channels::colour)),
       vertex_array_(gl),
       mesh_(gl),
       indices_(gl),
@@ -58,22 +54,26 @@ void FlowGeometry::upload(std::span<const Glyph> glyphs) {
     check_gl(*gl_, "uploading the arrows");
 }
 
-void FlowGeometry::draw_seen(const Camera& camera, const GlyphStyle& style) {
-    if (!seen_program_)
-        seen_program_ = Program(*gl_, "the arrows' layers", {shaders::arrow_vert}, {shaders::seen_frag});
-    draw_with(*seen_program_, camera, style);
+void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
+    program_.use();
+    program_.set("slow_colour", style.slow_colour);
+    program_.set("fast_colour", style.fast_colour);
+    program_.set("to_light", to_light(camera));
+    draw_glyphs(program_, camera, style);
 }
 
-void FlowGeometry::draw_with(const Program& program, const Camera& camera, const GlyphStyle& style) const {
+void FlowGeometry::draw_pixel_data(const Camera& camera, const GlyphStyle& style) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, arrow_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    draw_glyphs(*pixel_data_program_, camera, style);
+}
+
+void FlowGeometry::draw_glyphs(const Program& program, const Camera& camera, const GlyphStyle& style) const {
     if (glyph_count_ == 0) return;
     const GladGLContext& gl = *gl_;
-    program.use();
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     program.set("thickness", style.thickness);
     program.set("speed_range", style.speed_range);
-    program.set("slow_colour", style.slow_colour);
-    program.set("fast_colour", style.fast_colour);
-    program.set("to_light", to_light(camera));
 
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);

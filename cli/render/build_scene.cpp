@@ -4,16 +4,8 @@
 #include <utility>
 
 #include "core/scene/overlay.h"
-#include "gl/context.h"
-#include "gl/framebuffer.h"
 
 namespace vvr {
-
-std::unique_ptr<Context> open_drawing(const RenderJob& job) {
-    auto context = open_context(job.backend, job.device);
-    check_samples(context->gl(), job.picture.samples);
-    return context;
-}
 
 void describe(const FieldSource& source, const Context& context, RenderReport& report) {
     report.info = source.info();
@@ -25,28 +17,17 @@ void describe(const FieldSource& source, const Context& context, RenderReport& r
 }
 
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
-    // Arrows at so many times along the arc leave each other room.
-    constexpr std::int64_t arrow_times = 80;
+    constexpr std::int64_t arrow_times = 80;  // along the arc; more would hide each other
     FieldNeeds needs;
-    needs.flow = job.show.contains("tracelines");
-    needs.seeds = needs.flow || job.show.contains("arrows");
+    needs.flow = job.look.show.any(&PartRow::needs_flow);
+    needs.seeds = job.look.show.any(&PartRow::needs_seeds);
     needs.colour = job.picture.colour == VolumeColour::video;
     needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
     return needs;
 }
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
-    LayoutShape shape = shape_for(field_size, job.r_min, job.r_max);
-    if (job.height > 0) shape.y_s = job.height;
-    return make_layout(job.layout, shape);
-}
-
-RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers) {
-    RenderOptions options = job.picture;
-    options.camera = framing.camera;
-    options.ring = bricks;
-    options.window_layers = layers;
-    return options;
+    return make_layout(job.layout, shape_for(field_size, job.shape));
 }
 
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
@@ -55,24 +36,24 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
 }
 
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing) {
+                  const Framing& framing, const std::vector<TimeTick>& ticks) {
     Scene scene;
-    if (job.show.contains("arrows")) scene.arrows = arrows(volume, layout, job.glyphs);
-    if (job.show.contains("tracelines")) scene.tracelines = tracelines(volume, layout, job.traces);
-    const glm::vec4 line_colour(job.theme.lines, 1);
-    if (job.show.contains("outline")) scene.lines = volume_outline(layout, line_colour);
+    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
+    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, layout, job.look.traces);
+    const glm::vec4 line_colour(job.look.theme.lines, 1);
+    if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
     const auto add_lines = [&scene](const std::vector<Segment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
-    add_lines(ruler_marks(volume, layout, framing.edge, ticks_of(job, framing, volume), line_colour));
-    if (job.show.contains("ruler")) {
+    add_lines(ruler_marks(volume, layout, framing.edge, ticks, line_colour));
+    if (job.look.show.has(Part::ruler)) {
         add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
-        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.theme.fast, 1)));
+        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));
     }
-    if (job.show.contains("floor")) scene.floor = floor_shadow(volume, job.theme.shadow);
-    if (job.show.contains("frames")) {
+    if (job.look.show.has(Part::floor)) scene.floor = floor_shadow(volume, job.look.theme.shadow);
+    if (job.look.show.has(Part::frames)) {
         constexpr float at_the_ends = 0.5F;
-        constexpr float between = 0.3F;  // they stand before what the volume shows
+        constexpr float between = 0.3F;  // they hide what is behind them
         const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
             Plane<Bgr> picture = picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
@@ -86,27 +67,31 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     return scene;
 }
 
-void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
-                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene) {
+void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
+                  std::int64_t window_layers, Scene& scene) {
+    const Layout& layout = *drawing.layout;
     const auto add = [&scene](const std::vector<Segment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
-    if (job.show.contains("bricks")) {
+    if (job.look.show.has(Part::bricks)) {
         for (const Brick& brick : bricks) {
             const double t = static_cast<double>(brick.first) / static_cast<double>(window_layers);
-            if (t > 0) add(cross_section(layout, t, glm::vec4(job.theme.lines, 0.5)));
+            if (t > 0) add(cross_section(layout, t, glm::vec4(job.look.theme.lines, 0.5)));
         }
     }
-    const AxisBox rendered = visible_box(renderer.place(), layout, transfer);
-    if (job.show.contains("boxes")) {
+    const AxisBox rendered = visible_box(drawing.window->cells(), layout, drawn_transfer_of(job.look));
+    if (job.look.show.has(Part::boxes)) {
         add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
         add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
     }
-    if (job.show.contains("slices")) {
+    if (job.look.show.has(Part::slices)) {
         constexpr int shown = 20;
-        const Camera camera =
-            job.slice_view ? fit_camera(*job.slice_view, outline_points(layout), job.picture.size) : renderer.camera();
-        add(slice_outlines(rendered, camera, renderer.slices(camera), shown, {0.10F, 0.62F, 0.22F, 1}));
+        const Renderer& renderer = *drawing.renderer;
+        const Camera camera = job.look.slice_view
+                                  ? fit_camera(*job.look.slice_view, outline_points(layout), job.picture.size)
+                                  : renderer.camera();
+        const SliceStack stack = renderer.slices(*drawing.window, camera);
+        add(slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
     }
 }
 
@@ -117,10 +102,10 @@ bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
     return true;
 }
 
-Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase) {
-    Picture picture = to_picture(renderer.draw(phase));
-    if (job.layers) picture.layers = renderer.draw_layers(TimeTable(volume));
+    Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
+    if (pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
     draw(picture, lettering);
     return picture;
 }

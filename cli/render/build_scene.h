@@ -5,7 +5,10 @@
 #include <span>
 
 #include "cli/render/annotate.h"
-#include "cli/render/render_clip.h"
+#include "cli/render/drawing.h"
+#include "cli/render/job.h"
+#include "cli/render/report.h"
+#include "core/fields/field_source.h"
 #include "core/scene/scene.h"
 #include "core/video/frame.h"
 
@@ -25,11 +28,7 @@ struct WindowFrames {
     std::span<const KeyFrame> between{};
 };
 
-/// A context that can draw what the job asks for.
-/// \throws Error backend, limit
-std::unique_ptr<Context> open_drawing(const RenderJob& job);
-
-/// Puts into the report what there is before anything is drawn.
+/// Reports the source and the context.
 void describe(const FieldSource& source, const Context& context, RenderReport& report);
 
 /// What a picture of `frames` frames needs of the fields.
@@ -37,25 +36,26 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
 
-/// How a window of so many bricks, with room for `layers` layers, is rendered.
-RenderOptions options_of(const RenderJob& job, const Framing& framing, int bricks, std::int64_t layers);
-
-/// The frame's colours where the volume takes them, else none.
+/// The frame's colours if the volume shows them, else none.
 const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.
+/// \param ticks of the ruler
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing);
+                  const Framing& framing, const std::vector<TimeTick>& ticks);
 
-/// Fig. 5: what the renderer makes of its bricks.
-/// \param window_layers that all of t_C takes
-void add_overlays(const RenderJob& job, const Renderer& renderer, std::span<const Brick> bricks,
-                  std::int64_t window_layers, const Layout& layout, const TransferFunction& transfer, Scene& scene);
+/// Fig. 5: what the renderer makes of the bricks.
+/// \param drawing its window shows them
+/// \param window_layers that fill all of t_C
+void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
+                  std::int64_t window_layers, Scene& scene);
 
 bool nothing_visible(const Volume& volume, const TransferFunction& transfer);
 
-/// Draws what the renderer holds, with its layers where the job wants them, and writes on it.
-Picture draw_picture(const RenderJob& job, Renderer& renderer, const Volume& volume, const Lettering& lettering,
+/// Draws the window of the drawing and its scene, and writes on it.
+/// \param pixel_data whether the picture comes with what each pixel shows
+/// \param phase of the texture that moves along the tracelines, 0..1
+Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
                      double phase = 0);
 
 }  // namespace vvr

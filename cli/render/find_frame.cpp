@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/words.h"
 #include "core/error.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -28,11 +28,13 @@ FoundFrame find_frame(FrameSource& clip, const Time& time) {
     return found;
 }
 
-FoundFrame frame_at(FrameSource& clip, const Time& time, const char* option) {
+FoundFrame frame_at(FrameSource& clip, const Time& time) {
     const FoundFrame found = find_frame(clip, time);
     if (found.is_there) return found;
-    throw Error(ErrorKind::usage, fmt::format("{}: '{}' has {}, the last at {:.3f} s; choose an earlier one", option,
-                                              clip.info().name, counted(found.index + 1, "frame"), found.pts));
+    throw Error(ErrorKind::usage,
+                fmt::format("frame: '{}' has {}, the last at {:.3f} s; choose an earlier one", clip.info().name,
+                            counted(found.index + 1, "frame"), found.pts),
+                {"frame"});
 }
 
 }  // namespace vvr

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "cli/options/parse_value.h"
+#include "cli/render/time.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {
@@ -14,12 +14,12 @@ struct FoundFrame {
     bool is_there = true;  ///< false = the clip ends before; then the last frame
 };
 
-/// The frame of that number, or the one that is on show at that time. Counts the frames that decode, from the first
+/// The frame of that number, or the one shown at that time. Counts the frames that decode, from the first
 /// on, whatever the container says. Leaves the clip at its first frame.
 FoundFrame find_frame(FrameSource& clip, const Time& time);
 
-/// The same for a time that has to be in the clip.
-/// \throws Error usage that names `option` and how long the clip is
-FoundFrame frame_at(FrameSource& clip, const Time& time, const char* option);
+/// The frame at a time that has to be in the clip.
+/// \throws Error usage that says how long the clip is
+FoundFrame frame_at(FrameSource& clip, const Time& time);
 
 }  // namespace vvr

@@ -1,7 +1,7 @@
 #include "cli/render/golden.h"
 
 #include <algorithm>
-#include <span>
+#include <cstddef>
 #include <system_error>
 #include <vector>
 
@@ -18,27 +18,24 @@ namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<unsigned char>;
-
-void write(const fs::path& path, const Bytes& bytes) {
-    replace_file(path, std::as_bytes(std::span(bytes)));
-}
+using Bytes = std::vector<std::byte>;
 
 void remove_candidate(const fs::path& golden) {
     std::error_code none;
     fs::remove(candidate_of(golden), none);
 }
 
-/// Leaves the candidate. \returns the sentence that says where it is and what to do, or why it could not be left: the
-/// difference is the news, and a folder that can't be written must not hide it.
-std::string leave_candidate(const fs::path& golden, const Bytes& bytes) {
+/// Leaves the candidate. A folder that can't be written must not hide the news that pictures differ.
+/// \throws Error differs that says so, where the candidate is and what to do, or why it could not be left
+[[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
-        write(candidate, bytes);
+        replace_file(candidate, bytes);
     } catch (const Error& error) {
-        return fmt::format("the candidate could not be kept: {}", error.what());
+        throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
     }
-    return fmt::format("look at '{}', and if it is right, run the same with --bless", candidate.string());
+    throw Error(ErrorKind::differs,
+                fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
 }
 
 std::string renderer_of(const Metadata& metadata) {
@@ -47,10 +44,13 @@ std::string renderer_of(const Metadata& metadata) {
 }
 
 /// Another renderer is the first thing to suspect.
-void log_renderers(const fs::path& golden, const Metadata& metadata, spdlog::logger& log) {
-    const std::string before = renderer_of(read_metadata(golden));
+void show_renderers(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
+                    Observer& observer) {
+    const std::string before = renderer_of(golden_settings);
     const std::string now = renderer_of(metadata);
-    if (!before.empty() && before != now) log.info("'{}' was drawn by {}, this by {}", golden.string(), before, now);
+    if (!before.empty() && before != now) {
+        observer.info(fmt::format("'{}' was drawn by {}, this by {}", golden.string(), before, now));
+    }
 }
 
 }  // namespace
@@ -59,36 +59,33 @@ fs::path candidate_of(const fs::path& golden) {
     return fs::path(golden).replace_extension(".candidate" + golden.extension().string());
 }
 
-void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata,
-                 const Environment& environment) {
+void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
     const fs::path& golden = options.path;
     const ComparisonOptions& how = options.comparison;
     const Bytes bytes = encode_picture(golden, picture, metadata);
-    const auto held = environment.signals.hold();
+    const auto held = observer.guard();
     if (options.bless) {
-        write(golden, bytes);
+        replace_file(golden, bytes);
         remove_candidate(golden);
-        environment.log.info("'{}': blessed", golden.string());
+        observer.info(fmt::format("'{}': blessed", golden.string()));
         return;
     }
     if (!fs::exists(golden)) {
-        throw Error(ErrorKind::differs, fmt::format("there is no golden picture '{}' to compare with; {}",
-                                                    golden.string(), leave_candidate(golden, bytes)));
+        fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
     }
-    const Samples expected = without_layers(read_samples(golden));
+    const Samples expected = without_pixel_data(read_samples(golden));
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));
     if (comparison.verdict == Verdict::same) {
         remove_candidate(golden);
-        environment.log.info("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}", golden.string(),
-                             comparison.percent, comparison.patch);
+        observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
+                                  golden.string(), comparison.percent, comparison.patch));
         return;
     }
-    log_renderers(golden, metadata, environment.log);
-    log_difference(comparison, how.tolerance, environment.log);
-    throw Error(ErrorKind::differs, fmt::format("the picture differs from '{}': {}; {}", golden.string(),
-                                                comparison.reason, leave_candidate(golden, bytes)));
+    show_renderers(golden, settings_of(expected), metadata, observer);
+    show_difference(comparison, how.tolerance, observer);
+    fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }
 
 }  // namespace vvr

@@ -1,14 +1,10 @@
 #include "cli/render/open_fields.h"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cli/options/option.h"
 #include "core/error.h"
 #include "core/fields/busy_fields.h"
 #include "core/fields/listed_seeds.h"
@@ -18,53 +14,57 @@ namespace vvr {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> options_with_files{"mask", "reference", "roi", "seeds", "transfer"};
-
-OpenedFields open_extracted(const std::vector<std::string>& folders, const CommandLine& line) {
+OpenedFields open_extracted(const RenderJob& job) {
+    const std::vector<std::string>& folders = job.input.names;
     auto source = std::make_unique<StoredFields>(folders);
-    for (const std::string& option : line.names({group::input, group::fields})) {
-        const std::optional<std::string> given = line.given(option);
-        if (!given || option == "step" || option == "seeds") continue;
-        const auto found = std::ranges::find(source->settings(), option, &Metadata::value_type::first);
+    for (const auto& [name, value] : job.given) {
+        const auto found = std::ranges::find(source->settings(), name, &Metadata::value_type::first);
         const std::string extracted = found == source->settings().end() ? "" : found->second;
-        if (without_folder(option, *given) == extracted) continue;
+        if (value == extracted) continue;
         throw Error(ErrorKind::usage,
-                    fmt::format("--{} {}: '{}' was extracted with {}; leave the option out, or run "
-                                "`vvr extract` with it",
-                                option, *given, folders.front(), extracted.empty() ? "none" : extracted));
+                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr extract` with it", name,
+                                value, folders.front(), extracted.empty() ? "none" : extracted),
+                    {name});
     }
     Metadata settings = source->settings();
     return {std::move(source), std::move(settings)};
 }
 
-OpenedFields open_any(const RenderSettings& settings, const CommandLine& line) {
-    const std::vector<std::string>& names = settings.input.names;
-    if (std::ranges::all_of(names, is_data_folder)) return open_extracted(names, line);
-    FieldOptions options = settings.fields;
-    options.threads = settings.run.threads;
-    options.span = span_of(settings.input);
-    auto clip = open_clip(settings.input, wants_colour(settings), settings.run.threads);
-    return {std::make_unique<ClipFields>(std::move(clip), options), {}};
+OpenedFields open_any(const RenderJob& job) {
+    if (std::ranges::all_of(job.input.names, is_data_folder)) return open_extracted(job);
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads);
+    return {std::make_unique<ClipFields>(std::move(clip), job.fields), {}};
 }
 
 }  // namespace
 
-bool may_name_file(const std::string& option) {
-    return std::ranges::find(options_with_files, option) != options_with_files.end();
+const std::string& only_input(const InputOptions& options) {
+    if (options.names.empty()) {
+        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
+    }
+    if (options.names.size() > 1) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: only directories that `vvr extract` "
+                                                  "wrote, one part of a clip each, can be several",
+                                                  options.names[1]));
+    }
+    return options.names.front();
 }
 
-std::string without_folder(const std::string& option, const std::string& value) {
-    if (!may_name_file(option)) return value;
-    const std::filesystem::path path(value);
-    return (path.has_filename() ? path : path.parent_path()).filename().string();
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads) {
+    SourceOptions source;
+    source.field_size = options.field_size;
+    source.colour = colour;
+    source.threads = threads;
+    source.rate = options.rate;
+    return open_source(only_input(options), source);
 }
 
-OpenedFields open_fields(const RenderSettings& settings, const CommandLine& line) {
-    OpenedFields opened = open_any(settings, line);
-    if (!settings.seeds.empty())
-        opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), settings.seeds);
-    if (settings.bricks.skip_idle > 0)
-        opened.source = std::make_unique<BusyFields>(std::move(opened.source), settings.bricks.skip_idle);
+OpenedFields open_fields(const RenderJob& job) {
+    OpenedFields opened = open_any(job);
+    if (!job.seeds.empty()) opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), job.seeds);
+    if (job.bricks.skip_idle > 0) {
+        opened.source = std::make_unique<BusyFields>(std::move(opened.source), job.bricks.skip_idle);
+    }
     return opened;
 }
 

@@ -1,29 +1,27 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
-#include "cli/command_line.h"
-#include "cli/options/render_settings.h"
+#include "cli/render/job.h"
 #include "core/fields/field_source.h"
 
 namespace vvr {
 
-/// The fields that a command works on.
+/// The fields that a job works on.
 struct OpenedFields {
     std::unique_ptr<FieldSource> source;
-    Metadata extracted;  ///< options that were decided when the fields were extracted; empty for a clip
+    Metadata extracted;  ///< settings that were decided when the fields were extracted; empty for a clip
 };
 
+/// The one clip of an input.
+/// \throws Error usage unless there is exactly one
+const std::string& only_input(const InputOptions& options);
+
+/// Opens the whole of a clip.
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads);
+
 /// Opens a clip, the directory of an extraction, or several with consecutive parts.
-/// \throws Error usage as well where options contradict those of the extraction
-OpenedFields open_fields(const RenderSettings& settings, const CommandLine& line);
-
-/// Whether the value of an option may be the name of a file, in which a part of the settings stands.
-bool may_name_file(const std::string& option);
-
-/// The value of an option without the folder, where it may be a file's name: what is passed on should not tell where
-/// its maker keeps files.
-std::string without_folder(const std::string& option, const std::string& value);
+/// \throws Error usage as well where settings contradict those of the extraction
+OpenedFields open_fields(const RenderJob& job);
 
 }  // namespace vvr

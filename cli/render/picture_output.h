@@ -1,10 +1,11 @@
 #pragma once
 
+#include <future>
 #include <optional>
 #include <string>
 
-#include "cli/options/output.h"
-#include "cli/signals.h"
+#include "cli/render/observer.h"
+#include "cli/render/output.h"
 #include "core/image/animation_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
@@ -16,7 +17,7 @@ class PictureOutput {
   public:
     /// What can fail without a picture fails here.
     /// \throws Error usage or io
-    PictureOutput(const OutputOptions& options, Signals& signals);
+    PictureOutput(const OutputOptions& options, Observer& observer);
 
     void add(int number, const Picture& picture, const Metadata& metadata);
 
@@ -30,11 +31,12 @@ class PictureOutput {
     void close();
 
   private:
-    Signals& signals_;
+    Observer& observer_;
     NamePattern name_;
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
     std::optional<AnimationFile> animation_;
+    std::future<void> loading_;  ///< of the library that encodes pictures, while the clip is read
 };
 
 }  // namespace vvr

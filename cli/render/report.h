@@ -1,18 +1,42 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "cli/render/render_clip.h"
-#include "core/image/picture.h"
+#include "cli/render/stages.h"
+#include "core/bricks/brick.h"
+#include "core/events/event.h"
+#include "core/labels/lettering.h"
+#include "core/video/frame_source.h"
 
 namespace vvr {
 
-/// The text of a `--report` file; docs/report.md says what it means, docs/report.schema.json what may stand in it.
-/// \param settings long names of options, and their texts
-/// \param seconds that all of it took
-std::string format_report(const RenderReport& report, const Metadata& settings, double seconds);
-
-/// What a person wants to know of the events in a line: "3 events; the longest from 14.0 s to 52.5 s".
-std::string summary_of(const std::vector<Event>& events);
+/// What came of a run. It is only written while the run lasts: nothing is drawn from it.
+struct RenderReport {
+    VideoInfo info;
+    Size field_size;
+    std::int64_t frames = 0;  ///< that reached the volume
+    std::int64_t damaged = 0;
+    double first_pts = 0;  ///< seconds
+    double last_pts = 0;
+    std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t last_frame = 0;
+    std::int64_t layers = 0;
+    std::int64_t step = 1;      ///< frames per layer
+    std::vector<Brick> bricks;  ///< in layers
+    std::int64_t pictures = 1;  ///< so far
+    std::size_t arrows = 0;
+    bool still = false;           ///< nothing in the volume is visible
+    bool frames_missing = false;  ///< some of the frames to be shown came without a picture
+    std::string renderer;         ///< GL_RENDERER
+    std::string gl_version;       ///< GL_VERSION
+    std::string backend;
+    std::optional<std::vector<Event>> events;  ///< none where they were not looked for
+    Lettering lettering;                       ///< on the last picture
+    std::size_t keyframes = 0;                 ///< shown between the first and the last frame
+    Stages stages;
+};
 
 }  // namespace vvr

@@ -56,14 +56,14 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     return json;
 }
 
-void log_difference(const Comparison& comparison, const Tolerance& tolerance, spdlog::logger& log) {
+void show_difference(const Comparison& comparison, const Tolerance& tolerance, Observer& observer) {
     for (const PixelPair& pixel : comparison.worst) {
-        log.info("at {},{}: {:.4f} and {:.4f} differ by {:.4f}", pixel.column, pixel.row, fmt::join(pixel.a, " "),
-                 fmt::join(pixel.b, " "), pixel.difference);
+        observer.info(fmt::format("at {},{}: {:.4f} and {:.4f} differ by {:.4f}", pixel.column, pixel.row,
+                                  fmt::join(pixel.a, " "), fmt::join(pixel.b, " "), pixel.difference));
     }
     if (!comparison.has_numbers()) return;
     std::istringstream letters(difference_letters(comparison.pixels, tolerance.level));
-    for (std::string line; std::getline(letters, line);) log.info("{}", line);
+    for (std::string line; std::getline(letters, line);) observer.info(line);
 }
 
 }  // namespace vvr

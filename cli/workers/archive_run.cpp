@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,12 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "core/words.h"
 #include "cli/print.h"
 #include "cli/workers/pool.h"
 #include "core/archive/index.h"
 #include "core/archive/prune.h"
 #include "core/image/atomic_file.h"
+#include "core/read_file.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -91,8 +90,8 @@ std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, cons
 }
 
 bool holds(const fs::path& path, const std::string& text) {
-    std::ifstream file(path, std::ios::binary);
-    return file && std::string(std::istreambuf_iterator<char>(file), {}) == text;
+    std::error_code none;
+    return fs::is_regular_file(path, none) && read_file(path.string()) == text;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = ".vvr-";
 constexpr std::string_view ending = ".lock";
 
-/// A hash, as the name itself may be as long as a name can be.
+/// With a hash, because the name itself may have the greatest length that a file system allows.
 fs::path file_for(const fs::path& folder, const std::string& name) {
     return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), ending);
 }
@@ -43,10 +43,9 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
-/// What a claim that was left behind says that it is about. Nothing where no claim of vvr says so: its file's name is
-/// made of what it is about.
+/// The name that a claim's file holds. Nothing when vvr did not write it: then the file's own name is not made from it.
 std::optional<std::string> name_in(int file, const fs::path& path) {
-    std::array<char, longest_name + 1> bytes{};  // one more than is possible, to see that there is more
+    std::array<char, longest_name + 1> bytes{};  // one more than is possible, to notice longer ones
     const ssize_t length = ::pread(file, bytes.data(), bytes.size(), 0);
     if (length <= 0) return std::nullopt;
     std::string name(bytes.data(), static_cast<std::size_t>(length));
@@ -77,13 +76,13 @@ std::optional<Claim> Claim::take(const fs::path& path, const std::string& name, 
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);
         }
-        // Who had it removes the file, so what is locked now may be no file any more.
+        // The program that had it removes the file, so the file that is locked now may be deleted.
         if (!is_still(file, path)) {
             ::close(file);
             continue;
         }
         struct stat status {};
-        // Who takes a claim writes its name in before anything else.
+        // A program that takes a claim writes the name into it first.
         const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
         Claim claim(path, file, left_behind);
         if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
@@ -111,7 +110,7 @@ std::optional<std::pair<Claim, std::string>> Claim::take_over(const fs::path& fi
     if (open < 0) return std::nullopt;
     std::optional<std::string> name;
     if (lock_file(open, false) == 0 && is_still(open, file)) name = name_in(open, file);
-    // What is none of ours stays as it is, so there must be no claim yet that would remove it.
+    // A file that is not ours stays as it is, so there must be no claim yet that would remove it.
     if (!name) {
         ::close(open);
         return std::nullopt;

@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether it is certain that there is no such file: one that can't be looked at may well be there.
+/// Whether it is certain that there is no such file. Without permission to look, it is not.
 bool is_gone(const fs::path& path) {
     struct stat status {};
     return ::lstat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR);
 }
 
-/// The nearest folder around a clip that is there.
+/// The nearest folder above a clip that exists.
 std::string folder_left(const fs::path& in, const std::string& clip) {
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
@@ -34,7 +34,7 @@ std::string folder_left(const fs::path& in, const std::string& clip) {
     return folder.string();
 }
 
-/// The files that are somebody's: the index, and those of clips that have a sidecar.
+/// The files in use: the index, and those of clips that have a sidecar.
 std::set<fs::path> files_with_owners(const fs::path& out, const Outputs& outputs) {
     std::set<fs::path> files{out / index_name};
     for (const Sidecar& sidecar : outputs.sidecars) {
@@ -88,7 +88,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
         remove_leftovers(folder, written_names(name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
-        // Nobody came back to finish it, and no sidecar will ever name what is there.
+        // No run came back to finish it, and no sidecar will ever name these files.
         for (const OutputRow& row : output_rows) {
             const fs::path path = output_path(folder, name, row.kind);
             // `x` has its report where `x.report` has its sidecar, and a clip `index` its page where the index is.
@@ -100,8 +100,8 @@ void tidy(const fs::path& out, const Outputs& outputs) {
 
 Gone find_gone(const fs::path& in, const std::vector<Sidecar>& sidecars, std::size_t clips_there) {
     if (clips_there == 0 && !sidecars.empty()) {
-        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so --prune removes nothing; if its disk is "
-                                               "mounted and they are gone for good, remove the pictures yourself",
+        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
+                                               "and they are gone for good, remove the pictures yourself",
                                                in.string()));
     }
     Gone gone;

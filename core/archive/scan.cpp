@@ -31,7 +31,7 @@ Clip clip_of(const std::string& path, const struct stat& status) {
     return {path, status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-/// Goes through folders, those that only links lead to after all others.
+/// Reads folders; those that only links lead to come after all others.
 class Walk {
   public:
     Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
@@ -86,7 +86,7 @@ class Walk {
             std::error_code none;
             if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
         }
-        std::ranges::sort(entries);  // so that of several links to a folder the same one is taken each time
+        std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
         for (const auto& [name, type] : entries) add(folder.empty() ? name : folder + '/' + name, type);
         if (error) scan_.problems.push_back({folder, error.message()});
     }
@@ -121,8 +121,8 @@ class Walk {
     Scan scan_;
 };
 
-/// Takes out clips of whose files one could not be made, as its name would be too long. All of an archive's files
-/// count, wanted or not, so that a clip does not come and go with the options.
+/// Drops clips for which the name of an output file would be too long. All kinds of output files count, asked for or
+/// not, so that the options do not change which clips there are.
 void take_out_long_names(Scan& scan) {
     std::erase_if(scan.clips, [&](const Clip& clip) {
         std::string longest = sidecar_path("", clip.path).filename().string();
@@ -138,7 +138,7 @@ void take_out_long_names(Scan& scan) {
     });
 }
 
-/// Takes out clips of whose files others would be written over.
+/// Drops clips whose output files would replace those of others.
 void take_out_clashes(Scan& scan) {
     std::unordered_set<std::string> taken{std::string(index_name)};
     std::unordered_set<std::string> folders;

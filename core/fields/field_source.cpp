@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/fields/flow.h"
+
 namespace vvr {
 
 ClipFields::ClipFields(std::unique_ptr<FrameSource> clip, FieldOptions options)
@@ -11,7 +13,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     if (std::exchange(begun_, true)) clip_->rewind();
     FieldOptions options = options_;
     options.flow.every = needs.every;
-    if (!needs.seeds && !needs.flow) options.flow.method = "none";
+    if (!needs.seeds && !needs.flow) options.flow.method = no_flow();
     return compute_fields(*clip_, options, sink);
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
@@ -24,12 +25,15 @@ std::vector<fs::path> lists_in(const std::string& folder) {
         if (entry.path().extension() == ".txt") files.push_back(entry.path());
     }
     if (error) {
-        throw Error(ErrorKind::io, fmt::format("--seeds: cannot read the folder '{}': {}", folder, error.message()));
+        throw Error(ErrorKind::io, fmt::format("seeds: cannot read the folder '{}': {}", folder, error.message()),
+                    {setting::seeds.name});
     }
     if (files.empty()) {
-        throw Error(ErrorKind::io, fmt::format("--seeds: '{}' holds no list of seeds (000000.txt); `vvr extract` "
-                                               "writes them to a folder 'seeds'",
-                                               folder));
+        throw Error(ErrorKind::io,
+                    fmt::format("seeds: '{}' holds no list of seeds (000000.txt); `vvr extract` writes them to a "
+                                "folder 'seeds'",
+                                folder),
+                    {setting::seeds.name});
     }
     std::ranges::sort(files);
     return files;
@@ -41,10 +45,12 @@ ListedSeeds::ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string&
     for (const fs::path& file : lists_in(folder)) {
         SeedList list = read_seeds(file.string());
         if (list.size != field_size()) {
-            throw Error(ErrorKind::io, fmt::format("{}: seeds of a field of {}x{}, and the clip's fields have {}x{}; "
-                                                   "change --field-size or the list",
-                                                   file.string(), list.size.width, list.size.height, field_size().width,
-                                                   field_size().height));
+            throw Error(
+                ErrorKind::io,
+                fmt::format("{}: seeds of a field of {}x{}, but the clip's fields have {}x{}; change the "
+                            "fields' size or the list",
+                            file.string(), list.size.width, list.size.height, field_size().width, field_size().height),
+                {setting::field_size.name});
         }
         const std::int64_t frame = list.frame;
         if (!lists_.emplace(frame, std::move(list)).second) {

@@ -36,14 +36,15 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// How the hidden files of a target begin. A hash, as the target's name may be as long as a name can be.
+/// How the names of a target's hidden files begin: with a hash, because the target's own name may have the greatest
+/// length that a file system allows.
 std::string hidden_prefix(const std::string& name) {
     return fmt::format(".vvr-{:016x}-", fnv1a(name));
 }
 
 constexpr std::string_view hidden_ending = ".part";
 
-/// Whether no other machine can have the file open, so that its lock knows of all who write it.
+/// Whether no other machine can have the file open, so that its lock covers all programs that write it.
 bool is_on_this_machine(int file) {
     constexpr std::int64_t zfs = 0x2fc12fc1;
     constexpr std::array<std::int64_t, 8> systems{
@@ -53,16 +54,16 @@ bool is_on_this_machine(int file) {
     return ::fstatfs(file, &system) == 0 && std::ranges::count(systems, std::int64_t{system.f_type}) > 0;
 }
 
-/// Whether nothing was written to a file for so long that nobody is at it.
+/// Whether a file was last written so long ago that no program can still be writing it.
 bool is_old(int file) {
     constexpr std::time_t long_enough = 3600;
     struct stat status {};
     return ::fstat(file, &status) == 0 && status.st_mtim.tv_sec < std::time(nullptr) - long_enough;
 }
 
-/// Removes the hidden file of a program that was killed. One that is locked stays, and so does what is no file. Without
-/// locks that reach all machines, one that may still be written stays too.
-/// \param abandoned whether it is known that nobody is writing it
+/// Removes the hidden file of a killed program. A locked file stays, and so does anything but a regular file. Without
+/// locks that reach all machines, a file that may still be written stays too.
+/// \param abandoned whether it is certain that no program is writing it
 void remove_if_left(const fs::path& path, bool abandoned) {
     const int file = open_file_itself(path, O_WRONLY);
     if (file < 0) return;
@@ -72,8 +73,8 @@ void remove_if_left(const fs::path& path, bool abandoned) {
     ::close(file);
 }
 
-/// A new file with a hidden name, gone again unless it was renamed. It is locked as long as it is written, and its
-/// names are the same for every run: so a run finds what an older one left, and whether anybody is still at it.
+/// A new file with a hidden name, which is removed unless it was renamed. It is locked as long as it is written, and
+/// every run uses the same names: so a run finds the files of older ones, and whether they are still being written.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) {
@@ -87,11 +88,11 @@ class TemporaryFile {
             remove_if_left(path_, false);
             if (!create()) ++number;
         }
-        // Of two that wrote at once the second may have been killed.
+        // If two programs wrote at once, the second may have been killed.
         remove_if_left(numbered(number + 1), false);
     }
     ~TemporaryFile() {
-        // Closed last: without its lock the name may soon be another's.
+        // Closed last: once it is unlocked, another run may take the name.
         if (!path_.empty() && is_still(file_, path_)) ::unlink(path_.c_str());
         ::close(file_);
     }
@@ -110,7 +111,7 @@ class TemporaryFile {
     }
 
     void rename_to(const fs::path& target) {
-        // Closed after that, for the same reason. A disk tells of its errors in fsync.
+        // Closed after that, for the same reason. Errors of the disk come from fsync.
         if (::fsync(file_) != 0) throw_error("write", target, errno);
         if (!is_still(file_, path_)) throw_error("write", target, ENOENT);
         if (::rename(path_.c_str(), target.c_str()) != 0) throw_error("write", target, errno);
@@ -118,13 +119,13 @@ class TemporaryFile {
     }
 
   private:
-    /// \returns whether there was no such file yet
+    /// \returns whether the file is new
     bool create() {
         const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file < 0 && errno == EEXIST) return false;
         if (file < 0) throw_error("make a file in", std::exchange(path_, {}).parent_path(), errno);
-        // Before it had its lock, another run may have taken it for one that was left. Where there are no locks, its
-        // age protects it.
+        // Before it was locked, another run may have taken it for the file of a killed one. Without locks, its age
+        // protects it.
         lock_file(file, true);
         if (is_still(file, path_)) {
             file_ = file;
@@ -189,7 +190,7 @@ void check_file_path(const fs::path& path) {
         throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; remove it, or choose another name",
                                                path.string(), reason(errno)));
     }
-    // Asking for permissions is not enough: a server or a full disk has its own opinion. So try.
+    // Permissions do not say everything: a server or a full disk may still refuse. So try.
     const TemporaryFile probe(target);
 }
 

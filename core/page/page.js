@@ -75,7 +75,7 @@ async function readFrames() {
     const ground = groundOf(picture);
     pale = colour(...ground, 205);
     view.style.backgroundColor = `rgb(${ground})`;
-    const png = new Blob([bytesOf(data.layers.src.split(',')[1])], {type: 'image/png'});
+    const png = new Blob([bytesOf(data.pixels.src.split(',')[1])], {type: 'image/png'});
     const bitmap = await createImageBitmap(png, {premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
     const canvas = document.createElement('canvas');
     canvas.width = width;
@@ -88,10 +88,10 @@ async function readFrames() {
     for (let k = 0; k < read.length; ++k) {
         const value = bytes[4 * k] << 16 | bytes[4 * k + 1] << 8 | bytes[4 * k + 2];
         sum += value;
-        read[k] = value === 0 ? -1 : value - 1 + data.layers.first;
+        read[k] = value === 0 ? -1 : value - 1 + data.pixels.first;
     }
     // Some browsers answer with noise, so that pages can't tell machines apart.
-    if (sum !== data.layers.sum) throw new Error('this browser changes what pages read from pictures');
+    if (sum !== data.pixels.sum) throw new Error('this browser changes what pages read from pictures');
     return read;
 }
 

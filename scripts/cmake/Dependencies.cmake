@@ -1,4 +1,4 @@
-# Every library that vvr stands on. scripts/packages.txt installs them from Debian.
+# Every library that vvr needs. scripts/packages.txt installs them from Debian.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(libav REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
@@ -17,8 +17,6 @@ endforeach()
 
 find_package(Fontconfig REQUIRED)
 find_package(Freetype REQUIRED)
-find_package(PNG REQUIRED)
-find_package(JPEG REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -2,7 +2,8 @@
 #
 #   vvr_embed(TARGET NAMESPACE HEADER FILE...)
 #
-# makes HEADER with one `inline constexpr std::string_view` for each FILE: volume.frag becomes volume_frag.
+# makes HEADER with one `inline constexpr std::string_view` for each FILE: volume.frag becomes volume_frag. Its array
+# `files` has the name and the text of each.
 function(vvr_embed target namespace header)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded/${header})
   list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)

@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/image/atomic_file.h"
+#include "core/image/picture_file.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
-#include "core/image/atomic_file.h"
-#include "core/image/picture_file.h"
 
 namespace {
 
@@ -44,13 +44,13 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
     const double voxel = shape_for(volume.size()).y_s / volume.size().height;
     {
         bench::Drawing probe(*context, volume, "box", 1, options);
-        const SliceStack stack = probe.renderer().slices(probe.renderer().camera());
+        const SliceStack stack = probe.renderer().slices(probe.window(), probe.renderer().camera());
         options.slices = static_cast<int>(std::ceil(stack.count * stack.spacing / voxel));
     }
     bench::Drawing drawing(*context, volume, "box", 8, options);
     Renderer& renderer = drawing.renderer();
-    write_picture(folder / "vvr.png", to_picture(renderer.draw()));
-    const auto seconds = bench::in_turn({{{}, [&] { renderer.draw_unread(); }}}, runs);
+    write_picture(folder / "vvr.png", to_picture(renderer.draw(drawing.window())));
+    const auto seconds = bench::in_turn({{{}, [&] { drawing.draw(); }}}, runs);
 
     std::vector<std::byte> raw;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {

@@ -41,7 +41,7 @@ bench::Drawing drawing_of(const Context& context, const Point& point) {
 double megabytes_of(const Context& context, const Point& point) {
     const bench::PeakMemory peak;
     bench::Drawing drawing = drawing_of(context, point);
-    drawing.renderer().draw();
+    drawing.renderer().draw(drawing.window());
     return peak.megabytes();
 }
 
@@ -52,7 +52,7 @@ nlohmann::json measure(const Context& context, const std::vector<Point>& points,
     std::vector<bench::Work> works;
     for (const Point& point : points) {
         drawings.push_back(std::make_unique<bench::Drawing>(drawing_of(context, point)));
-        works.push_back({{}, [drawing = drawings.back().get()] { drawing->renderer().draw_unread(); }});
+        works.push_back({{}, [drawing = drawings.back().get()] { drawing->draw(); }});
     }
     const auto seconds = bench::in_turn(works, runs);
     nlohmann::json curve = nlohmann::json::array();

@@ -19,17 +19,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/bench/in_turn.h"
-#include "tests/bench/left_bag.h"
-#include "tests/bench/scale.h"
 #include "core/scene/slices.h"
-#include "gl/brick_textures.h"
+#include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
-#include "gl/layout_shader.h"
-#include "gl/program.h"
+#include "gl/program_sources.h"
 #include "gl/volume_slicer.h"
+#include "tests/bench/in_turn.h"
+#include "tests/bench/left_bag.h"
+#include "tests/bench/scale.h"
 
 namespace {
 
@@ -66,30 +65,24 @@ layout(location = 0) out vec4 colour;
 void main() { colour = vec4(value); }
 )";
 
+ProgramSource bare_program(const char* name, const Layout& layout, std::string_view fragment) {
+    return {name, {shader_piece(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
+}
+
 /// A volume in k bricks, as the renderer holds it, and where it is seen from.
 struct Bricks {
     Bricks(const GladGLContext& gl, const Volume& volume, Size picture)
         : layout(make_layout("horseshoe", shape_for(volume.size()))),
           camera(fit_camera({}, outline_points(*layout), picture)),
           stack(stack_slices(camera, *layout, 0, 2 * layout->shape().y_s / volume.size().height)),
-          textures(gl, BrickRing(k)) {
-        const auto n = static_cast<double>(volume.layers());
-        const std::vector<Brick> cut = cut_into(volume.layers(), k);
-        for (const Brick& brick : cut) {
-            const BrickLayers layers(volume, brick);
-            textures.upload(static_cast<std::int64_t>(cells.size()), layers);
-            cells.push_back(brick_cells(layers, static_cast<double>(brick.count) / n, *layout));
-            placed.push_back({static_cast<std::int64_t>(placed.size()), brick.count,
-                              static_cast<double>(brick.first) / n, static_cast<double>(brick.first + brick.count) / n,
-                              layers.size(), layers.box(), nullptr});
-        }
-        for (std::size_t i = 0; i < cut.size(); ++i) placed[i].cells = &cells[i];
+          window(gl, *layout, volume.layers(), k) {
+        window.show(volume, cut_into(volume.layers(), k));
     }
 
     std::vector<SliceMesh> cut_all() const {
         std::vector<SliceMesh> meshes;
-        for (std::size_t i = 0; i < placed.size(); ++i) {
-            meshes.push_back(cut_slices(placed, i, *layout, default_transfer_function(), camera, stack));
+        for (std::size_t i = 0; i < window.cells().size(); ++i) {
+            meshes.push_back(cut_slices(window.cells(), i, *layout, default_transfer_function(), camera, stack));
         }
         return meshes;
     }
@@ -97,9 +90,7 @@ struct Bricks {
     std::unique_ptr<Layout> layout;
     Camera camera;
     SliceStack stack;
-    BrickTextures textures;
-    std::vector<BrickCells> cells;
-    std::vector<PlacedBrick> placed;
+    BrickWindow window;
 };
 
 /// The polygons of all slices, cut once and kept where OpenGL has them at hand: what is timed is only their drawing.
@@ -107,7 +98,7 @@ class ReadyPolygons {
   public:
     ReadyPolygons(const GladGLContext& gl, Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
         std::vector<double> borders{0};
-        for (const PlacedBrick& brick : bricks.placed) borders.push_back(brick.t_end);
+        for (const PlacedCells& brick : bricks.window.cells()) borders.push_back(brick.t_end);
         order_ = bricks.layout->back_to_front(bricks.camera.eye, borders);
         for (const SliceMesh& mesh : bricks.cut_all()) add(mesh);
         gl.BindVertexArray(0);
@@ -120,11 +111,11 @@ class ReadyPolygons {
         gl_->GetIntegerv(GL_CURRENT_PROGRAM, &program);
         const GLint scale = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_scale");
         const GLint offset = gl_->GetUniformLocation(static_cast<GLuint>(program), "brick_offset");
-        for (const int i : order_) {
-            const Mesh& mesh = meshes_[static_cast<std::size_t>(i)];
-            const PlacedBrick& brick = bricks_->placed[static_cast<std::size_t>(i)];
-            bricks_->textures.bind(brick);
-            const TextureMap map = texture_from_c(brick);
+        for (const int number : order_) {
+            const auto i = static_cast<std::size_t>(number);
+            const Mesh& mesh = meshes_[i];
+            bricks_->window.bind(i);
+            const TextureMap map = bricks_->window.texture_map(i);
             gl_->Uniform3fv(scale, 1, &map.scale.x);
             gl_->Uniform3fv(offset, 1, &map.offset.x);
             gl_->BindVertexArray(mesh.array.id());
@@ -182,16 +173,16 @@ class Ways {
           bricks_(gl, volume, picture),
           polygons_(gl, bricks_),
           slicer_(gl, *bricks_.layout, VolumeColour::transfer, VolumeShading::none),
-          fetching_(gl, "a bare fetch", {layout_shader(*bricks_.layout), bare_vert}, {fetch_frag}),
-          blending_(gl, "a bare blend", {layout_shader(*bricks_.layout), bare_vert}, {blend_frag}),
+          fetching_(gl, bare_program("a bare fetch", *bricks_.layout, fetch_frag)),
+          blending_(gl, bare_program("a bare blend", *bricks_.layout, blend_frag)),
           framebuffer_(gl, picture, 1) {
         slicer_.set_transfer(default_transfer_function());
         for (const Program* program : {&fetching_, &blending_}) {
             program->use();
             set_layout(*program, *bricks_.layout);
             program->set("clip_from_p", glm::mat4(bricks_.camera.clip_from_p()));
-            program->set("value", 1.0F / 512);
         }
+        blending_.set("value", 1.0F / 512);
         clear();
         slicer();
         // The slicer leaves its program, with all uniforms and textures, in use.
@@ -238,7 +229,7 @@ class Ways {
         gl_->Finish();
     }
 
-    void slicer() { slicer_.draw(bricks_.placed, bricks_.textures, bricks_.camera, bricks_.stack); }
+    void slicer() { slicer_.draw(bricks_.window, bricks_.camera, bricks_.stack); }
 
     /// The slicer's own program on polygons that are ready: its state of depth test and blending is still set.
     void shader() {
@@ -272,7 +263,7 @@ class Ways {
         gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         std::int64_t sum = 0;
         Plane<glm::vec4> picture(picture_);
-        framebuffer_.read({0, 0, picture_}, picture);
+        framebuffer_.read({0, 0, picture_.width, picture_.height}, picture);
         for (const glm::vec4& pixel : picture.pixels()) sum += std::llround(pixel.x);
         return sum;
     }

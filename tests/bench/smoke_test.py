@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 
 HERE = pathlib.Path(__file__).parent
 SKIPPED = 77  # what ctest takes for a test that was skipped
-CLIPS = ("left_bag.mp4", "hd.mp4", "minute.mp4", "three_minutes.mp4", "minutes.mp4", "ten_frames.mkv")
+CLIPS = ("left_bag.mp4", "camera.mp4", "minute.mp4", "three_minutes.mp4", "minutes.mp4", "ten_frames.mkv")
 LARGEST = 100_000  # bytes of a plot
 
 

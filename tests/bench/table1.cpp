@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/glyph.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
 #include "tests/bench/scale.h"
-#include "core/scene/glyph.h"
 
 namespace {
 
@@ -52,7 +52,7 @@ std::vector<std::vector<double>> seconds_of_styles(const Context& context, const
         works.push_back({[&drawing, scene] { drawing.renderer().set_scene(scene); },
                          [&drawing, moving = style.moving] {
                              if (moving) drawing.push();
-                             drawing.renderer().draw_unread();
+                             drawing.draw();
                          }});
     }
     return bench::in_turn(works, runs);

@@ -14,12 +14,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "gl/brick_textures.h"
+#include "gl/brick_window.h"
+#include "gl/check.h"
+#include "gl/context.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/lit_volume.h"
 #include "tests/bench/scale.h"
-#include "gl/brick_textures.h"
-#include "gl/check.h"
-#include "gl/renderer.h"
 
 namespace {
 
@@ -75,12 +76,9 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
     const BrickLayers layers(volume, {0, count});
 
     const auto layout = make_layout("horseshoe", shape_for(size));
-    RenderOptions options;
-    options.size = {16, 16};
-    options.ring = 1;
-    options.window_layers = count;
-    Renderer renderer(context, *layout, options);
-    BrickTextures textures(gl, BrickRing(1));
+    BrickWindow window(gl, *layout, count, 1);
+    std::int64_t next = 0;
+    BrickTextures textures(gl, 1);
     const BareTexture bare(gl, layers);
     std::vector<std::byte> texels = texels_of(layers);
     std::vector<std::byte> copy(texels.size());
@@ -91,7 +89,11 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
     };
     const std::vector<Way> ways{
         {"layout", [&] { texels = texels_of(layers); }},
-        {"renderer", [&] { renderer.push_brick(0, layers); }},
+        {"renderer",
+         [&] {
+             window.show(volume, cut_into(count, 1), next++);
+             window.bind(0);
+         }},
         {"textures", [&] { textures.upload(0, layers); }},
         {"bare", [&] { bare.upload(texels); }},
         {"memcpy", [&] { std::memcpy(copy.data(), texels.data(), copy.size()); }},

@@ -16,6 +16,8 @@ def run_commands(t, page):
     blocks = commands((t.source / page).read_text())
     check(blocks, f"{page} has no commands to test")
     t.clip("clip.avi")
+    t.path(".cache").mkdir()
+    t.clip(".cache/vtest.avi")  # where scripts/demo leaves it
     (t.path("bin")).mkdir()
     t.path("bin/vvr").symlink_to(t.vvr_path)
     for block in blocks:
@@ -74,8 +76,16 @@ def test_options_that_messages_name_exist(t):
                 check(option in known, f"{file.relative_to(t.source)} names {option}, which is no option")
 
 
+def test_reliability_names_its_tests(t):
+    cases = "".join(file.read_text() for file in (t.source / "tests" / "cli").glob("test_*.py"))
+    rows = re.findall(r"^\|.*\| (`.*`) \|$", (t.source / "docs" / "reliability.md").read_text(), flags=re.MULTILINE)
+    check(len(rows) > 20, f"{rows}")
+    for name in re.findall(r"`(\w+)`", "".join(rows)):
+        check(f"def test_{name}(" in cases, f"docs/reliability.md names the test {name}, which is not there")
+
+
 def test_links_lead_somewhere(t):
-    for page in [t.source / "README.md", *(t.source / "docs").glob("*.md")]:
+    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md")]:
         for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):
             check((page.parent / link).exists(), f"{page.name} links to {link}, which is not there")
         for name in re.findall(r"`((?:cli|core|gl|glsl|scripts|tests)/[\w./-]*)`", page.read_text()):

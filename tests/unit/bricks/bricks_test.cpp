@@ -52,13 +52,6 @@ TEST(Cut, IntoPiecesStaysWithinBricks) {
     EXPECT_TRUE(cut_into_pieces(std::vector<Brick>{}).empty());
 }
 
-TEST(BrickRing, ReusesSlotsCyclically) {
-    const BrickRing ring(3);
-    EXPECT_EQ(ring.slot(0), 0);
-    EXPECT_EQ(ring.slot(4), 1);
-    EXPECT_EQ(ring.slot(8), 2);
-}
-
 TEST(Volume, KeepsEachFrameWhileItFits) {
     Volume volume({2, 2}, 8);
     for (int i = 0; i < 8; ++i) volume.add(frame(i, {2, 2}, static_cast<std::uint8_t>(i)));

@@ -265,15 +265,15 @@ TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     FlowOptions options;
     options.method = "horn-schunk";
     EXPECT_EQ(text_of(options),
-              "--flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
+              "flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
               "farneback, none");
     options.method = "horn-schunck";
     options.solver = "sor";
-    EXPECT_EQ(text_of(options), "--solver: there is no 'sor'; it is one of: pyramid, multigrid, jacobi");
+    EXPECT_EQ(text_of(options), "solver: there is no 'sor'; it is one of: pyramid, multigrid, jacobi");
     options.solver = "jacobi";
     options.derivatives = "cubes";
     EXPECT_EQ(text_of(options),
-              "--derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
     options.method = "none";
     EXPECT_EQ(make_flow(options), nullptr);
 }

@@ -1,38 +1,34 @@
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/image/jpeg_encoder.h"
-#include "core/image/png_encoder.h"
+#include "core/image/picture_file.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
 
-template <class Encode>
-std::string error_of(const Encode& encode) {
-    return test::error_text(ErrorKind::io, encode);
+std::string error_of(const std::string& name, Size size) {
+    return test::error_text(ErrorKind::io, [&] { encode_picture(name, Picture{Plane<Rgba>(size)}); });
 }
 
-TEST(Encoders, SayWhatTheirLibrariesRefuse) {
-    const std::vector<std::uint8_t> values(3 * 70000);
-    EXPECT_EQ(error_of([&] {
-                  encode_jpeg({.size = {70000, 1}, .values = values});
-              }),
-              "cannot encode a JPEG file of 70000x1: Maximum supported image dimension is 65500 pixels");
-    EXPECT_EQ(error_of([&] {
-                  encode_png({.size = {0, 5}, .values = values});
-              }),
-              "cannot encode a PNG file of 0x5: Invalid IHDR data");
+TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
+    EXPECT_EQ(error_of("a.jpg", {70000, 1}),
+              "cannot encode 'a.jpg' of 70000x1 pixels: a .jpg file has at most 65500 per side; choose a smaller size "
+              "or another format");
+    EXPECT_NE(error_of("a.png", {0, 5}).find("cannot encode 'a.png': "), std::string::npos);
 }
 
-TEST(Encoders, CutACommentThatIsTooLong) {
-    const std::vector<std::uint8_t> values(3 * 8 * 8);
-    const auto bytes = encode_jpeg({.size = {8, 8}, .values = values, .comment = std::string(70000, 'x')});
-    EXPECT_GT(bytes.size(), 65533U);
-    EXPECT_LT(bytes.size(), 70000U);
+TEST(Encoders, CutADescriptionThatIsTooLong) {
+    const auto bytes = encode_picture("a.jpg", Picture{Plane<Rgba>({8, 8})}, {{"title", std::string(70000, 'x')}});
+    EXPECT_EQ(settings_of(decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
+}
+
+TEST(Encoders, GiveAFrameItsColours) {
+    const auto png = encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
+    const Samples samples = decode_samples("a.png", png);
+    EXPECT_EQ(samples.channels, (std::vector<std::string>{"R", "G", "B"}));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(255 * samples.at(2, 1)[c], 30 - 10 * static_cast<int>(c), 1e-3);
 }
 
 }  // namespace

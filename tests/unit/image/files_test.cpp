@@ -20,6 +20,7 @@
 #include "core/fnv.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
+#include "core/image/pixel_data_channels.h"
 
 namespace vvr {
 namespace {
@@ -81,6 +82,31 @@ Error error_of(Action action) {
     return Error(ErrorKind::usage, "nothing was thrown");
 }
 
+/// A file as the picture that was written.
+Picture read_picture(const fs::path& path) {
+    const Samples samples = read_samples(path);
+    const std::size_t channels = samples.channels.size();
+    const auto named = [&](std::string_view name) { return std::ranges::find(samples.channels, name); };
+    const auto index_of = [&](auto at) { return static_cast<std::size_t>(at - samples.channels.begin()); };
+    const auto alpha = named("A");
+    Picture picture{Plane<Rgba>(samples.size), samples.encoding};
+    for (const PixelDataChannel& channel : pixel_data_channels) {
+        if (named(channel.name) != samples.channels.end()) {
+            picture.pixel_data.*channel.plane = Plane<float>(samples.size);
+        }
+    }
+    for (std::size_t i = 0; i < picture.pixels.pixels().size(); ++i) {
+        const auto from = std::span(samples.values).subspan(i * channels, channels);
+        picture.pixels.pixels()[i] = {from[0], from[1], from[2],
+                                      alpha == samples.channels.end() ? 1 : from[index_of(alpha)]};
+        for (const PixelDataChannel& channel : pixel_data_channels) {
+            Plane<float>& plane = picture.pixel_data.*channel.plane;
+            if (!plane.empty()) plane.pixels()[i] = from[index_of(named(channel.name))];
+        }
+    }
+    return picture;
+}
+
 /// The largest difference of any value.
 float apart(const Picture& a, const Picture& b) {
     if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<float>::infinity();
@@ -104,7 +130,7 @@ TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
 
     EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))),
               GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
-    Metadata read = read_metadata(file("a" + GetParam()));
+    Metadata read = settings_of(read_samples(file("a" + GetParam())));
     std::ranges::sort(read);
     EXPECT_EQ(read, (Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
     EXPECT_EQ(files(), 1U);
@@ -144,29 +170,29 @@ TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
     }
 }
 
-TEST_F(ImageTest, LayersComeBackExactlyFromTheFormatThatHoldsThem) {
+TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     for (const float alpha : {1.0F, 0.5F}) {
         Picture picture = gradient({5, 3}, alpha);
-        picture.layers = {Plane<float>({5, 3}, none), Plane<float>({5, 3}, none), Plane<float>({5, 3}, -1)};
-        picture.layers.depth.at(4, 1) = 2.7182818F;
-        picture.layers.time.at(4, 1) = 86399.96F;
-        picture.layers.frame.at(4, 1) = 2159999;  // more than a half float holds
+        picture.pixel_data = {Plane<float>({5, 3}, none), Plane<float>({5, 3}, none), Plane<float>({5, 3}, -1)};
+        picture.pixel_data.depth.at(4, 1) = 2.7182818F;
+        picture.pixel_data.time.at(4, 1) = 86399.96F;
+        picture.pixel_data.frame.at(4, 1) = 2159999;  // more than a half float holds
         write_picture(file("a.exr"), picture);
         const Picture read = read_picture(file("a.exr"));
         EXPECT_LT(apart(picture, read), 1.0 / 255) << "colours and alpha as ever";
-        for (const auto plane : {&PictureLayers::depth, &PictureLayers::time, &PictureLayers::frame}) {
-            ASSERT_EQ((read.layers.*plane).size(), picture.pixels.size());
-            EXPECT_EQ((read.layers.*plane).at(4, 1), (picture.layers.*plane).at(4, 1));
+        for (const auto plane : {&PixelData::depth, &PixelData::time, &PixelData::frame}) {
+            ASSERT_EQ((read.pixel_data.*plane).size(), picture.pixels.size());
+            EXPECT_EQ((read.pixel_data.*plane).at(4, 1), (picture.pixel_data.*plane).at(4, 1));
         }
-        EXPECT_TRUE(std::isnan(read.layers.time.at(0, 0)) && std::isnan(read.layers.depth.at(0, 0)));
-        EXPECT_EQ(read.layers.frame.at(0, 0), -1);
+        EXPECT_TRUE(std::isnan(read.pixel_data.time.at(0, 0)) && std::isnan(read.pixel_data.depth.at(0, 0)));
+        EXPECT_EQ(read.pixel_data.frame.at(0, 0), -1);
 
         write_picture(file("a.png"), picture);
-        EXPECT_TRUE(read_picture(file("a.png")).layers.empty());
+        EXPECT_TRUE(read_picture(file("a.png")).pixel_data.empty());
     }
-    EXPECT_TRUE(holds_layers("out.EXR"));
-    EXPECT_FALSE(holds_layers("out.tif"));
+    EXPECT_TRUE(holds_pixel_data("out.EXR"));
+    EXPECT_FALSE(holds_pixel_data("out.tif"));
 }
 
 TEST_F(ImageTest, LinearValuesAreEncodedForIntegers) {

@@ -14,6 +14,7 @@
 #include "core/scene/theme.h"
 #include "core/scene/time_table.h"
 #include "core/scene/transfer_file.h"
+#include "tests/support/layouts.h"
 
 namespace vvr {
 namespace {
@@ -202,11 +203,11 @@ TEST(LeftOut, BricksAreCutByTheClock) {
 TEST(LeftOut, IsToldInTheTitle) {
     const Volume volume = day_with_pauses(800);
     RenderJob job;
-    RenderReport report;
-    report.last_pts = 12000;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    Caption caption;
+    caption.end = 12000;
+    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
     const Framing framing = frame_volume(job, *layout);
-    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks_of(job, framing, volume, {}));
     const auto tells = [&](const std::string& text) {
         return std::ranges::any_of(lettering.labels, [&](const Label& label) { return label.text.ends_with(text); });
     };
@@ -251,10 +252,9 @@ TEST(Gaps, AreWhereNoFrameCame) {
 TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
     const Volume volume = clip_with_gap();
     RenderJob job;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size(), job.r_min, job.r_max));
+    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
     const Framing framing = frame_volume(job, *layout);
-    RenderReport report;
-    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    const Lettering lettering = letter(job, {}, volume, *layout, framing, ticks_of(job, framing, volume, {}));
     EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &Label::text), 1);
     const auto strokes = gap_marks(time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
     EXPECT_GT(strokes.size(), 20U);
@@ -262,8 +262,8 @@ TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
         const double t = layout->c_from_p(stroke.from).z;
         EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
     }
-    job.show.erase("ruler");
-    EXPECT_EQ(std::ranges::count(letter(job, report, volume, *layout, framing).labels, "no signal", &Label::text), 0);
+    job.look.show.remove(Part::ruler);
+    EXPECT_EQ(std::ranges::count(letter(job, {}, volume, *layout, framing, {}).labels, "no signal", &Label::text), 0);
 }
 
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
@@ -290,13 +290,13 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
     job.picture.size = size;
     job.picture.view.azimuth = eye.first;
     job.picture.view.elevation = eye.second;
-    job.scalar = {"difference", "what differs from the empty scene"};
-    RenderReport report;
-    report.info.name = "folder/a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
-    report.frames = frames;
-    report.last_pts = (frames - 1) / 25.0;
+    Caption caption;
+    caption.title = "a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
+    caption.frames = frames;
+    caption.end = (frames - 1) / 25.0;
     const Framing framing = frame_volume(job, *layout);
-    const Lettering lettering = letter(job, report, volume, *layout, framing);
+    const std::vector<TimeTick> ticks = ticks_of(job, framing, volume, {});
+    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks);
 
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> boxes;
@@ -311,7 +311,6 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
     EXPECT_EQ(lettering.bars.size(), 2U) << "what the colours mean";
 
     int on_the_ruler = 0;
-    const std::vector<TimeTick> ticks = ticks_of(job, framing, volume);
     for (const TimeTick& tick : ticks) {
         for (const Label& label : lettering.labels) {
             if (label.text != tick.text) continue;
@@ -336,7 +335,7 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Pictures, OnASheet,
     testing::Combine(testing::Values(Size{640, 480}, Size{1280, 800}, Size{3840, 2160}, Size{600, 1000}),
-                     testing::Values("horseshoe", "box"),
+                     testing::ValuesIn(test::layout_names()),
                      testing::Values(std::pair{0.0, 46.0}, std::pair{40.0, 20.0}, std::pair{-120.0, -15.0}),
                      testing::Values(30, 2000)));
 
@@ -344,17 +343,17 @@ TEST(Lettering, SaysThatNothingMoves) {
     const Volume volume = clip_of(50);
     const auto layout = make_layout("horseshoe", shape_for(volume.size()));
     RenderJob job;
-    RenderReport report;
-    report.info.name = "still.avi";
-    report.frames = 50;
-    report.still = true;
+    Caption caption;
+    caption.title = "still.avi";
+    caption.frames = 50;
+    caption.still = true;
     const Framing framing = frame_volume(job, *layout);
     const auto says_it = [&] {
-        const Lettering lettering = letter(job, report, volume, *layout, framing);
+        const Lettering lettering = letter(job, caption, volume, *layout, framing, {});
         return std::ranges::count(lettering.labels, "nothing moves", &Label::text);
     };
     EXPECT_EQ(says_it(), 1);
-    report.still = false;
+    caption.still = false;
     EXPECT_EQ(says_it(), 0);
 }
 
@@ -366,19 +365,17 @@ TEST(ShownName, TellsNeitherFoldersNorWhoMaySeeIt) {
     EXPECT_EQ(shown_name("rtsp://admin:secret@camera"), "a clip");
     EXPECT_EQ(shown_name("rtsp://admin:secret@camera/hall?token=abc"), "hall");
 
-    const Volume volume = clip_of(50);
-    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
-    RenderReport report;
-    report.info.name = "rtsp://admin:secret@camera/hall?token=abc";
-    const Lettering lettering = letter({}, report, volume, *layout, frame_volume({}, *layout));
-    EXPECT_EQ(lettering.labels.front().text, "hall");
+    VideoInfo clip;
+    clip.name = "rtsp://admin:secret@camera/hall?token=abc";
+    EXPECT_EQ(title_of("", clip), "hall");
+    EXPECT_EQ(title_of("asked for", clip), "asked for");
 }
 
 TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
     const Sheet sheet = arrange_sheet({160, 100}, {true, true, true});
     EXPECT_EQ(sheet.text, 0);
-    EXPECT_EQ(sheet.volume.size, (Size{160, 100}));
-    EXPECT_EQ(arrange_sheet({1280, 800}, {}).volume.size, (Size{1280, 800})) << "nor where none is asked for";
+    EXPECT_EQ(sheet.volume.size(), (Size{160, 100}));
+    EXPECT_EQ(arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
 }
 
 TEST(Themes, AreReadable) {

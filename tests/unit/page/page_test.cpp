@@ -213,7 +213,7 @@ TEST(Page, NamesNothingThatIsNotInIt) {
     content.name = "</title><script>";
     content.shown = content.field = {8, 6};
     content.picture.pixels = Plane<Rgba>({20, 10}, {1, 1, 1, 1});
-    content.picture.layers.frame = Plane<float>({20, 10}, -1);
+    content.picture.pixel_data.frame = Plane<float>({20, 10}, -1);
     content.moments.times = {{5, 3, 0.2, 0.04}};
     content.moments.stills.push_back({5, 0.2, Plane<Bgr>({8, 6})});
     const std::string page = make_page(content);

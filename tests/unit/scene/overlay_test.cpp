@@ -32,7 +32,7 @@ TEST(Boxes, HoldTheLayoutAndWhatIsSeen) {
     EXPECT_LT(glm::distance(all.high, glm::dvec3(1, 0.4, 1)), 1e-9);
 
     const BrickCells cells = brick_cells(BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
-    const std::vector<PlacedBrick> bricks = {{0, 64, 0, 1, {}, {}, &cells}};
+    const std::vector<PlacedCells> bricks = {{&cells}};
     const AxisBox seen = visible_box(bricks, *layout, default_transfer_function());
     const glm::dvec3 dot = layout->p_from_c({1 - 10.5 / 64, 1 - 40.5 / 48, 32.5 / 64});
     for (int axis = 0; axis < 3; ++axis) {

@@ -66,7 +66,7 @@ TEST(Slices, FillTheVolumeExactlyOnce) {
                 const std::vector<glm::dvec3> outline = outline_points(*layout);
                 const Camera camera = fit_camera({azimuth, elevation, 30}, outline, {640, 480});
                 const SliceStack stack = stack_slices(camera, *layout, 300, 0);
-                const SliceMesh mesh = cut_slices(std::vector<PlacedBrick>{{0, 64, 0, 1, {}, {}, &cells}}, 0, *layout,
+                const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
                                                   default_transfer_function(), camera, stack);
                 EXPECT_NEAR(area_of(mesh) * stack.spacing / (depth * 0.4 * length), 1, 0.01)
                     << name << " " << azimuth << " " << elevation;
@@ -88,7 +88,7 @@ TEST(Slices, GoFromFarToNear) {
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
     const SliceStack stack = stack_slices(camera, *layout, 50, 0);
-    const SliceMesh mesh = cut_slices(std::vector<PlacedBrick>{{0, 32, 0, 1, {}, {}, &cells}}, 0, *layout,
+    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
                                       default_transfer_function(), camera, stack);
     ASSERT_FALSE(mesh.indices.empty());
     double before = std::numeric_limits<double>::infinity();
@@ -111,7 +111,7 @@ TEST(Slices, PassOverWhatCannotBeSeen) {
     const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
-    const SliceMesh mesh = cut_slices(std::vector<PlacedBrick>{{0, 64, 0, 1, {}, {}, &cells}}, 0, *layout,
+    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
                                       default_transfer_function(), camera, stack_slices(camera, *layout, 50, 0));
     EXPECT_TRUE(mesh.indices.empty());
 }

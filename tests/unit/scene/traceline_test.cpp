@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/zebra.h"
+#include "tests/support/layouts.h"
 
 namespace vvr {
 namespace {
@@ -127,7 +128,7 @@ TEST_P(BentTraceline, FollowsTheTransformedField) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, BentTraceline, testing::Values("horseshoe", "box"),
+INSTANTIATE_TEST_SUITE_P(Layouts, BentTraceline, testing::ValuesIn(test::layout_names()),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Tracelines, MeasureTheTextureByLength) {

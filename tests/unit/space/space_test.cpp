@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
+#include "tests/support/layouts.h"
 
 namespace vvr {
 namespace {
@@ -79,7 +80,7 @@ TEST_P(EveryLayout, DrawsFartherSectionsFirst) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::Values("horseshoe", "box"),
+INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::ValuesIn(test::layout_names()),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Horseshoe, HasThePapersCorrectedBasis) {
@@ -102,7 +103,7 @@ TEST(LayoutTable, NamesWhatThereIs) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "no layout is called 'spiral'; there are horseshoe, box");
+        EXPECT_STREQ(error.what(), "layout: there is no 'spiral'; it is one of: horseshoe, box");
     }
 }
 
