@@ -32,7 +32,7 @@ class House:
         self.library_of = {}  # by folder
         self.home = {}  # the folder of a library's first source
         self.links = collections.defaultdict(set)
-        self.programs = set()  # the sources of executables: nothing includes them, so no cycle goes through them
+        self.program_of = {}  # by source of an executable; nothing includes it, so no cycle goes through it
         for floor in FLOORS:
             for file in sorted((self.root / floor).rglob("CMakeLists.txt")):
                 self._read(file)
@@ -46,23 +46,24 @@ class House:
             if name == "vvr_room":
                 rooms = itertools.takewhile(lambda word: word != "LIBRARIES", self._after(arguments, "ROOMS"))
                 self._declare(file.parent, f"vvr_{arguments[0]}", arguments, [f"vvr_{room}" for room in rooms])
-            elif name in ("add_library", "target_sources", "target_link_libraries") and arguments[0].startswith("vvr_"):
-                self._declare(file.parent, arguments[0], arguments, [word for word in arguments[1:] if word.startswith("vvr_")])
-            elif name == "add_executable":
-                self.programs |= {(file.parent / word).relative_to(self.root) for word in arguments
-                                  if word.endswith(".cpp") and "$" not in word}
+            elif name in ("add_library", "target_sources", "target_link_libraries", "add_executable"):
+                links = [word for word in arguments[1:] if word.startswith("vvr_")]
+                self._declare(file.parent, arguments[0], arguments, links, name == "add_executable")
 
     @staticmethod
     def _after(words, key):
         return words[words.index(key) + 1:] if key in words else []
 
-    def _declare(self, folder, library, words, links):
-        self.links[library].update(links)
+    def _declare(self, folder, target, words, links, program=False):
+        self.links[target].update(links)
         for word in words:
-            if word.endswith(".cpp"):
+            if word.endswith(".cpp") and "$" not in word:
                 source = (folder / word).relative_to(self.root)
-                self.home.setdefault(library, str(source.parent))
-                self.library_of.setdefault(str(source.parent), library)
+                if program:
+                    self.program_of[source] = target
+                else:
+                    self.home.setdefault(target, str(source.parent))
+                    self.library_of.setdefault(str(source.parent), target)
 
     def _includes(self):
         """File, line number, the name in the include, and the folder of one of our headers (else None)."""
@@ -76,9 +77,9 @@ class House:
                         ours = found[1] == '"' and len(header.parts) > 1
                         yield file.relative_to(self.root), number, found[2], str(header.parent) if ours else None
 
-    def reach(self, library):
-        """The library and all that it links, directly or through others."""
-        found, left = set(), [library]
+    def reach(self, target):
+        """The target and all that it links, directly or through others."""
+        found, left = set(), [target]
         while left:
             each = left.pop()
             if each not in found:
@@ -99,7 +100,7 @@ def wrong_includes(house):
             if header.startswith(PROCESS_HEADERS) and any(file.is_relative_to(room) for room in NO_PROCESS):
                 yield f"{place}, which only the rest of cli may use"
             continue
-        mine, other = house.library_of.get(str(file.parent)), house.library_of.get(folder)
+        mine, other = house.program_of.get(file, house.library_of.get(str(file.parent))), house.library_of.get(folder)
         if mine is None or other is None:
             yield f"{place}: no library has sources in {file.parent if mine is None else folder}"
         elif other not in house.reach(mine):
@@ -117,7 +118,7 @@ def cycles(house):
     """For each folder of a cycle the shortest way back to it, once for each set of folders."""
     edges = collections.defaultdict(dict)
     for file, number, _, folder in house.includes:
-        if folder not in (None, str(file.parent)) and file not in house.programs:
+        if folder not in (None, str(file.parent)) and file not in house.program_of:
             edges[str(file.parent)].setdefault(folder, f"{file}:{number}")
     found = {}
     for begin in sorted(edges):
@@ -149,5 +150,4 @@ def complaints(root):
 
 if __name__ == "__main__":
     said = complaints(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
-    print("\n".join(said))
-    sys.exit(bool(said))
+    sys.exit("\n".join(said) if said else 0)

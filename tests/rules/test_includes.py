@@ -20,6 +20,7 @@ target_link_libraries(vvr_render PUBLIC vvr_gl vvr_fields)
 add_library(vvr_cli STATIC log.cpp commands/render.cpp)
 target_link_libraries(vvr_cli PUBLIC vvr_render CLI11::CLI11)
 add_executable(vvr main.cpp)
+target_link_libraries(vvr PRIVATE vvr_cli)
 """,
     "cli/render/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
     "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/render/job.h"\n',
