@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
 #include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
@@ -34,26 +35,16 @@ Annotations::Annotations(const GladGLContext& gl)
     constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
     gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
-    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Segment),
-                               reinterpret_cast<const void*>(offset));
-        gl.VertexAttribDivisor(attribute, 1);
-    };
-    instance(1, 3, offsetof(Segment, from));
-    instance(2, 3, offsetof(Segment, to));
-    instance(3, 4, offsetof(Segment, colour));
+    set_attribute<Segment>(gl, 1, 3, offsetof(Segment, from), Per::instance);
+    set_attribute<Segment>(gl, 2, 3, offsetof(Segment, to), Per::instance);
+    set_attribute<Segment>(gl, 3, 4, offsetof(Segment, colour), Per::instance);
 
     gl.BindVertexArray(picture_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PictureVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(PictureVertex),
-                           reinterpret_cast<const void*>(offsetof(PictureVertex, at)));
+    set_attribute<PictureVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<PictureVertex>(gl, 1, 2, offsetof(PictureVertex, at), Per::vertex);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the annotations");
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
 #include "gl/light.h"
 #include "gl/program_sources.h"
@@ -22,27 +23,18 @@ FlowGeometry::FlowGeometry(const GladGLContext& gl)
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh_.id());
     gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(GlyphVertex)),
                   mesh.vertices.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex),
-                           reinterpret_cast<const void*>(offsetof(GlyphVertex, normal)));
+    set_attribute<GlyphVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<GlyphVertex>(gl, 1, 3, offsetof(GlyphVertex, normal), Per::vertex);
 
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                   mesh.indices.data(), GL_STATIC_DRAW);
 
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
-    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Glyph),
-                               reinterpret_cast<const void*>(offset));
-        gl.VertexAttribDivisor(attribute, 1);
-    };
-    instance(2, 3, offsetof(Glyph, from));
-    instance(3, 3, offsetof(Glyph, vector));
-    instance(4, 1, offsetof(Glyph, speed));
-    instance(5, 1, offsetof(Glyph, frame));
+    set_attribute<Glyph>(gl, 2, 3, offsetof(Glyph, from), Per::instance);
+    set_attribute<Glyph>(gl, 3, 3, offsetof(Glyph, vector), Per::instance);
+    set_attribute<Glyph>(gl, 4, 1, offsetof(Glyph, speed), Per::instance);
+    set_attribute<Glyph>(gl, 5, 1, offsetof(Glyph, frame), Per::instance);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the flow geometry");
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/scene/zebra.h"
+#include "gl/attribute.h"
 #include "gl/check.h"
 #include "gl/light.h"
 #include "gl/program_sources.h"
@@ -22,17 +23,13 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
     constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
 
     // Each piece of line is an instance that sees four points in a row of the one buffer: its own two, and those
     // beside them for the direction at its ends.
     gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
     const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(TraceVertex),
-                               reinterpret_cast<const void*>(point * sizeof(TraceVertex) + offset));
-        gl.VertexAttribDivisor(attribute, 1);
+        set_attribute<TraceVertex>(gl, attribute, size, point * sizeof(TraceVertex) + offset, Per::instance);
     };
     static_assert(offsetof(TraceVertex, along) == offsetof(TraceVertex, p) + sizeof(glm::vec3));
     static_assert(offsetof(TraceVertex, speed) == offsetof(TraceVertex, length) + sizeof(float));

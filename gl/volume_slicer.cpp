@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
 #include "gl/fence.h"
 #include "gl/light.h"
@@ -25,11 +26,8 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, Volume
     gl.BindVertexArray(vertex_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SliceVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(SliceVertex),
-                           reinterpret_cast<const void*>(offsetof(SliceVertex, t_reference)));
+    set_attribute<SliceVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<SliceVertex>(gl, 1, 1, offsetof(SliceVertex, t_reference), Per::vertex);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the volume slicer");
 }

@@ -128,6 +128,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
 
 RenderReport render_clip(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
                          const PictureSink& sink) {
+    RenderReport report;  // its stages begin now
     const std::int64_t expected = source.expected_frames();
     const Size field_size = source.field_size();
     RenderThread thread;
@@ -149,7 +150,6 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
         fields = read_fields(job, products.events, source, step, observer);
     }
 
-    RenderReport report;
     report.stages.end("fields");
     thread.run([&](Drawing& drawing) {
         if (!drawing.renderer) make_renderer(job, field_size, RenderOptions{}.tile_samples / 4, drawing);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.h"
+#include "core/labels/time_ticks.h"
 #include "core/version.h"
 #include "core/words.h"
 

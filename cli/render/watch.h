@@ -5,6 +5,7 @@
 
 #include "cli/render/job.h"
 #include "cli/render/observer.h"
+#include "core/fields/field_source.h"
 #include "core/video/live_source.h"
 
 namespace vvr {

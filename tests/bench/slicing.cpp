@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/slices.h"
+#include "gl/attribute.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
@@ -150,11 +151,8 @@ class ReadyPolygons {
                       cut.vertices.data(), GL_STATIC_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(cut.indices.size() * sizeof(std::uint32_t)),
                       cut.indices.data(), GL_STATIC_DRAW);
-        gl.EnableVertexAttribArray(0);
-        gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SliceVertex), nullptr);
-        gl.EnableVertexAttribArray(1);
-        gl.VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(SliceVertex),
-                               reinterpret_cast<const void*>(offsetof(SliceVertex, t_reference)));
+        set_attribute<SliceVertex>(gl, 0, 3, 0, Per::vertex);
+        set_attribute<SliceVertex>(gl, 1, 1, offsetof(SliceVertex, t_reference), Per::vertex);
         meshes_.push_back(std::move(mesh));
     }
 

@@ -66,7 +66,7 @@ def test_labels_need_a_font(t):
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
     done = t.vvr("render", "clip.avi", "-o", "out.png", "--size", "640x480", env=environment)
-    done.expect(0, "warning: fontconfig finds no font, so nothing is written on the picture; install one")
+    done.expect(0, "warning: fontconfig finds no font, so the picture has no text; install one")
     t.expect_picture("out.png", (640, 480))
 
 
@@ -75,7 +75,7 @@ def test_captions_of_a_frame_need_a_font(t):
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
     t.vvr("inspect", "clip.avi", "--frame", "3", "-o", "frame.png", env=environment).expect(
-        0, "fontconfig finds no font, so 'frame.png' has no captions; install one, fonts-dejavu-core say")
+        0, "fontconfig finds no font, so 'frame.png' has no captions; install one, for example fonts-dejavu-core")
 
 
 def test_keyframes_need_the_clips_length(t):
@@ -85,7 +85,7 @@ def test_keyframes_need_the_clips_length(t):
     check("key frames" not in told.err, str(told))
     # A stream that was written without a way back does not tell its length.
     t.ffmpeg("-i", "walkers.y4m", "-c:v", "ffv1", "-live", "1", "-f", "matroska", "unfinished.mkv")
-    t.render("unfinished.mkv", "--keyframes", "3", "--show", "frames").expect(0, "0 of 3 key frames stand in the picture")
+    t.render("unfinished.mkv", "--keyframes", "3", "--show", "frames").expect(0, "only 0 of 3 key frames are shown")
     t.render("walkers.y4m", "--keyframes", "2", output="out.{brick:4}.png").expect(1, "--keyframes is for one picture")
 
 

@@ -301,7 +301,7 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
     t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "did you mean")
-    t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end has to come after --start")
+    t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end has to come after the start")
     check(not t.path("out").exists(), "a refused run leaves something")
 
 

@@ -7,13 +7,13 @@ from harness import check
 
 def test_unknown_backend(t):
     t.vvr("render", "clip.avi", "-o", "out.png", "--backend", "directx").expect(
-        1, "--backend: 'directx' is not one of auto, egl, software, osmesa")
+        1, "--backend: there is no 'directx'; it is one of: auto, egl, software, osmesa")
 
 
 def test_backend_that_is_not_there(t):
     t.clip()
     t.render("clip.avi", "--backend", "egl", "--device", "99").expect(
-        4, "no OpenGL context from --backend egl --device 99; tried:", "egl:", "vvr doctor")
+        4, "no OpenGL context from backend egl, device 99; tried:", "egl:", "vvr doctor")
     t.expect_files("clip.avi")
 
 
@@ -22,7 +22,7 @@ def test_doctor_tells_of_every_backend(t):
     for text in ("vvr ", "FFmpeg ", "OpenImageIO ", "OpenCV ", "\negl ", "\nsoftware ", "\nosmesa ", "llvmpipe"):
         check(text in result.out, f"{result}\nexpected: {text}")
     for block in result.out.split("\n\n")[1:]:
-        wanted = ["renderer", "version"] if " works:" in block.splitlines()[0] else ["reason", "mend with"]
+        wanted = ["renderer", "version"] if " works:" in block.splitlines()[0] else ["reason", "fix with"]
         for word in wanted:
             check(word in block, f"no {word} in\n{block}")
 

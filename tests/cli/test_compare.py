@@ -130,7 +130,7 @@ def golden(t, *arguments, output=()):
 def test_golden_that_is_missing_then_blessed_then_met(t):
     t.clip()
     golden(t).expect(7, "there is no golden picture 'golden.png' to compare with; look at 'golden.candidate.png', and if "
-                        "it is right, run the same with --bless")
+                        "it is right, bless it (--bless)")
     t.expect_files("clip.avi", "golden.candidate.png")
     t.expect_picture("golden.candidate.png")
     golden(t, "--bless").expect(0, "'golden.png': blessed")
@@ -187,8 +187,8 @@ def test_golden_that_cannot_be_read_or_kept(t):
 
 def test_golden_options_that_do_not_fit(t):
     t.clip()
-    t.render("clip.avi", "--bless").expect(1, "--bless: say which picture is to be blessed with --golden FILE")
-    t.render("clip.avi", "--diff", "d.png").expect(1, "--diff: say what the picture is compared with with --golden FILE")
+    t.render("clip.avi", "--bless").expect(1, "--bless: add --golden FILE to say which picture is blessed")
+    t.render("clip.avi", "--diff", "d.png").expect(1, "--diff: add --golden FILE to say what the picture is compared with")
     golden(t, "--bless", "--diff", "d.png").expect(1, "--bless compares nothing")
     golden(t, "--animate", "3", output=("-o", "a.####.png")).expect(1, "--golden compares one picture")
     t.vvr("render", "clip.avi").expect(1, "no output: say where the picture goes with -o FILE")

@@ -106,7 +106,7 @@ def test_four_parts_are_one_whole(t):
     t.render("part10", "part0").expect(1, "give the parts in order")
     t.render("part0", "clip.mkv").expect(1, "'clip.mkv' is one argument too many")
     t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10", "--grid", "9").expect(0)
-    t.render("part0", "part10").expect(1, "--grid is '14' and '9'")
+    t.render("part0", "part10").expect(1, "grid is '14' and '9'")
 
 
 def test_part_gives_the_picture_that_the_clip_gives(t):
@@ -140,7 +140,7 @@ def test_extract_replaces_only_its_own(t):
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5", "--flow", "none").expect(0, "5 frames")
     check(len(list(t.path("data/scalar").iterdir())) == 5, "the older extraction was not replaced")
-    t.render("data").expect(1, "was extracted with --flow none", "--show")
+    t.render("data").expect(1, "was extracted without flow", "--show")
     t.render("data", "--show", "volume").expect(0)
 
 

@@ -41,7 +41,7 @@ def test_preset_of_a_day(t):
     t.render("day.mkv", "--preset", "day", "--show", "volume", output="plain.png").expect(0)
     t.render("day.mkv", "--show", "volume", "--preset=day", output="order.png").expect(0)
     check(t.path("plain.png").read_bytes() == t.path("order.png").read_bytes(), "options beside a preset win, in any order")
-    t.render("day.mkv", "--preset", "dya").expect(1, "--preset: 'dya'", "did you mean 'day'?")
+    t.render("day.mkv", "--preset", "dya").expect(1, "--preset: there is no 'dya'", "did you mean 'day'?")
     t.render("day.mkv", "--skip-idle", "-1").expect(1, "--skip-idle")
     t.render("day.mkv", "--skip-idle", "5", output="s.{brick}.png").expect(1, "--skip-idle is for one picture of a clip")
 

@@ -86,7 +86,7 @@ def test_start_beyond_the_end(t):
     t.clip()
     t.render("clip.avi", "--start", "20").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
     t.render("clip.avi", "--start", "5s").expect(1, "has no frame from 5 s")
-    t.render("clip.avi", "--start", "9", "--end", "3").expect(1, "--end has to come after --start")
+    t.render("clip.avi", "--start", "9", "--end", "3").expect(1, "--end has to come after the start")
     t.expect_files("clip.avi")
 
 
@@ -94,7 +94,7 @@ def test_info_says_what_a_render_would_do(t):
     t.clip()
     text = t.vvr("info", "clip.avi").expect(0, out=None)
     check(text.err == "", str(text))
-    for part in ("avi, mpeg4", "64x48", "10 frames a second", "20, as the container says", "2.000 s", "20 layers", "MB"):
+    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, as the container says", "2.000 s", "20 layers", "MB"):
         check(part in text.out, f"{text}\nexpected: {part}")
     told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11", "--step", "2").expect(0, out=None).out)
     check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))

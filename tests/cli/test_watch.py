@@ -209,7 +209,7 @@ def test_watch_ends_when_asked(t):
         with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
             listening(port)
             watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
-            watch.wait_for("frames a second")
+            watch.wait_for("frames per second")
             time.sleep(3.5)
             watch.child.send_signal(number)
             said = watch.end(0, seconds=10)
@@ -221,7 +221,7 @@ def test_watch_ends_when_asked(t):
     with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
         listening(port)
         watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", *SIZE)
-        watch.wait_for("frames a second")
+        watch.wait_for("frames per second")
         watch.child.send_signal(signal.SIGTERM)
         check("0 pictures of 0 frames" in watch.end(0, seconds=10), watch.said())
     t.expect_files("cam.ts", "stderr", "watch.log")
