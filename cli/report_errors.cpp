@@ -13,7 +13,7 @@ std::string with_flags(const std::string& text, const About& about) {
     std::string others;
     for (const std::string& name : about.names()) {
         if (text.starts_with(name)) {
-            flagged = "--" + text;
+            flagged = fmt::format("--{}", text);
         } else {
             others += fmt::format("{}--{}", others.empty() ? "" : ", ", name);
         }

@@ -33,7 +33,7 @@ class Doctor final : public Command {
     ExitStatus run(const CommandLine&, const Environment& environment) override {
         std::string text = version_text();
         const std::vector<BackendReport> reports = probe_backends();
-        for (const BackendReport& report : reports) text += "\n" + describe(report);
+        for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
         print(text);
         if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
         environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
