@@ -1,7 +1,7 @@
 #include "core/video/frame_store.h"
 
-#include <algorithm>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -16,7 +16,7 @@ using Bytes = Plane<std::uint8_t>;
 std::span<const char> compress(const Bytes& from, std::vector<char>& to) {
     const int length = static_cast<int>(from.pixels().size());
     to.resize(static_cast<std::size_t>(LZ4_compressBound(length)));
-    constexpr int acceleration = 8;
+    constexpr int acceleration = 16;
     const int written = LZ4_compress_fast(reinterpret_cast<const char*>(from.pixels().data()), to.data(), length,
                                           static_cast<int>(to.size()), acceleration);
     return std::span(to).first(static_cast<std::size_t>(written));
@@ -29,12 +29,20 @@ Bytes decompressed(std::span<const char> from, Size size) {
     return bytes;
 }
 
-/// Sums or differences of bytes, modulo 256.
-template <class Operation>
-void combine(Bytes& here, const Bytes& other, const Operation& operation) {
-    std::ranges::transform(here.pixels(), other.pixels(), here.pixels().begin(), [&](unsigned a, unsigned b) {
-        return static_cast<std::uint8_t>(operation(a, b));
-    });
+/// `here` becomes how `other` differs from it, modulo 256.
+void difference(Bytes& here, const Bytes& other) {
+    std::uint8_t* const to = here.pixels().data();
+    const std::uint8_t* const from = other.pixels().data();
+    const std::size_t count = here.pixels().size();
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(from[i] - to[i]);
+}
+
+/// `here` becomes what differs from it by `change`.
+void add(const Bytes& change, Bytes& here) {
+    std::uint8_t* const to = here.pixels().data();
+    const std::uint8_t* const by = change.pixels().data();
+    const std::size_t count = here.pixels().size();
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(to[i] + by[i]);
 }
 
 }  // namespace
@@ -43,7 +51,7 @@ bool FrameStore::push(ScaledPicture picture) {
     if (!pushed_) pushed_ = {Bytes(picture.planes.size()), picture.matrix};
     Bytes& before = pushed_->planes;
     if (before.size() != picture.planes.size() || pushed_->matrix != picture.matrix) return false;
-    combine(before, picture.planes, std::minus());
+    difference(before, picture.planes);
     const auto packed = compress(before, scratch_);
     packed_.emplace_back(packed.begin(), packed.end());
     bytes_ += packed.size();
@@ -57,7 +65,7 @@ std::optional<ScaledPicture> FrameStore::pop() {
     bytes_ -= packed_.front().size();
     packed_.pop_front();
     if (!popped_) popped_ = {Bytes(change.size()), pushed_->matrix};
-    combine(popped_->planes, change, std::minus());
+    add(change, popped_->planes);
     return popped_;
 }
 
