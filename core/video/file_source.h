@@ -39,7 +39,7 @@ class FileSource final : public FrameSource {
 
     std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
-    std::optional<KeptClip> kept_;         ///< instead of what the reader would read
+    std::optional<StoredClip> stored_;         ///< read instead of the file
 };
 
 }  // namespace vvr
