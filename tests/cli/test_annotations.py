@@ -92,7 +92,7 @@ def test_keyframes_need_the_clips_length(t):
 def test_annotations_that_are_refused(t):
     t.clip()
     for options, *texts in [
-        (("--theme", "lihgt"), "--theme: 'lihgt'", "did you mean 'light'?"),
+        (("--theme", "lihgt"), "--theme: there is no 'lihgt'", "did you mean 'light'?"),
         (("--background", "red"), "--background: 'red': a colour is #rrggbb, or none"),
         (("--background", "#12345g"), "a colour is #rrggbb"),
         (("--start-time", "yesterday"), "--start-time: 'yesterday': a date and time is written 2026-11-21 08:00:00"),
