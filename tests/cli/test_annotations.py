@@ -92,13 +92,13 @@ def test_keyframes_need_the_clips_length(t):
 def test_annotations_that_are_refused(t):
     t.clip()
     for options, *texts in [
-        (("--theme", "lihgt"), "--theme: 'lihgt'", "did you mean 'light'?"),
+        (("--theme", "lihgt"), "--theme: there is no 'lihgt'", "did you mean 'light'?"),
         (("--background", "red"), "--background: 'red': a colour is #rrggbb, or none"),
         (("--background", "#12345g"), "a colour is #rrggbb"),
         (("--start-time", "yesterday"), "--start-time: 'yesterday': a date and time is written 2026-11-21 08:00:00"),
         (("--start-time", "2026-02-30 08:00"), "a date and time is written"),
         (("--keyframes", "33"), "--keyframes: '33'"),
-        (("--show", "volume,rulre"), "--show: 'rulre'", "did you mean 'ruler'?"),
+        (("--show", "volume,rulre"), "--show: there is no 'rulre'", "did you mean 'ruler'?"),
     ]:
         t.render("clip.avi", *options).expect(1, *texts)
     t.expect_files("clip.avi")
