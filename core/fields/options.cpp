@@ -35,10 +35,13 @@ void validate(const SeedOptions& seeds) {
 }
 
 void validate(const FrameSpan& span) {
-    check(setting::start, span.start);
-    check(setting::start, span.first);
-    if (span.end) check(setting::end, *span.end);
-    if (span.stop) check(setting::end, *span.stop);
+    // Written so that a NaN is refused.
+    if (!(span.start >= 0) || span.first < 0) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
+            {setting::start.name});
+    }
     if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
         throw Error(ErrorKind::usage, "end has to come after the start", {setting::end.name});
     }

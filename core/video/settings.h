@@ -7,8 +7,8 @@ namespace vvr::setting {
 
 inline constexpr Setting field_size{"field-size", "WxH", "size of the fields, or 'source'; long side 384 if not given"};
 inline constexpr Setting rate{"rate", "FPS", "frames per second of pictures and raw streams", {0.001, 100'000}};
-inline constexpr Setting start{"start", "TIME", "first frame: 250, 12.5s or 00:00:12.5", {0, 1e9}, "0"};
-inline constexpr Setting end{"end", "TIME", "the first frame that is no longer read", {0, 1e9}};
+inline constexpr Setting start{"start", "TIME", "first frame: 250, 12.5s or 00:00:12.5", {}, "0"};
+inline constexpr Setting end{"end", "TIME", "the first frame that is no longer read"};
 
 inline constexpr Setting duration{"duration", "TIME",
                                   "stop after 90s, 10m, 2h or 1d; without it, SIGTERM or SIGINT stops"};
