@@ -39,7 +39,8 @@ class Plane {
 
     Plane(const Plane& other) : Plane(for_overwrite(other.size_)) { std::ranges::copy(other.pixels(), pixels_.get()); }
     Plane(Plane&& other) noexcept { swap(other); }
-    Plane& operator=(Plane other) noexcept {
+    Plane& operator=(const Plane& other) { return *this = Plane(other); }
+    Plane& operator=(Plane&& other) noexcept {
         swap(other);
         return *this;
     }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/fields/seed_file.h"
 #include "core/fields/field_source.h"
+#include "core/fields/seed_file.h"
 
 namespace vvr {
 

@@ -1,3 +1,5 @@
+#include "core/fields/flow.h"
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -5,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/flows/median.h"
@@ -272,8 +273,7 @@ TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     EXPECT_EQ(text_of(options), "solver: there is no 'sor'; it is one of: pyramid, multigrid, jacobi");
     options.solver = "jacobi";
     options.derivatives = "cubes";
-    EXPECT_EQ(text_of(options),
-              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+    EXPECT_EQ(text_of(options), "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
     options.method = "none";
     EXPECT_EQ(make_flow(options), nullptr);
 }

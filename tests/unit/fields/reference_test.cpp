@@ -1,8 +1,9 @@
+#include "core/fields/reference.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/fields/reference.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

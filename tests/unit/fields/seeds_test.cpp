@@ -1,10 +1,10 @@
+#include "core/fields/seeds.h"
+
 #include <map>
 #include <set>
 #include <utility>
 
 #include <gtest/gtest.h>
-
-#include "core/fields/seeds.h"
 
 namespace vvr {
 namespace {

@@ -1,9 +1,10 @@
+#include "core/image/compare.h"
+
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "core/image/compare.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
 

@@ -88,8 +88,8 @@ TEST(Slices, GoFromFarToNear) {
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
     const SliceStack stack = stack_slices(camera, *layout, 50, 0);
-    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
-                                      default_transfer_function(), camera, stack);
+    const SliceMesh mesh =
+        cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout, default_transfer_function(), camera, stack);
     ASSERT_FALSE(mesh.indices.empty());
     double before = std::numeric_limits<double>::infinity();
     for (const std::uint32_t index : mesh.indices) {
@@ -111,8 +111,8 @@ TEST(Slices, PassOverWhatCannotBeSeen) {
     const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
     const std::vector<glm::dvec3> outline = outline_points(*layout);
     const Camera camera = fit_camera({}, outline, {640, 480});
-    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
-                                      default_transfer_function(), camera, stack_slices(camera, *layout, 50, 0));
+    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout, default_transfer_function(),
+                                      camera, stack_slices(camera, *layout, 50, 0));
     EXPECT_TRUE(mesh.indices.empty());
 }
 

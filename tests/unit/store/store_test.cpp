@@ -11,8 +11,8 @@
 
 #include "core/error.h"
 #include "core/fields/busy_fields.h"
-#include "core/store/data_folder.h"
 #include "core/fields/listed_seeds.h"
+#include "core/store/data_folder.h"
 #include "core/store/stored_fields.h"
 
 namespace vvr {
