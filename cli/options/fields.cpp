@@ -9,6 +9,8 @@
 #include "core/fields/illumination.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
+#include "core/fields/shadows.h"
+#include "core/fields/stabilizer.h"
 
 namespace vvr {
 
@@ -28,6 +30,9 @@ void add_filter_options(CLI::App& app, FieldOptions& options) {
                 {"--min-area", "PIXELS", "", "blobs of fewer field pixels are noise"});
     add_choice(app, group::fields, options.illumination, illuminations(),
                {"--illumination", "NAME", "", "changes of light that don't count"});
+    add_choice(app, group::fields, options.shadows, shadow_kinds(), {"--shadows", "NAME", "", "cast shadows"});
+    add_choice(app, group::fields, options.stabilize, stabilizers(),
+               {"--stabilize", "NAME", "", "a camera that shakes"});
     add_text(app, group::fields, options.roi,
              {"--roi", "AREA", "", "look only here: 'x,y x,y x,y; ...' in pixels of the video, or a picture"});
     add_text(app, group::fields, options.mask, {"--mask", "AREA", "", "don't look here, the camera's clock say"});

@@ -14,6 +14,8 @@
 #include "core/fields/reference.h"
 #include "core/fields/region.h"
 #include "core/fields/seeds.h"
+#include "core/fields/shadows.h"
+#include "core/fields/stabilizer.h"
 
 namespace vvr {
 namespace {
@@ -42,6 +44,8 @@ void validate(const FlowOptions& flow) {
 void validate(const FieldOptions& options) {
     find_filter(options.filter);
     choose("--illumination", options.illumination, illuminations());
+    choose("--shadows", options.shadows, shadow_kinds());
+    choose("--stabilize", options.stabilize, stabilizers());
     if (options.threshold) check_range("--threshold", *options.threshold, 0, 255);
     check_range("--smooth", options.smooth, 0.0, 20.0);
     check_range("--min-area", options.min_area, 0, 1000000);

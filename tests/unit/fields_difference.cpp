@@ -233,7 +233,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     EXPECT_EQ(object.at(15, 25), 0);
     EXPECT_NE(object.at(45, 25), 0);
     EXPECT_NE(object.at(75, 25), 0);
-    options.shadows = true;
+    options.shadows = "keep";
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0);
 }
 
