@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "core/fields/blobs.h"
 #include "core/fields/choice.h"
@@ -45,9 +46,10 @@ std::uint8_t value_of(int difference) {
 void apply(const Plane<std::uint8_t>& weak, Plane<std::uint8_t>& differences) {
     std::uint8_t* const pixels = differences.pixels().data();
     const std::uint8_t* const least = weak.pixels().data();
+    const std::size_t count = differences.pixels().size();
     constexpr std::uint8_t half = 255 / gain;
     // Plain byte arithmetic, so that the compiler makes vectors of it.
-    for (std::size_t i = 0; i < differences.pixels().size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t value = pixels[i];
         const auto lit = static_cast<std::uint8_t>(std::min(value, half) * gain);
         const auto shown = static_cast<std::uint8_t>(value > half ? 255 : lit);
@@ -59,7 +61,8 @@ void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane
     if (region.empty()) return;
     std::uint8_t* const pixels = plane.pixels().data();
     const std::uint8_t* const inside = region.pixels().data();
-    for (std::size_t i = 0; i < plane.pixels().size(); ++i) {
+    const std::size_t count = plane.pixels().size();
+    for (std::size_t i = 0; i < count; ++i) {
         pixels[i] = inside[i] == 0 ? std::uint8_t{0} : pixels[i];
     }
 }
@@ -104,7 +107,7 @@ Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Planes& ref
 
 Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
                                                   const Planes& empty) const {
-    const Plane<std::uint8_t> shadow = take_shadows(object, frame, empty);
+    const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty);
     if (shadow.empty()) return object;
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
     constexpr int reaches_per_side = 28;  // half of a car near by, in a usual picture

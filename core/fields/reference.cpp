@@ -219,7 +219,7 @@ Reference make_reference(FrameSource& clip, const FieldOptions& options) {
     like_clip.colour = clip.colour();
     const auto picture = open_source(kind, like_clip);
     Frame frame = Scaler(*picture)(*picture->next());
-    return {{std::move(frame.grey), std::move(frame.colour)}};
+    return Planes{std::move(frame.grey), std::move(frame.colour)};
 }
 
 RunningReference::RunningReference(const Planes& start)

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/fields/illumination.h"
@@ -16,6 +17,9 @@ namespace vvr {
 
 /// The empty scene that the difference filter compares with (§4, Fig. 4a).
 struct Reference : Planes {
+    Reference() = default;
+    Reference(Planes scene) : Planes(std::move(scene)) {}
+
     Plane<std::uint8_t> noise{};  ///< of `noise_of`; empty where too few frames were looked at
     bool shakes = false;          ///< whether the camera does, and nobody asked to leave it so
 };

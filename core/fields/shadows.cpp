@@ -106,7 +106,7 @@ std::span<const ShadowRow> shadow_kinds() {
     return rows;
 }
 
-Plane<std::uint8_t> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
+std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
     if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return {};
@@ -120,41 +120,37 @@ Plane<std::uint8_t> take_shadows(Plane<std::uint8_t>& object, const Planes& fram
             is_darker(frame.colour.at(i, j), empty.colour.at(i, j)) && has_kept_colour(frame, empty, i, j);
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
-    Plane<std::uint8_t> taken(object.size());
+    std::vector<ShadowPixel> taken;
     // One pixel proves nothing: most of those about it must look like a shadow too.
     for (const auto& [i, j] : points) {
         int sum = 0;
         for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
             for (int x = i - i0 - 1; x <= i - i0 + 1; ++x) sum += votes.at(x, y);
         }
-        if (sum > 0) std::swap(object.at(i, j), taken.at(i, j));
+        if (sum > 0) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
     }
     return taken;
 }
 
-void give_back_enclosed(Plane<std::uint8_t>& object, const Plane<std::uint8_t>& shadow, int reach) {
-    if (shadow.empty()) return;
-    const std::vector<Point> points = points_of(shadow);
-    if (points.empty()) return;
-    const auto is_object_towards = [&](const Point& from, int di, int dj) {
-        for (int k = 1; k <= reach; ++k) {
-            const int i = from.i + k * di;
-            const int j = from.j + k * dj;
-            if (i < 0 || i >= object.width() || j < 0 || j >= object.height()) return false;
-            if (object.at(i, j) != 0) return true;
+void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach) {
+    const std::ptrdiff_t width = object.width();
+    /// Whether one of the next `most` pixels is an object's.
+    const auto is_object_within = [&](const std::uint8_t* from, std::ptrdiff_t step, int most) {
+        for (int k = 1; k <= std::min(most, reach); ++k) {
+            if (from[k * step] != 0) return true;
         }
         return false;
     };
-    std::vector<Point> enclosed;
-    for (const Point& p : points) {
-        int missing = 0;
-        for (const auto& [di, dj] : {Point{-1, 0}, Point{1, 0}, Point{0, -1}, Point{0, 1}}) {
-            missing += is_object_towards(p, di, dj) ? 0 : 1;
-            if (missing > 1) break;
-        }
-        if (missing <= 1) enclosed.push_back(p);
+    std::vector<ShadowPixel> enclosed;
+    for (const ShadowPixel& p : shadow) {
+        const std::uint8_t* const here = &object.at(p.i, p.j);
+        int missing = is_object_within(here, -1, p.i) ? 0 : 1;
+        missing += is_object_within(here, 1, object.width() - 1 - p.i) ? 0 : 1;
+        if (missing < 2) missing += is_object_within(here, -width, p.j) ? 0 : 1;
+        if (missing < 2) missing += is_object_within(here, width, object.height() - 1 - p.j) ? 0 : 1;
+        if (missing < 2) enclosed.push_back(p);
     }
-    for (const auto& [i, j] : enclosed) object.at(i, j) = shadow.at(i, j);
+    for (const ShadowPixel& p : enclosed) object.at(p.i, p.j) = p.value;
 }
 
 }  // namespace vvr

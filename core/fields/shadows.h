@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/fields/planes.h"
 
@@ -18,15 +19,21 @@ struct ShadowRow {
 /// "remove", "keep".
 std::span<const ShadowRow> shadow_kinds();
 
+/// A pixel of the difference object that looks like a shadow, and the value it had.
+struct ShadowPixel {
+    int i, j;
+    std::uint8_t value;
+};
+
 /// Takes out of `object` what looks like a cast shadow: there the scene is darker by nearly the same share in all
 /// channels, down to a little less than half (after Horprasert, Harwood and Davis, ICCV 1999). Does nothing to frames
 /// without colour, in which a shadow looks like any dark thing.
 /// \param empty the empty scene in the light of `frame`
-/// \returns what was taken out; empty where nothing was
-Plane<std::uint8_t> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty);
+/// \returns what was taken out, by rows
+std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty);
 
 /// Gives back to `object` what has something of it within `reach` pixels in three of the four directions: a grey car's
 /// roof on a grey road looks like a shadow, but a shadow lies beside its thing, not within it.
-void give_back_enclosed(Plane<std::uint8_t>& object, const Plane<std::uint8_t>& shadow, int reach);
+void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach);
 
 }  // namespace vvr

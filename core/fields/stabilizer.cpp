@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <oneapi/tbb/parallel_for.h>
 #include <opencv2/imgproc.hpp>
@@ -101,22 +102,34 @@ std::span<const StabilizerRow> stabilizers() {
     return rows;
 }
 
-Stabilizer::Stabilizer(const Planes& reference) : reference_(reference) {
-    const cv::Mat grey = cv_view(reference_.grey);
-    const double apart = std::max(reference_.grey.width(), reference_.grey.height()) / double{points_per_side};
-    cv::goodFeaturesToTrack(grey, points_, most_points, least_quality, apart);
-    cv::buildOpticalFlowPyramid(grey, pyramid_, window, top_level);
-}
+/// What is recognised of the reference.
+struct Stabilizer::Landmarks {
+    std::vector<cv::Mat> pyramid;
+    std::vector<cv::Point2f> points;
+
+    explicit Landmarks(const Plane<std::uint8_t>& picture) {
+        const cv::Mat grey = cv_view(picture);
+        const double apart = std::max(picture.width(), picture.height()) / double{points_per_side};
+        cv::goodFeaturesToTrack(grey, points, most_points, least_quality, apart);
+        cv::buildOpticalFlowPyramid(grey, pyramid, window, top_level);
+    }
+};
+
+Stabilizer::Stabilizer(const Planes& reference)
+    : reference_(reference), landmarks_(std::make_unique<const Landmarks>(reference_.grey)) {}
+
+Stabilizer::~Stabilizer() = default;
 
 Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
-    if (points_.empty()) return {};
+    const std::vector<cv::Point2f>& points = landmarks_->points;
+    if (points.empty()) return {};
     std::vector<cv::Point2f> found;
     std::vector<unsigned char> is_found;
-    cv::calcOpticalFlowPyrLK(pyramid_, cv_view(grey), points_, found, is_found, cv::noArray(), window, top_level,
-                             accuracy);
+    cv::calcOpticalFlowPyrLK(landmarks_->pyramid, cv_view(grey), points, found, is_found, cv::noArray(), window,
+                             top_level, accuracy);
     std::vector<cv::Point2f> shifts;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-        if (is_found[k] != 0) shifts.push_back(found[k] - points_[k]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (is_found[k] != 0) shifts.push_back(found[k] - points[k]);
     }
     return most_agreed(shifts);
 }

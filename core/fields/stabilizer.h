@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
-
-#include <opencv2/core.hpp>
 
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
@@ -41,6 +39,9 @@ class Stabilizer {
   public:
     /// \param reference the picture that frames are aligned with
     explicit Stabilizer(const Planes& reference);
+    Stabilizer(const Stabilizer&) = delete;
+    Stabilizer& operator=(const Stabilizer&) = delete;
+    ~Stabilizer();
 
     /// How far the camera's picture has moved since the reference; {0, 0} where too few points agree.
     Shift shift_of(const Plane<std::uint8_t>& grey) const;
@@ -50,9 +51,10 @@ class Stabilizer {
     Visible align(Frame& frame, const Shift& shift) const;
 
   private:
+    struct Landmarks;
+
     Planes reference_;
-    std::vector<cv::Mat> pyramid_;
-    std::vector<cv::Point2f> points_;
+    std::unique_ptr<const Landmarks> landmarks_;
 };
 
 /// Sets to 0 what lies beside the part that is seen.

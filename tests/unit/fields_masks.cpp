@@ -63,7 +63,13 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
     paint(object, 25, 20, 10, 5, 0);  // a roof: open above
     paint(shadow, 25, 20, 10, 5, 30);
     paint(shadow, 41, 38, 12, 2, 30);  // beside its feet
-    give_back_enclosed(object, shadow, 16);
+    std::vector<ShadowPixel> taken;
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            if (shadow.at(i, j) != 0) taken.push_back({i, j, shadow.at(i, j)});
+        }
+    }
+    give_back_enclosed(object, taken, 16);
     EXPECT_EQ(std::ranges::count(object.pixels(), 30), 50);
     EXPECT_EQ(object.at(30, 20), 30);
     EXPECT_EQ(object.at(45, 38), 0);
@@ -104,7 +110,7 @@ TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
 // Leaves sway on the left: what lights up there now and then is no object, and on the right it is.
 TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
     const Frame empty = test::flat_frame(size, 0, 100);
-    Reference reference{{empty.grey, {}}};
+    Reference reference(Planes{empty.grey, {}});
     reference.noise = Plane<std::uint8_t>(size);
     paint(reference.noise, 0, 0, 48, size.height, 8);
     const Plane<std::uint8_t> everywhere;
@@ -130,7 +136,7 @@ TEST(Noise, WeakPartsOfAThingShowWithIt) {
     FieldOptions options;
     options.smooth = 0;
     options.illumination = "none";
-    const ObjectFinder finder(options, 24, {{empty.grey, {}}}, everywhere);
+    const ObjectFinder finder(options, 24, Planes{empty.grey, {}}, everywhere);
     Frame frame = empty;
     paint(frame.grey, 20, 10, 10, 15, 150);
     paint(frame.grey, 20, 25, 10, 15, 120);

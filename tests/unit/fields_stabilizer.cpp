@@ -7,9 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
 #include "core/fields/pipeline.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
@@ -83,6 +81,23 @@ Shift shake_at(int frame, int frames) {
     return {6 * std::sin(1.7 * frame) * std::cos(0.31 * frame), 6 * std::cos(2.3 * frame + 1)};
 }
 
+/// A picture between its pixels; beyond its edges it goes on as there.
+Bgr level_at(const Plane<Bgr>& picture, double x, double y) {
+    const int i = static_cast<int>(std::floor(x));
+    const int j = static_cast<int>(std::floor(y));
+    const double s = x - i, t = y - j;
+    const auto pixel = [&](int u, int v) {
+        return picture.at(std::clamp(u, 0, picture.width() - 1), std::clamp(v, 0, picture.height() - 1));
+    };
+    Bgr result;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double above = pixel(i, j)[c] * (1 - s) + pixel(i + 1, j)[c] * s;
+        const double below = pixel(i, j + 1)[c] * (1 - s) + pixel(i + 1, j + 1)[c] * s;
+        result[c] = static_cast<std::uint8_t>(std::lround(above * (1 - t) + below * t));
+    }
+    return result;
+}
+
 /// A scene seen by a camera that shakes.
 class Shaken final : public scene::Story {
   public:
@@ -92,9 +107,9 @@ class Shaken final : public scene::Story {
         const Plane<Bgr> picture = still_.frame(frame);
         const Shift shift = shake_at(frame, still_.frames());
         Plane<Bgr> moved(picture.size());
-        cv::Mat out = cv_view(moved);
-        cv::warpAffine(cv_view(picture), out, cv::Matx23d(1, 0, shift.x, 0, 1, shift.y), out.size(), cv::INTER_LINEAR,
-                       cv::BORDER_REPLICATE);
+        for (int j = 0; j < moved.height(); ++j) {
+            for (int i = 0; i < moved.width(); ++i) moved.at(i, j) = level_at(picture, i - shift.x, j - shift.y);
+        }
         return moved;
     }
 
