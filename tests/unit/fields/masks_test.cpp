@@ -9,7 +9,7 @@
 #include "core/fields/noise.h"
 #include "core/fields/object.h"
 #include "core/fields/shadows.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {

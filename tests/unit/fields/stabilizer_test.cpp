@@ -11,7 +11,7 @@
 #include "core/fields/pipeline.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
-#include "tests/unit/fields_pictures.h"
+#include "tests/unit/fields/pictures.h"
 
 namespace vvr {
 namespace {
