@@ -40,7 +40,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
     if (job.find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
-        if (events) events->add(field.scalar, {field.index, field.pts});
+        if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         result.volume.add(field, volume_colour(job, *frame));
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
@@ -51,7 +51,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
         result.last = frame;
         if (progress) progress(result.volume.frames());
     });
-    if (events) result.events = events->finish();
+    if (events) result.events = events->finish(result.summary.reference);
     return result;
 }
 
