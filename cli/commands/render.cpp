@@ -83,6 +83,7 @@ RenderJob job_of(const RenderSettings& settings, const OutputOptions& output, co
     job.series = is_series(output);
     const bool page = !page_of(output).empty();
     job.layers = page || (!output.path.empty() && !is_animation(output.path) && holds_layers(output.path));
+    job.events = output.events;
     job.find_events = (page || !output.report.empty()) && marks_objects(settings, fields.extracted);
     return job;
 }

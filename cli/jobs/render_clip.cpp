@@ -51,7 +51,7 @@ Fields read_fields(const RenderJob& job, FieldSource& source, std::int64_t step,
         result.last = frame;
         if (progress) progress(result.volume.frames());
     });
-    if (events) result.events = events->finish(result.summary.reference);
+    if (events) result.events = choose_events(events->finish(result.summary.reference), job.events);
     return result;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/jobs/stages.h"
-#include "core/events/event.h"
+#include "core/events/event_choice.h"
 #include "core/image/picture.h"
 #include "core/labels/lettering.h"
 #include "core/labels/time_ticks.h"
@@ -46,6 +46,7 @@ struct RenderJob {
     double height = 0;  ///< y_s; 0 = square pixels
 
     bool find_events = false;  ///< makes sense where what isn't 0 in the scalar field is an object
+    EventChoice events;        ///< of those that are found
     bool series = false;       ///< a picture for each brick, while a window of `bricks` of them slides over the clip
     bool layers = false;       ///< pictures come with what each of their pixels shows
     int pictures = 1;          ///< over which the tracelines' texture moves on by one stripe

@@ -81,7 +81,7 @@ class Series {
         if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
         report_.still = all_still_;
-        if (events_) report_.events = events_->finish(scene);
+        if (events_) report_.events = choose_events(events_->finish(scene), job_.events);
         if (begin_) {
             report_.first_frame = begin_->frame;
             report_.first_pts = begin_->seconds;

@@ -113,6 +113,7 @@ void add_options(CLI::App& app, OutputOptions& options) {
     add_option(app, group::output, options.report,
                {"--report", "FILE", "", "a JSON file of the input, the settings, the events and the run; needs no -o"},
                [](const std::string& given) { return std::filesystem::path(given); });
+    add_options(app, options.events);
     add_options(app, options.golden);
 }
 

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/comparison.h"
+#include "cli/options/events.h"
 #include "core/image/name_pattern.h"
 
 namespace vvr {
@@ -20,6 +21,7 @@ struct OutputOptions {
     bool plain_name = false;          ///< nothing in the path's name is a field
     std::optional<int> animate;       ///< pictures of the moving texture
     std::filesystem::path report;     ///< empty = nowhere
+    EventChoice events;               ///< that the report and the page list
     GoldenOptions golden;
 };
 

@@ -66,6 +66,7 @@ class Conclusion {
         const auto mean = [&](double a, double b) { return (a * first_part + b * later_part) / all; };
         whole.seen = mean(whole.seen, later.seen);
         whole.flicker = mean(whole.flicker, later.flicker);
+        whole.continuous = mean(whole.continuous, later.continuous);
         whole.area = mean(whole.area, later.area);
         whole.length = mean(whole.length, later.length);
         whole.size = glm::max(whole.size, later.size);
@@ -125,10 +126,12 @@ class Conclusion {
 
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
-        const double needed = options_.own_lengths * own.length * (1 + own.flicker / options_.flicker);
+        const double needed = options_.own_lengths * own.length *
+                              (1 + options_.flicker_lengths * std::min(3.0, own.flicker / options_.flicker));
         const bool went = own.moved >= needed && own.seen >= options_.seen_part;
         const bool stands_only = own.settled && own.stood_from_start;
-        candidate.wanted = own.seconds() >= options_.least && (went || own.settled);
+        const bool jumps = own.continuous < options_.continuous;
+        candidate.wanted = own.seconds() >= options_.least && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
@@ -208,10 +211,26 @@ class Conclusion {
             if (!whole.wanted) continue;
             for (std::size_t b = a + 1; b < order.size(); ++b) {
                 Candidate& piece = candidates_[order[b]];
-                if (!piece.wanted || 2 * size_of(order[b]) > size_of(order[a])) continue;
+                const bool small = 2 * size_of(order[b]) <= size_of(order[a]);
+                if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
                 if (is_piece_of(piece.whole, whole.whole)) piece.wanted = false;
             }
         }
+    }
+
+    /// When whoever left a thing was a length away from it for the last time before the thing went, or had gone.
+    static std::optional<Moment> alone_since(const Event& thing, const Event& owner, double length) {
+        if (owner.last.seconds < thing.first.seconds) return thing.first;
+        std::optional<Moment> since;
+        const glm::dvec2 place = thing.path.front().place;
+        for (const PathPoint& point : owner.path) {
+            if (point.at.seconds < thing.first.seconds || point.at.seconds > thing.last.seconds) continue;
+            const bool near = glm::distance(point.place, place) < length;
+            if (near) since.reset();
+            if (!near && !since) since = point.at;
+        }
+        if (!since && owner.last.seconds < thing.last.seconds) since = owner.last;
+        return since;
     }
 
     std::vector<Event> listed() {
@@ -233,6 +252,7 @@ class Conclusion {
             return place == places.end() ? std::nullopt : std::optional(place->second);
         };
         std::vector<Event> events;
+        events.reserve(order.size());
         for (const std::size_t k : order) {
             Candidate& candidate = candidates_[k];
             Tracklet& own = candidate.whole;
@@ -251,10 +271,15 @@ class Conclusion {
             for (const std::size_t part : candidate.parts) event.tracks.push_back(tracklets_[part].number);
             events.push_back(std::move(event));
         }
+        for (std::size_t p = 0; p < events.size(); ++p) {
+            Event& event = events[p];
+            if (event.kind != EventKind::left || !event.by) continue;
+            event.alone_since = alone_since(event, events[*event.by], candidates_[order[*event.by]].whole.length);
+        }
         return events;
     }
 
-    static constexpr double piece_inside = 0.7;  // of a piece's box that lies in that of the whole
+    static constexpr double piece_inside = 0.6;  // of a piece's box that lies in that of the whole
     static constexpr double piece_shared = 0.7;  // of its time
     static constexpr double least_group = 1.4;  // times a group is larger than one of it
     static constexpr double most_group = 3.3;

@@ -1,6 +1,7 @@
 #include "core/events/event_finder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/events/conclude.h"
@@ -8,6 +9,17 @@
 namespace vvr {
 
 namespace {
+
+/// Whether pixels of `b` lie within `reach` of the box of `a`.
+bool touches(const Patch& a, const Patch& b, int reach) {
+    const PixelBox both = common(a.box.grown(reach, reach), b.box);
+    for (int j = both.top; j < both.bottom; ++j) {
+        for (int i = both.left; i < both.right; ++i) {
+            if (b.at(i, j) != 0) return true;
+        }
+    }
+    return false;
+}
 
 constexpr double room = 0.75;  // of what several are together, that a blob must have for none to hide another
 
@@ -30,7 +42,7 @@ void EventFinder::add(const Sight& sight, const Moment& now) {
     for (const Patch& patch : blobs.patches) looks.emplace_back(patch, sight);
     Assignment assignment = associate_movers(blobs, looks, now);
     join_pieces(blobs, looks, assignment, sight);
-    look_after_hidden(sight, blobs, assignment, now);
+    look_after_hidden(sight, blobs, looks, assignment, now);
     for (auto& chosen : assignment.tracks) drop_young(chosen);
     go_on(sight, blobs, looks, assignment, now);
     settle(sight, now);
@@ -98,13 +110,13 @@ void EventFinder::join_pieces(Blobs& blobs, std::vector<Appearance>& looks, cons
 }
 
 /// What stood and is not seen now is behind somebody, was taken, or moves itself.
-void EventFinder::look_after_hidden(const Sight& sight, const Blobs& blobs, Assignment& assignment,
-                                    const Moment& now) {
+void EventFinder::look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks,
+                                    Assignment& assignment, const Moment& now) {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         Track& track = tracks_[k];
         if (!track.stands() || track.seen().frame == now.frame) continue;
         if (!track.near()) track.set_near(about(track));
-        if (!track.near() && rises(k, blobs, assignment)) continue;
+        if (!track.near() && rises(k, blobs, looks, assignment, sight, now)) continue;
         int covered = 0;
         for_each_pixel(track.patch(),
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
@@ -113,23 +125,29 @@ void EventFinder::look_after_hidden(const Sight& sight, const Blobs& blobs, Assi
     }
 }
 
-/// It rises where there is nobody but it, or pieces of it.
-bool EventFinder::rises(std::size_t k, const Blobs& blobs, Assignment& assignment) {
+/// It rises where there is nobody but it, or pieces of it: all of those are it.
+bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                        const Sight& sight, const Moment& now) {
     const std::size_t number = tracks_[k].number();
     const auto is_own = [&](std::size_t other) { return tracks_[other].from() == number; };
     const std::vector<int> overlap = overlaps_of(tracks_[k].patch(), {}, blobs);
-    std::size_t place = blobs.patches.size();
-    int most = 0;
+    std::vector<std::size_t> own;
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
         const auto& chosen = assignment.tracks[b];
-        const int size = chosen.empty() ? overlap[b] : blobs.patches[b].area;
-        if (assignment.piece_of[b] || !std::ranges::all_of(chosen, is_own) || size <= most) continue;
-        most = size;
-        place = b;
+        const bool any = chosen.empty() ? overlap[b] > 0 : std::ranges::all_of(chosen, is_own);
+        if (any && !assignment.piece_of[b]) own.push_back(b);
     }
-    if (place == blobs.patches.size()) return false;
-    for (const std::size_t piece : assignment.tracks[place]) tracks_[piece].drop();
-    tracks_[k].rise();
+    if (own.empty()) return false;
+    const std::size_t place = *std::ranges::max_element(own, {}, [&](std::size_t b) { return blobs.patches[b].area; });
+    for (const std::size_t b : own) {
+        for (const std::size_t piece : assignment.tracks[b]) tracks_[piece].drop();
+        assignment.tracks[b].clear();
+        if (b == place) continue;
+        blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
+        assignment.piece_of[b] = k;
+    }
+    looks[place] = Appearance(blobs.patches[place], sight);
+    tracks_[k].rise(now);
     assignment.tracks[place] = {k};
     return true;
 }
@@ -156,6 +174,8 @@ void EventFinder::drop_young(std::vector<std::size_t>& chosen) {
     std::erase_if(chosen, [&](std::size_t k) {
         Track& piece = tracks_[k];
         if (k == whole || piece.is_certain()) return false;
+        // Who has just come in at the border is somebody, and no piece of whoever is leaving there.
+        if (tracks_[whole].is_certain() && piece.came_in()) return false;
         if (!tracks_[whole].is_certain()) tracks_[whole].join(piece);
         piece.drop();
         return true;
@@ -175,31 +195,41 @@ void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const 
         }
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
-            track.see(blobs.patches[b], looks[b], sight, flicker_, now);
-            track.set_near({});
+            if (track.has_left_to(blobs.patches[b])) {
+                end(track, false, now);
+                begin(blobs.patches[b], looks[b], {}, begun, sight, now);
+            } else {
+                track.see(blobs.patches[b], looks[b], sight, flicker_, now);
+                track.set_near({});
+            }
             continue;
         }
         if (assignment.piece_of[b]) continue;
-        std::optional<std::size_t> from;
-        double area = 0;
-        bool was_alone = false;
-        if (assignment.out_of[b]) {
-            const Track& parent = tracks_[*assignment.out_of[b]];
-            from = parent.number();
-            area = parent.usual_area();
-            was_alone = parent.state() == State::moving;
-        }
-        Track& track = begun.emplace_back(next_++, from, field_, options_);
-        track.set_parent(area, was_alone);
-        track.see(blobs.patches[b], looks[b], sight, flicker_, now);
+        begin(blobs.patches[b], looks[b], assignment.out_of[b], begun, sight, now);
     }
     for (std::size_t k = 0; k < went_on.size(); ++k) {
         Track& track = tracks_[k];
         if (went_on[k] || !track.follows_blobs()) continue;
         track.miss(now);
+        if (track.is_leaving()) end(track, false, now);
         if (now.seconds - track.seen().seconds > options_.lost_after) end(track, false, now);
     }
     std::ranges::move(begun, std::back_inserter(tracks_));
+}
+
+/// Begins a track with a blob.
+/// \param parent place of the track out of which it came
+void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent,
+                        std::vector<Track>& begun, const Sight& sight, const Moment& now) {
+    auto from = parent ? std::optional(tracks_[*parent].number()) : std::nullopt;
+    for (const Track& track : tracks_) {
+        // Pieces of a piece are those of the whole.
+        const bool own = !parent || tracks_[*parent].from() == track.number();
+        if (own && track.stands() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
+    }
+    Track& track = begun.emplace_back(next_++, from, field_, options_);
+    if (parent) track.set_parent(tracks_[*parent].usual_area(), tracks_[*parent].state() == State::moving);
+    track.see(blob, look, sight, flicker_, now);
 }
 
 /// Finds each of several tracks in the blob that they are.
@@ -219,6 +249,7 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
         const bool found = track.see_within(shares[n], blob, has_room, sight, now);
+        if (track.is_outside() || track.is_leaving()) end(track, false, now);
         if (!found && now.seconds - track.seen().seconds > options_.hidden_after) end(track, true, now);
     }
 }
@@ -235,7 +266,7 @@ void EventFinder::settle(const Sight& sight, const Moment& now) {
 /// What came to rest in parts, for some of it was hidden for a while, is one thing: that of which more is known.
 void EventFinder::join_standing(Track& part, const Sight& sight) {
     for (Track& other : tracks_) {
-        if (&other == &part || !other.stands() || !part.belongs_to(other, 2 * reach_ + 1)) continue;
+        if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
         const bool is_whole = part.first().frame < other.first().frame && part.usual_area() > other.usual_area();
         Track& whole = is_whole ? part : other;
         Track& rest = is_whole ? other : part;

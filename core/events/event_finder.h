@@ -39,12 +39,16 @@ class EventFinder {
     Plane<std::uint8_t> without_standing(const Sight& sight, const Moment& now);
     Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
     void join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const Sight& sight);
-    void look_after_hidden(const Sight& sight, const Blobs& blobs, Assignment& assignment, const Moment& now);
-    bool rises(std::size_t k, const Blobs& blobs, Assignment& assignment);
+    void look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                           const Moment& now);
+    bool rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+               const Sight& sight, const Moment& now);
     std::optional<std::size_t> about(const Track& standing) const;
     void drop_young(std::vector<std::size_t>& chosen);
     void go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks,
                const Assignment& assignment, const Moment& now);
+    void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
+               const Sight& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now);
     void settle(const Sight& sight, const Moment& now);
     void join_standing(Track& part, const Sight& sight);

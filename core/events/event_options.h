@@ -10,7 +10,9 @@ struct EventOptions {
     double least = 0.8;     ///< seconds; what is seen for less is a blink of the light or a piece of something
     double own_lengths = 1.25;  ///< what goes less far than this flutters at its place, as a flag does
     double seen_part = 0.5;     ///< share of its frames in which a mover is seen; foliage comes and goes
-    double flicker = 4;     ///< times a pixel came and went in `flicker_memory`; tape in the wind reaches 10
+    double continuous = 0.6;    ///< share of a mover's sightings without a jump; drops of rain jump each time
+    double flicker = 4;         ///< times a pixel came and went in `flicker_memory`: tape in the wind
+    double flicker_lengths = 0.4;  ///< part by which a mover must go farther there
     double flicker_memory = 20;  ///< seconds
 
     // Following from frame to frame.

@@ -17,12 +17,16 @@ constexpr double recent = 0.8;  // seconds over which the velocity is measured: 
 constexpr double abrupt = 1.5;
 constexpr double grows_in = 2;          // seconds over which a larger size becomes the usual one
 constexpr double shrinks_in = 8;        // and a smaller one: it may be half hidden for that long
+constexpr double comes_back = 1.6;       // times its least area by which a blob is too large for who was leaving
 constexpr double whole_enough = 0.6;    // of its usual area: then it is seen well enough to learn how it looks now
 constexpr double too_much = 1.5;
 constexpr double unlike = 0.3;           // distance of looks of different people
 constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
 constexpr double sure = 0.3;            // likeness within a shared blob that is more than chance
 constexpr double part_of_parent = 0.5;   // of whom it came out of: a smaller one was carried
+constexpr double apart = 0.6;            // of the longer side of a thing, by which parts of it may be apart
+constexpr double rolls_out = 1;         // seconds for which something of one colour may look steady before it stops
+constexpr double goes_on = 0.5;         // lengths in `stay` seconds that are more than swaying
 constexpr double portrait_each = 0.2;   // seconds
 constexpr double cut_off = 0.25;        // worth of a portrait that the border of the picture cuts
 constexpr double part_of_the_way = 0.25;  // by which a place within a shared blob corrects the velocity
@@ -77,6 +81,11 @@ glm::ivec2 Track::template_shift_at(const Moment& now) const {
     return glm::ivec2(glm::round(place - template_.patch.centre));
 }
 
+PixelBox Track::moved_box_at(const Moment& now) const {
+    const glm::ivec2 shift = shift_at(now);
+    return patch_.box.moved(shift.x, shift.y);
+}
+
 void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area) {
     if (sightings_ == 0) {
         first_ = now;
@@ -93,6 +102,10 @@ void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& pl
     if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
+bool Track::has_left_to(const Patch& blob) const {
+    return is_leaving() && blob.area > comes_back * least_at_border_ + 10 && touches_border(blob.box);
+}
+
 void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker,
                 const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
@@ -105,6 +118,7 @@ void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, 
         begin_.velocity = velocity_;
         begun_ = true;
     }
+    if (sightings_ > 0 && (patch_.box.meets(patch.box) || moved_box_at(now).meets(patch.box))) ++continuous_;
     const glm::dvec2 size(patch.box.width(), patch.box.height());
     const double since = now.seconds - seen_.seconds;
     const auto follow = [&](double& usual, double value) {
@@ -114,6 +128,14 @@ void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, 
     follow(usual_size_.x, size.x);
     follow(usual_size_.y, size.y);
     follow(usual_area_, patch.area);
+    const bool at_border = touches_border(patch.box);
+    const double area = patch.area;
+    if (!at_border) was_inside_ = true;
+    if (!at_border || !was_inside_) {
+        least_at_border_ = 0;
+    } else {
+        least_at_border_ = least_at_border_ > 0 ? std::min(least_at_border_, area) : area;
+    }
     place_ = patch.centre;
     place_at_ = now;
     patch_ = patch;
@@ -121,6 +143,7 @@ void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, 
     template_ = Template(patch, sight);
     look_.learn(look);
     state_ = State::moving;
+    ++alone_;
     flicker_sum_ += flicker.of(patch);
     ++flicker_count_;
     went_on(now, patch.box, patch.centre, patch.area);
@@ -143,9 +166,13 @@ bool Track::see_within(const Share& share, const Patch& blob, bool has_room, con
                                  distance(look_, Appearance(share.patch, sight)) < unlike);
     const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
     glm::dvec2 place = found ? found_at : expected;
-    const glm::dvec2 low(blob.box.left, blob.box.top);
-    const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
-    place = glm::clamp(place, low, high);
+    // Hidden within the blob, it may leave the picture and nothing else.
+    const bool leaves = touches_border(blob.box) && touches_border(patch_.box);
+    if (!leaves) {
+        const glm::dvec2 low(blob.box.left, blob.box.top);
+        const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
+        place = glm::clamp(place, low, high);
+    }
     if (found && time > 0) velocity_ += part_of_the_way * (found_at - expected) / std::max(time, 0.2);
     if (!found && place != expected) velocity_ *= 0.8;
     move_to(place);
@@ -164,11 +191,17 @@ void Track::miss(const Moment& now) {
     place_at_ = now;
 }
 
+bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
+    return pixel.level != 0 && now.seconds - std::max(pixel.since.seconds, risen_.seconds) >= options_.stay;
+}
+
 bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
+    // What is of one colour looks steady while it goes through its own place.
+    const double length = std::max(usual_size_.x, usual_size_.y);
+    if (glm::length(velocity_) * options_.stay > goes_on * length) return false;
     int steady = 0;
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
-        const Steadiness::Pixel& pixel = steadiness.at(i, j);
-        if (pixel.level != 0 && now.seconds - pixel.since.seconds >= options_.stay) ++steady;
+        if (is_steady(steadiness.at(i, j), now)) ++steady;
     });
     return steady >= options_.settled_part * patch_.area && flicker.of(patch_) < options_.flicker;
 }
@@ -180,8 +213,8 @@ void Track::settle(const Steadiness& steadiness, const Sight& sight, const Momen
     std::vector<Moment> since;
     patch_ = part_of(patch_, [&](int i, int j) {
         const Steadiness::Pixel& pixel = steadiness.at(i, j);
-        if (pixel.level == 0 || now.seconds - pixel.since.seconds < options_.stay) return false;
-        since.push_back(pixel.since);
+        if (!is_steady(pixel, now)) return false;
+        since.push_back(pixel.since.frame < risen_.frame ? risen_ : pixel.since);
         return true;
     });
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
@@ -206,6 +239,11 @@ void Track::settle(const Steadiness& steadiness, const Sight& sight, const Momen
         const double moved_by = glm::distance(low_, high_);
         stood_from_start_ = moved_by < 0.5 * std::max(usual_size_.x, usual_size_.y);
         if (still.frame < first_.frame) still = first_;
+        // What is of one colour was steady a little before it stopped.
+        const auto& open = stays_.open();
+        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < rolls_out) {
+            still = open->first;
+        }
     }
     settled_ = Settled{patch_, still_since, edge_strength(patch_, sight.field.size(), [&](int i, int j) {
                            return sight.brightness(i, j);
@@ -219,7 +257,9 @@ void Track::settle(const Steadiness& steadiness, const Sight& sight, const Momen
     see_standing(sight, now, true);
 }
 
-bool Track::belongs_to(const Track& other, int reach) const {
+bool Track::belongs_to(const Track& other) const {
+    const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
+    const int reach = 3 + static_cast<int>(apart * std::max(larger.width(), larger.height()));
     return patch_.box.grown(reach, reach).meets(other.patch_.box) &&
            std::abs(settled_->since.seconds - other.settled_->since.seconds) <= options_.stay;
 }
@@ -246,6 +286,7 @@ void Track::see_standing(const Sight& sight, const Moment& now, bool alone) {
     pixels_ = patch_;
     went_on(now, patch_.box, patch_.centre, patch_.area);
     if (alone) {
+        last_whole_ = now;
         near_.reset();
         take_portrait(sight, patch_, now);
     }
@@ -257,7 +298,10 @@ void Track::end_stay() {
     state_ = State::moving;
 }
 
-void Track::rise() {
+void Track::rise(const Moment& now) {
+    risen_ = now;
+    // What is of one colour hides for a while that it goes: it covers itself.
+    stay_.last = last_whole_;
     end_stay();
     stood_from_start_ = false;
 }
@@ -297,6 +341,7 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     result.area_of_parent = parent_was_alone_ ? area_of_parent_ : 0;
     const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
     result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
+    result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
     result.moved = glm::distance(low_, high_);
     result.flicker = flicker_sum_ / std::max(1, flicker_count_);
     const double way = length_of(result.path);

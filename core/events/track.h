@@ -51,6 +51,15 @@ class Track {
     /// Whether it has been seen for long enough to be more than a piece of something.
     bool is_certain() const { return seen_.seconds - first_.seconds >= options_.least; }
 
+    /// Whether motion has led its middle out of the picture.
+    bool is_outside() const {
+        return patch_.centre.x < 0 || patch_.centre.y < 0 || patch_.centre.x >= field_.width ||
+               patch_.centre.y >= field_.height;
+    }
+
+    /// Whether it began at the border of the picture, out of nobody.
+    bool came_in() const { return !from_ && begin_.at_border; }
+
     /// Where it will be, as a shift of its patch: whole pixels.
     glm::ivec2 shift_at(const Moment& now) const;
 
@@ -64,6 +73,12 @@ class Track {
         area_of_parent_ = area;
         parent_was_alone_ = was_alone;
     }
+
+    /// Whether it has all but left the picture.
+    bool is_leaving() const { return least_at_border_ > 0 && least_at_border_ < all_but_left * usual_area_; }
+
+    /// Whether it is leaving, and this blob is somebody else who comes in at the same place.
+    bool has_left_to(const Patch& blob) const;
 
     /// It is this blob now.
     void see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker, const Moment& now);
@@ -84,7 +99,7 @@ class Track {
     void settle(const Steadiness& steadiness, const Sight& sight, const Moment& now);
 
     /// Both stand: whether they are parts of one thing, which came to rest side by side within `options.stay`.
-    bool belongs_to(const Track& other, int reach) const;
+    bool belongs_to(const Track& other) const;
 
     /// It stands, and so does this part of it.
     void add_part(const Track& part, const Sight& sight);
@@ -96,7 +111,7 @@ class Track {
     void see_standing(const Sight& sight, const Moment& now, bool alone);
 
     /// It stands no more, for it moves.
-    void rise();
+    void rise(const Moment& now);
 
     /// It began in pieces, of which this is one.
     void join(const Track& piece);
@@ -108,9 +123,13 @@ class Track {
     void drop() { state_ = State::over; }
 
   private:
+    static constexpr double all_but_left = 0.3;  ///< of its usual area that is still seen at the border
+
     void went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
     void move_to(const glm::dvec2& place);
+    PixelBox moved_box_at(const Moment& now) const;
     void end_stay();
+    bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
     void take_portrait(const Sight& sight, const Patch& patch, const Moment& now);
     bool touches_border(const PixelBox& box) const;
 
@@ -131,10 +150,14 @@ class Track {
     glm::dvec2 low_{};  ///< corners of the box about all its places
     glm::dvec2 high_{};
     int sightings_ = 0;
+    int alone_ = 0;       ///< sightings with a blob of its own
+    int continuous_ = 0;  ///< of which it was where it was before, or where motion leads
     double flicker_sum_ = 0;
     int flicker_count_ = 0;
     glm::dvec2 usual_size_{};  ///< of its box of late
     double usual_area_ = 0;
+    double least_at_border_ = 0;  ///< its least area since it has touched the border of the picture; 0 = it does not
+    bool was_inside_ = false;      ///< whether it was ever seen clear of the border
     double area_of_parent_ = 0;
     bool parent_was_alone_ = false;
     glm::dvec2 place_{};     ///< where its middle is, also while it is not seen
@@ -146,6 +169,8 @@ class Track {
     std::optional<Settled> settled_;
     bool stood_from_start_ = false;
     Stay stay_;
+    Moment risen_;       ///< when it last rose
+    Moment last_whole_;  ///< when it was last seen to stand with nobody in front of it
     Path path_;
     Stays stays_;
     std::optional<Portrait> portrait_;

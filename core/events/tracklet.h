@@ -36,6 +36,7 @@ struct Tracklet {
     double area = 0;           ///< of the object when it was alone, pixels
     double area_of_parent = 0;  ///< of `from` before they came apart, where that was alone; else 0
     double seen = 0;           ///< share of the frames of its life in which it was seen
+    double continuous = 1;     ///< share of its sightings in which it was where motion led, and had not jumped
     double moved = 0;          ///< the diagonal of the box about all its places
     double flicker = 0;        ///< how often its pixels came and went, the mean over its life
     double straight = 0;       ///< the distance between its ends, by the length of its way
