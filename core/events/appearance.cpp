@@ -7,7 +7,7 @@ namespace vvr {
 
 namespace {
 
-constexpr int most_looks = 25;    // then each look counts for a 25th
+constexpr int most_looks = 25;      // then each look counts for a 25th
 constexpr float chroma_reach = 48;  // levels of blue or red above or below the brightness; few things go beyond
 
 }  // namespace

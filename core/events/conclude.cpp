@@ -40,7 +40,8 @@ class Conclusion {
 
   private:
     void join() {
-        std::ranges::stable_sort(tracklets_, {}, [](const Tracklet& t) { return std::pair(t.begin.at.frame, t.number); });
+        std::ranges::stable_sort(tracklets_, {},
+                                 [](const Tracklet& t) { return std::pair(t.begin.at.frame, t.number); });
         const auto next = link(tracklets_, options_);
         std::vector<bool> follows(tracklets_.size());
         for (const auto& n : next) {
@@ -130,7 +131,8 @@ class Conclusion {
                               (1 + options_.flicker_lengths * std::min(3.0, own.flicker / options_.flicker));
         const bool went = own.moved >= needed && own.seen >= options_.seen_part;
         const bool stands_only = own.settled && own.stood_from_start;
-        const bool jumps = own.continuous < options_.continuous;
+        const bool jumps =
+            own.continuous < options_.continuous || (!own.settled && steadiness_of(own.path) < options_.steady_way);
         candidate.wanted = own.seconds() >= options_.least && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
@@ -138,9 +140,15 @@ class Conclusion {
             return;
         }
         switch (thing_of(*own.settled)) {
-            case Thing::there: candidate.kind = EventKind::left; break;
-            case Thing::gone: judge_ghost(candidate); break;
-            case Thing::light: candidate.wanted = false; break;
+            case Thing::there:
+                candidate.kind = EventKind::left;
+                break;
+            case Thing::gone:
+                judge_ghost(candidate);
+                break;
+            case Thing::light:
+                candidate.wanted = false;
+                break;
         }
     }
 
@@ -244,7 +252,8 @@ class Conclusion {
         });
         std::map<std::size_t, std::size_t> places;
         for (std::size_t p = 0; p < order.size(); ++p) places[order[p]] = p;
-        const auto place_of = [&](const std::optional<std::size_t>& number, std::size_t self) -> std::optional<std::size_t> {
+        const auto place_of = [&](const std::optional<std::size_t>& number,
+                                  std::size_t self) -> std::optional<std::size_t> {
             if (!number) return std::nullopt;
             const auto object = object_of_.find(*number);
             if (object == object_of_.end() || object->second == self) return std::nullopt;
@@ -281,7 +290,7 @@ class Conclusion {
 
     static constexpr double piece_inside = 0.6;  // of a piece's box that lies in that of the whole
     static constexpr double piece_shared = 0.7;  // of its time
-    static constexpr double least_group = 1.4;  // times a group is larger than one of it
+    static constexpr double least_group = 1.4;   // times a group is larger than one of it
     static constexpr double most_group = 3.3;
     static constexpr double small_part = 0.7;   // of a group's area: then it was not the group yet
     static constexpr double ghost_ratio = 1.3;  // by which the edges must be stronger on one side

@@ -56,12 +56,12 @@ struct Event {
     std::vector<PathPoint> path;  ///< coarse; its ends are those of the event
     double path_length = 0;       ///< field pixels, along the path
     std::vector<Stay> stays;
-    std::optional<std::size_t> from;      ///< place in the list of the event out of which it came
-    std::optional<std::size_t> into;      ///< of the event in which it went
-    std::optional<std::size_t> by;        ///< of the event that put it down, or took it
-    std::optional<Moment> alone_since;    ///< of what was left: when whoever left it had gone
+    std::optional<std::size_t> from;    ///< place in the list of the event out of which it came
+    std::optional<std::size_t> into;    ///< of the event in which it went
+    std::optional<std::size_t> by;      ///< of the event that put it down, or took it
+    std::optional<Moment> alone_since;  ///< of what was left: when whoever left it had gone
     std::optional<Portrait> portrait;
-    std::vector<std::size_t> tracks;      ///< the numbers that its pixels have in `FrameLabels`
+    std::vector<std::size_t> tracks;  ///< the numbers that its pixels have in `FrameLabels`
 };
 
 }  // namespace vvr

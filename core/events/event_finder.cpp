@@ -81,8 +81,8 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
         const Track& track = tracks_[k];
         if (!track.follows_blobs()) continue;
         movers.push_back(k);
-        expected.push_back({&track.patch(), track.shift_at(now), &track.look(), track.state() == State::merged,
-                            track.usual_size()});
+        expected.push_back(
+            {&track.patch(), track.shift_at(now), &track.look(), track.state() == State::merged, track.usual_size()});
     }
     Assignment assignment = associate(expected, blobs, looks, options_);
     for (auto& chosen : assignment.tracks) {
@@ -168,9 +168,8 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
 /// Pieces that were never seen for long belong to the rest of what they are part of now.
 void EventFinder::drop_young(std::vector<std::size_t>& chosen) {
     if (chosen.size() < 2) return;
-    const auto whole = *std::ranges::max_element(chosen, {}, [&](std::size_t k) {
-        return std::pair(tracks_[k].is_certain(), tracks_[k].patch().area);
-    });
+    const auto whole = *std::ranges::max_element(
+        chosen, {}, [&](std::size_t k) { return std::pair(tracks_[k].is_certain(), tracks_[k].patch().area); });
     std::erase_if(chosen, [&](std::size_t k) {
         Track& piece = tracks_[k];
         if (k == whole || piece.is_certain()) return false;
@@ -233,8 +232,7 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
 }
 
 /// Finds each of several tracks in the blob that they are.
-void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight,
-                        const Moment& now) {
+void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now) {
     std::vector<const Template*> templates;
     std::vector<glm::ivec2> expected;
     double together = 0;

@@ -41,12 +41,12 @@ class EventFinder {
     void join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const Sight& sight);
     void look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
                            const Moment& now);
-    bool rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-               const Sight& sight, const Moment& now);
+    bool rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment, const Sight& sight,
+               const Moment& now);
     std::optional<std::size_t> about(const Track& standing) const;
     void drop_young(std::vector<std::size_t>& chosen);
-    void go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks,
-               const Assignment& assignment, const Moment& now);
+    void go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks, const Assignment& assignment,
+               const Moment& now);
     void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
                const Sight& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now);
@@ -59,7 +59,7 @@ class EventFinder {
     Size field_;
     int reach_;
     int min_area_;
-    std::size_t next_ = 0;        ///< number of the next track
+    std::size_t next_ = 0;  ///< number of the next track
     std::int64_t next_frame_ = 0;
     Steadiness steadiness_;
     Flicker flicker_;

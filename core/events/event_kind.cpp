@@ -4,10 +4,14 @@ namespace vvr {
 
 std::string_view name_of(EventKind kind) {
     switch (kind) {
-        case EventKind::moved: return "moved";
-        case EventKind::stood: return "stood";
-        case EventKind::left: return "left";
-        case EventKind::taken: return "taken";
+        case EventKind::moved:
+            return "moved";
+        case EventKind::stood:
+            return "stood";
+        case EventKind::left:
+            return "left";
+        case EventKind::taken:
+            return "taken";
     }
     return "";
 }

@@ -9,7 +9,7 @@ namespace vvr {
 
 namespace {
 
-constexpr int once = 8;         // a count of one
+constexpr int once = 8;          // a count of one
 constexpr double fade_each = 1;  // seconds
 
 }  // namespace
@@ -31,7 +31,8 @@ void Flicker::add(const Plane<std::uint8_t>& field, const Moment& now) {
         if (end == k + 8) std::memcpy(&eight, &values[k], 8);
         if (eight == 0) continue;
         for (std::size_t i = k; i < end; ++i) {
-            if (values[i] != 0 && before[i] == 0) counts[i] = static_cast<std::uint8_t>(std::min(255, counts[i] + once));
+            if (values[i] != 0 && before[i] == 0)
+                counts[i] = static_cast<std::uint8_t>(std::min(255, counts[i] + once));
         }
     }
     std::ranges::copy(values, before.begin());

@@ -9,12 +9,12 @@ namespace vvr {
 namespace {
 
 constexpr double never = 10;
-constexpr double overlap = 0.3;      // seconds by which the later may begin before the earlier ends
-constexpr double straight_on = 1.0;  // seconds for which a velocity still tells where it goes
-constexpr double like_area = 3;      // times by which the areas of one object differ at most
-constexpr double unlike = 0.33;      // distance of looks of different people; of one person it is 0.1 to 0.25
+constexpr double overlap = 0.3;            // seconds by which the later may begin before the earlier ends
+constexpr double straight_on = 1.0;        // seconds for which a velocity still tells where it goes
+constexpr double like_area = 3;            // times by which the areas of one object differ at most
+constexpr double unlike = 0.33;            // distance of looks of different people; of one person it is 0.1 to 0.25
 constexpr double at_border_seconds = 0.3;  // longest gap of what left the picture, or came in: the border hides nobody
-constexpr double same_place = 0.5;   // lengths by which the middle of a thing may be off when it comes to light again
+constexpr double same_place = 0.5;     // lengths by which the middle of a thing may be off when it comes to light again
 constexpr double hidden_seconds = 60;  // longest gap within a group that both were seen in
 
 }  // namespace

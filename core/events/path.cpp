@@ -53,12 +53,26 @@ double length_of(const std::vector<PathPoint>& path) {
     return length;
 }
 
+double steadiness_of(const std::vector<PathPoint>& path) {
+    if (path.size() < 4) return 1;
+    double along = 0;
+    double all = 0;
+    for (std::size_t k = 2; k < path.size(); ++k) {
+        const glm::dvec2 before = path[k - 1].place - path[k - 2].place;
+        const glm::dvec2 here = path[k].place - path[k - 1].place;
+        along += glm::dot(before, here);
+        all += glm::length(before) * glm::length(here);
+    }
+    return all > 0 ? along / all : 1;
+}
+
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame) {
     const auto next = std::ranges::lower_bound(path, frame, {}, [](const PathPoint& p) { return p.at.frame; });
     if (next == path.begin()) return path.front().place;
     if (next == path.end()) return path.back().place;
     const PathPoint& before = *(next - 1);
-    const auto part = static_cast<double>(frame - before.at.frame) / static_cast<double>(next->at.frame - before.at.frame);
+    const auto part =
+        static_cast<double>(frame - before.at.frame) / static_cast<double>(next->at.frame - before.at.frame);
     return before.place + part * (next->place - before.place);
 }
 

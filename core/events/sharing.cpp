@@ -9,11 +9,11 @@ namespace vvr {
 
 namespace {
 
-constexpr int search = 3;                // pixels that an object may be off the place where motion leads
-constexpr double astray = 0.004;         // likeness that a squared pixel away from there must make good
-constexpr int most_samples = 400;        // pixels of a template that are compared
-constexpr int unlike = 72;               // levels of a channel at which two colours have nothing in common
-constexpr double own = 0.5;              // likeness of a pixel that is taken
+constexpr int search = 3;          // pixels that an object may be off the place where motion leads
+constexpr double astray = 0.004;   // likeness that a squared pixel away from there must make good
+constexpr int most_samples = 400;  // pixels of a template that are compared
+constexpr int unlike = 72;         // levels of a channel at which two colours have nothing in common
+constexpr double own = 0.5;        // likeness of a pixel that is taken
 
 double likeness(const Bgr& a, const Bgr& b) {
     int most = 0;
@@ -57,8 +57,7 @@ struct Place {
     double likeness = 0;
 };
 
-Place best_place(const std::vector<Sample>& samples, const Sight& sight, const Free& free,
-                 const glm::ivec2& expected) {
+Place best_place(const std::vector<Sample>& samples, const Sight& sight, const Free& free, const glm::ivec2& expected) {
     Place best;
     for (int y = -search; y <= search; ++y) {
         for (int x = -search; x <= search; ++x) {

@@ -19,9 +19,9 @@ struct Template {
 
 /// One of several objects that are one blob.
 struct Share {
-    glm::ivec2 shift{};  ///< from the template's place to where it is now
+    glm::ivec2 shift{};   ///< from the template's place to where it is now
     double likeness = 0;  ///< share of the template that is seen there, 0 to 1; less where others hide it
-    Patch patch;         ///< pixels of the blob that are its own
+    Patch patch;          ///< pixels of the blob that are its own
 };
 
 /// Finds each of several objects within the blob that they are together, by what they looked like when alone: the one

@@ -15,17 +15,18 @@ namespace {
 constexpr double recent = 0.8;  // seconds over which the velocity is measured: about one step of a walker
 // A patch that becomes so much larger or smaller from one field to the next has met or lost something.
 constexpr double abrupt = 1.5;
-constexpr double grows_in = 2;          // seconds over which a larger size becomes the usual one
-constexpr double shrinks_in = 8;        // and a smaller one: it may be half hidden for that long
-constexpr double comes_back = 1.6;       // times its least area by which a blob is too large for who was leaving
-constexpr double whole_enough = 0.6;    // of its usual area: then it is seen well enough to learn how it looks now
+constexpr double grows_in = 2;        // seconds over which a larger size becomes the usual one
+constexpr double shrinks_in = 8;      // and a smaller one: it may be half hidden for that long
+constexpr double comes_back = 1.6;    // times its least area by which a blob is too large for who was leaving
+constexpr double whole_enough = 0.6;  // of its usual area: then it is seen well enough to learn how it looks now
 constexpr double too_much = 1.5;
-constexpr double unlike = 0.3;           // distance of looks of different people
+constexpr double unlike = 0.3;          // distance of looks of different people
 constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
 constexpr double sure = 0.3;            // likeness within a shared blob that is more than chance
-constexpr double part_of_parent = 0.5;   // of whom it came out of: a smaller one was carried
-constexpr double apart = 0.6;            // of the longer side of a thing, by which parts of it may be apart
+constexpr double part_of_parent = 0.5;  // of whom it came out of: a smaller one was carried
+constexpr double apart = 0.6;           // of the longer side of a thing, by which parts of it may be apart
 constexpr double rolls_out = 1;         // seconds for which something of one colour may look steady before it stops
+constexpr double no_jump = 0.3;         // of the smaller box that is common with where it was, or should be
 constexpr double goes_on = 0.5;         // lengths in `stay` seconds that are more than swaying
 constexpr double portrait_each = 0.2;   // seconds
 constexpr double cut_off = 0.25;        // worth of a portrait that the border of the picture cuts
@@ -48,12 +49,21 @@ Moment nearly_last_of(std::vector<Moment> moments) {
     return *place;
 }
 
+/// Whether one box covers enough of the other for both to be of one thing.
+bool goes_over(const PixelBox& a, const PixelBox& b) {
+    const PixelBox both = common(a, b);
+    if (both.empty()) return false;
+    const int smaller = std::min(a.width() * a.height(), b.width() * b.height());
+    return both.width() * both.height() >= no_jump * smaller;
+}
+
 double mean_gradient(const Patch& patch, const Sight& sight) {
     double sum = 0;
     int count = 0;
     for (int j = patch.box.top + 1; j < patch.box.bottom; j += 2) {
         for (int i = patch.box.left + 1; i < patch.box.right; i += 2) {
-            if (patch.at(i, j) == 0 || i < 1 || j < 1 || i >= sight.field.width() || j >= sight.field.height()) continue;
+            if (patch.at(i, j) == 0 || i < 1 || j < 1 || i >= sight.field.width() || j >= sight.field.height())
+                continue;
             const int here = sight.brightness(i, j);
             sum += std::abs(here - sight.brightness(i - 1, j)) + std::abs(here - sight.brightness(i, j - 1));
             ++count;
@@ -118,7 +128,7 @@ void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, 
         begin_.velocity = velocity_;
         begun_ = true;
     }
-    if (sightings_ > 0 && (patch_.box.meets(patch.box) || moved_box_at(now).meets(patch.box))) ++continuous_;
+    if (sightings_ > 0 && (goes_over(patch_.box, patch.box) || goes_over(moved_box_at(now), patch.box))) ++continuous_;
     const glm::dvec2 size(patch.box.width(), patch.box.height());
     const double since = now.seconds - seen_.seconds;
     const auto follow = [&](double& usual, double value) {
@@ -155,15 +165,14 @@ void Track::move_to(const glm::dvec2& place) {
     place_ = place;
 }
 
-bool Track::see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight,
-                       const Moment& now) {
+bool Track::see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now) {
     state_ = State::merged;
     const double time = now.seconds - place_at_.seconds;
     const glm::dvec2 expected = place_ + velocity_ * time;
     const bool alike = share.likeness >= sure;
-    const bool found = alike || (has_room && share.patch.area >= enough * usual_area_ &&
-                                 share.patch.area <= too_much * usual_area_ &&
-                                 distance(look_, Appearance(share.patch, sight)) < unlike);
+    const bool found =
+        alike || (has_room && share.patch.area >= enough * usual_area_ && share.patch.area <= too_much * usual_area_ &&
+                  distance(look_, Appearance(share.patch, sight)) < unlike);
     const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
     glm::dvec2 place = found ? found_at : expected;
     // Hidden within the blob, it may leave the picture and nothing else.
@@ -245,9 +254,8 @@ void Track::settle(const Steadiness& steadiness, const Sight& sight, const Momen
             still = open->first;
         }
     }
-    settled_ = Settled{patch_, still_since, edge_strength(patch_, sight.field.size(), [&](int i, int j) {
-                           return sight.brightness(i, j);
-                       })};
+    settled_ = Settled{patch_, still_since,
+                       edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); })};
     state_ = State::standing;
     velocity_ = {};
     place_ = patch_.centre;
@@ -271,8 +279,7 @@ void Track::add_part(const Track& part, const Sight& sight) {
     stay_.place = patch_.centre;
     stay_.box = patch_.box;
     settled_->patch = patch_;
-    settled_->edges =
-        edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); });
+    settled_->edges = edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); });
     portrait_.reset();
     portrait_due_ = 0;
 }
@@ -315,7 +322,8 @@ void Track::take_portrait(const Sight& sight, const Patch& patch, const Moment& 
     if (now.seconds < portrait_due_) return;
     portrait_due_ = now.seconds + portrait_each;
     const double whole = touches_border(patch.box) ? cut_off : 1;
-    const double score = whole * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
+    const double score =
+        whole * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
 }
 

@@ -157,7 +157,7 @@ class Track {
     glm::dvec2 usual_size_{};  ///< of its box of late
     double usual_area_ = 0;
     double least_at_border_ = 0;  ///< its least area since it has touched the border of the picture; 0 = it does not
-    bool was_inside_ = false;      ///< whether it was ever seen clear of the border
+    bool was_inside_ = false;     ///< whether it was ever seen clear of the border
     double area_of_parent_ = 0;
     bool parent_was_alone_ = false;
     glm::dvec2 place_{};     ///< where its middle is, also while it is not seen

@@ -31,16 +31,16 @@ struct Tracklet {
     std::optional<std::size_t> into;  ///< of the track in which it went
     TrackEnd begin;
     TrackEnd end;
-    double length = 0;         ///< of the object, its longer side, field pixels
-    glm::dvec2 size{};         ///< width and height
-    double area = 0;           ///< of the object when it was alone, pixels
+    double length = 0;          ///< of the object, its longer side, field pixels
+    glm::dvec2 size{};          ///< width and height
+    double area = 0;            ///< of the object when it was alone, pixels
     double area_of_parent = 0;  ///< of `from` before they came apart, where that was alone; else 0
-    double seen = 0;           ///< share of the frames of its life in which it was seen
-    double continuous = 1;     ///< share of its sightings in which it was where motion led, and had not jumped
-    double moved = 0;          ///< the diagonal of the box about all its places
-    double flicker = 0;        ///< how often its pixels came and went, the mean over its life
-    double straight = 0;       ///< the distance between its ends, by the length of its way
-    PixelBox box;              ///< of all its places
+    double seen = 0;            ///< share of the frames of its life in which it was seen
+    double continuous = 1;      ///< share of its sightings in which it was where motion led, and had not jumped
+    double moved = 0;           ///< the diagonal of the box about all its places
+    double flicker = 0;         ///< how often its pixels came and went, the mean over its life
+    double straight = 0;        ///< the distance between its ends, by the length of its way
+    PixelBox box;               ///< of all its places
     Appearance look;
     std::vector<PathPoint> path;
     std::vector<int> areas;  ///< at the points of the path

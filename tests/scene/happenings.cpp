@@ -34,7 +34,9 @@ struct Actor {
 class Happening final : public Story {
   public:
     Happening(const Options& options, std::vector<Actor> actors)
-        : scale_(options.size.height / story_height), hall_(paint_hall(options.size, options.seed)), actors_(std::move(actors)) {}
+        : scale_(options.size.height / story_height),
+          hall_(paint_hall(options.size, options.seed)),
+          actors_(std::move(actors)) {}
 
     Plane<Bgr> paint(int frame) const override {
         auto picture = hall_;
@@ -204,9 +206,7 @@ Scene make_train(const Options& options) {
                               const bool gap = std::abs(x - 14) < 2;  // between two cars
                               return window || gap ? 1.0 : body;
                           };
-                          canvas.paint(m, half.x + half.y, distance, [](Point) {
-                              return Colour{0.75, 0.55, 0.2};
-                          });
+                          canvas.paint(m, half.x + half.y, distance, [](Point) { return Colour{0.75, 0.55, 0.2}; });
                       }};
     return make(options, 500, {train, walker("person", options, 7, across(150, 1.2, 130))});
 }
@@ -262,7 +262,11 @@ Scene make_crowd(const Options& options) {
 
 Scene make_clock(const Options& options) {
     const double scale = scale_of(options);
-    const Actor clock{"clock", [](double) { return std::optional(Point{150, 8}); }, [=](Canvas& canvas, double frame) {
+    const Actor clock{"clock",
+                      [](double) {
+                          return std::optional(Point{150, 8});
+                      },
+                      [=](Canvas& canvas, double frame) {
                           const int seconds = static_cast<int>(frame) / 25;
                           for (int digit = 0; digit < 6; ++digit) {
                               const int value = digit == 5 ? seconds % 10 : digit == 4 ? seconds / 10 + 1 : 3;
@@ -270,7 +274,10 @@ Scene make_clock(const Options& options) {
                                   if (((value * 13 + 5) >> bar) % 2 == 0) continue;
                                   const Point m{(122 + 8 * digit + (bar % 2) * 3) * scale, (5 + bar * 2) * scale};
                                   canvas.paint(
-                                      m, 4 * scale, [&](Point p) { return round_box(p, m, {2 * scale, 1 * scale}, 0); },
+                                      m, 4 * scale,
+                                      [&](Point p) {
+                                          return round_box(p, m, {2 * scale, 1 * scale}, 0);
+                                      },
                                       [](Point) {
                                           return Colour{1, 1, 1};
                                       });

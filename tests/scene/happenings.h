@@ -24,8 +24,8 @@ Scene make_group_splits(const Options& options = {});
 Scene make_train(const Options& options = {});
 Interval train_stands();
 
-/// Somebody puts down a bag of two stripes that differ little from the floor, and nothing of it between them, and leaves. Objects "person" and "bag".
-/// 400 frames.
+/// Somebody puts down a bag of two stripes that differ little from the floor, and nothing of it between them, and
+/// leaves. Objects "person" and "bag". 400 frames.
 Scene make_pale_bag(const Options& options = {});
 Interval pale_bag_stands();
 

@@ -46,7 +46,8 @@ constexpr Bgr blue{200, 60, 40};
 Plane<double> costs_of(const std::vector<std::vector<double>>& rows) {
     Plane<double> costs({static_cast<int>(rows.front().size()), static_cast<int>(rows.size())});
     for (std::size_t j = 0; j < rows.size(); ++j) {
-        for (std::size_t i = 0; i < rows[j].size(); ++i) costs.at(static_cast<int>(i), static_cast<int>(j)) = rows[j][i];
+        for (std::size_t i = 0; i < rows[j].size(); ++i)
+            costs.at(static_cast<int>(i), static_cast<int>(j)) = rows[j][i];
     }
     return costs;
 }
@@ -115,8 +116,7 @@ Tracked tracked(const PixelBox& box, const Bgr& colour) {
 }
 
 Expected expected(const Tracked& track, const glm::ivec2& shift, bool was_merged = false) {
-    return {&track.patch, shift, &track.look, was_merged,
-            {track.patch.box.width(), track.patch.box.height()}};
+    return {&track.patch, shift, &track.look, was_merged, {track.patch.box.width(), track.patch.box.height()}};
 }
 
 Assignment associate_with(const Stage& stage, const std::vector<Expected>& tracks) {
