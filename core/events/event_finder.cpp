@@ -21,7 +21,8 @@ bool touches(const Patch& a, const Patch& b, int reach) {
     return false;
 }
 
-constexpr double room = 0.75;  // of what several are together, that a blob must have for none to hide another
+constexpr double small_part = 0.3;  // of the largest in a blob: a smaller one is not looked for in it
+constexpr double room = 0.75;       // of what several are together, that a blob must have for none to hide another
 
 }  // namespace
 
@@ -236,7 +237,9 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     std::vector<const Template*> templates;
     std::vector<glm::ivec2> expected;
     double together = 0;
+    double largest = 0;
     for (const std::size_t k : chosen) {
+        largest = std::max(largest, tracks_[k].usual_area());
         together += tracks_[k].usual_area();
         templates.push_back(&tracks_[k].looked_like());
         expected.push_back(tracks_[k].template_shift_at(now));
@@ -246,6 +249,13 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
+        // Anything small is like some part of a person.
+        const bool is_small = track.usual_area() < small_part * largest;
+        if (is_small) {
+            track.miss_within(now);
+            if (now.seconds - track.seen().seconds > options_.lost_after) end(track, true, now);
+            continue;
+        }
         const bool found = track.see_within(shares[n], blob, has_room, sight, now);
         if (track.is_outside() || track.is_leaving()) end(track, false, now);
         if (!found && now.seconds - track.seen().seconds > options_.hidden_after) end(track, true, now);

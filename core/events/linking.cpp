@@ -42,7 +42,7 @@ double link_cost(const Tracklet& earlier, const Tracklet& later, const EventOpti
     const glm::dvec2 back = later.begin.place - ahead * later.begin.velocity;
     const double away = std::min(glm::distance(forth, later.begin.place), glm::distance(earlier.end.place, back));
     const double speed = std::max({glm::length(earlier.end.velocity), glm::length(later.begin.velocity), 0.3 * length});
-    const double reach = 0.6 * length + 0.7 * speed * std::max(0.0, gap);
+    const double reach = 0.8 * length + 0.7 * speed * std::max(0.0, gap);
     if (away > reach) return never;
     return 0.35 * away / reach + 0.25 * std::max(0.0, gap) / options.link_seconds + 0.6 * looks;
 }

@@ -11,14 +11,15 @@ namespace {
 
 constexpr int search = 3;          // pixels that an object may be off the place where motion leads
 constexpr double astray = 0.004;   // likeness that a squared pixel away from there must make good
-constexpr int most_samples = 400;  // pixels of a template that are compared
+constexpr int most_samples = 100;  // pixels of a template that are compared
 constexpr int unlike = 72;         // levels of a channel at which two colours have nothing in common
-constexpr double own = 0.5;        // likeness of a pixel that is taken
+constexpr int own = unlike / 2;    // likeness of a pixel that is taken
 
-double likeness(const Bgr& a, const Bgr& b) {
+/// 0 for two colours with nothing in common, `unlike` for the same.
+int likeness(const Bgr& a, const Bgr& b) {
     int most = 0;
     for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
-    return std::max(0.0, 1 - static_cast<double>(most) / unlike);
+    return std::max(0, unlike - most);
 }
 
 struct Sample {
@@ -26,12 +27,14 @@ struct Sample {
     Bgr colour;
 };
 
+/// Some of a template's pixels. Which they are looks random: rows and columns would hide shifts of one pixel.
 std::vector<Sample> samples_of(const Template& object) {
-    const int every = std::max(1, object.patch.area / most_samples);
+    const auto every = static_cast<std::uint32_t>(std::max(1, object.patch.area / most_samples));
     std::vector<Sample> samples;
-    int number = 0;
+    std::uint32_t random = 1;
     for_each_pixel(object.patch, [&](int i, int j, std::uint8_t) {
-        if (number++ % every != 0) return;
+        random = random * 1664525 + 1013904223;
+        if ((random >> 16) % every != 0) return;
         samples.push_back({{i, j}, object.colours.at(i - object.patch.box.left, j - object.patch.box.top)});
     });
     return samples;
@@ -57,20 +60,38 @@ struct Place {
     double likeness = 0;
 };
 
-Place best_place(const std::vector<Sample>& samples, const Sight& sight, const Free& free, const glm::ivec2& expected) {
+Place place_at(const std::vector<Sample>& samples, const Sight& sight, const Patch& blob, const Free& free,
+               const glm::ivec2& expected, const glm::ivec2& off) {
+    int sum = 0;
+    int against = 0;
+    for (const Sample& sample : samples) {
+        const glm::ivec2 p = sample.place + expected + off;
+        // A pixel may be hidden behind another object; where there is no object at all, this one is not.
+        if (blob.at(p.x, p.y) == 0) against += unlike / 8;
+        if (free.at(p.x, p.y)) sum += likeness(sight.at(p.x, p.y), sample.colour);
+    }
+    const double all = static_cast<double>(unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
+    const double part = sum / all;
+    return {expected + off, part - against / all - astray * (off.x * off.x + off.y * off.y), part};
+}
+
+/// Looks at every other pixel first, and then about the best of them.
+Place best_place(const std::vector<Sample>& samples, const Sight& sight, const Patch& blob, const Free& free,
+                 const glm::ivec2& expected) {
     Place best;
-    for (int y = -search; y <= search; ++y) {
-        for (int x = -search; x <= search; ++x) {
-            const glm::ivec2 shift = expected + glm::ivec2(x, y);
-            double sum = 0;
-            for (const Sample& sample : samples) {
-                const glm::ivec2 p = sample.place + shift;
-                if (free.at(p.x, p.y)) sum += likeness(sight.at(p.x, p.y), sample.colour);
-            }
-            sum /= static_cast<double>(std::max<std::size_t>(1, samples.size()));
-            const double score = sum - astray * (x * x + y * y);
-            if (score > best.score) best = {shift, score, sum};
-        }
+    glm::ivec2 best_off{};
+    const auto look = [&](const glm::ivec2& off) {
+        const Place place = place_at(samples, sight, blob, free, expected, off);
+        if (place.score <= best.score) return;
+        best = place;
+        best_off = off;
+    };
+    for (int y = -search; y <= search; y += 2) {
+        for (int x = -search; x <= search; x += 2) look({x, y});
+    }
+    const glm::ivec2 middle = best_off;
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) look(middle + glm::ivec2(x, y));
     }
     return best;
 }
@@ -97,7 +118,7 @@ void share_pixels(const Patch& blob, const Sight& sight, std::span<const Templat
             const glm::ivec2 p = glm::ivec2(i, j) - shares[k].shift;
             double score = 0;
             if (patch.at(p.x, p.y) != 0) {
-                score = likeness(colour, templates[k]->colours.at(p.x - patch.box.left, p.y - patch.box.top)) + 0.01;
+                score = 1 + likeness(colour, templates[k]->colours.at(p.x - patch.box.left, p.y - patch.box.top));
             } else {
                 const glm::dvec2 half(0.5 * patch.box.width() + 1, 0.5 * patch.box.height() + 1);
                 score = -glm::length((glm::dvec2(p) - patch.centre) / half);
@@ -136,7 +157,7 @@ std::vector<Share> share_blob(const Patch& blob, const Sight& sight, std::span<c
         std::size_t next = count;
         for (std::size_t k = 0; k < count; ++k) {
             if (placed[k]) continue;
-            const Place place = best_place(samples[k], sight, free, expected[k]);
+            const Place place = best_place(samples[k], sight, blob, free, expected[k]);
             if (next != count && place.score <= best.score) continue;
             best = place;
             next = k;

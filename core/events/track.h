@@ -88,6 +88,12 @@ class Track {
     /// \returns whether there is enough of it to be sure
     bool see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now);
 
+    /// It is somewhere in a blob that it shares, and nobody can tell where.
+    void miss_within(const Moment& now) {
+        state_ = State::merged;
+        miss(now);
+    }
+
     /// It is not to be seen, and may go on as before.
     void miss(const Moment& now);
 
