@@ -1,6 +1,9 @@
 #include "cli/options/output.h"
 
+#include <set>
 #include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -9,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/render/settings.h"
+#include "core/choice.h"
 #include "core/error.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
@@ -25,12 +29,23 @@ constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside th
 constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
 constexpr Setting report{"report", "FILE",
                          "a JSON file of the input, the settings, the events and the run; needs no -o"};
+constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
+constexpr Setting event_min_seconds{"event-min-seconds", "SECONDS", "shorter events are not listed", {0, 86'400}};
 constexpr Setting golden{"golden", "FILE",
                          "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
 constexpr Setting bless{"bless", "", "make the picture the golden one instead of comparing"};
 constexpr Setting diff{"diff", "FILE",
                        "a picture of the differences: yellow = small, red = larger, black = all of the range"};
 }  // namespace text
+
+std::set<EventKind> parse_kinds(const std::string& list) {
+    std::set<EventKind> kinds;
+    std::istringstream words(list);
+    for (std::string word; std::getline(words, word, ',');) {
+        kinds.insert(choose(text::events.name, word, event_kinds()).kind);
+    }
+    return kinds;
+}
 
 /// Whether both name one file, be it there or not.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -126,6 +141,11 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
     line.path(output, options.page, text::page);
     line.path(output, options.thumbnail, text::thumbnail);
     line.path(output, options.report, text::report);
+    line.explain(text::events, event_kinds());
+    line.value(output, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
+               [&options](const std::string& given) { options.events.kinds = parse_kinds(given); },
+               {.help = list_of(event_kinds())});
+    line.number(output, options.events.least, text::event_min_seconds);
     line.path(Group::comparison, options.golden.path, text::golden);
     line.flag(Group::comparison, options.golden.bless, text::bless);
     add_comparison_options(line, options.golden.comparison);

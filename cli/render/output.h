@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/events/event_choice.h"
 #include "core/image/compare.h"
 #include "core/image/name_pattern.h"
 
@@ -29,6 +30,7 @@ struct OutputOptions {
     bool plain_name = false;          ///< nothing in `path` is a field
     std::optional<int> animate;       ///< pictures of the moving texture
     std::filesystem::path report;     ///< empty = nowhere
+    EventChoice events;               ///< which of them the report and the page list
     GoldenOptions golden;
 };
 

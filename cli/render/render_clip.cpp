@@ -42,7 +42,7 @@ Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, 
     if (find_events) events.emplace(source.field_size());
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
-        if (events) events->add(field.scalar, {field.index, field.pts});
+        if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         result.volume.add(field, volume_colour(job, *frame));
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
@@ -53,7 +53,7 @@ Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, 
         result.last = frame;
         observer.frames(result.volume.frames(), expected);
     });
-    if (events) result.events = events->finish();
+    if (events) result.events = choose_events(events->finish(result.summary.reference), job.output.events);
     return result;
 }
 

@@ -51,7 +51,7 @@ class Series {
         if (begin_) fill_gap(field);
         if (!begin_) begin_ = {field.index, field.pts};
         if (volume_.frames() == window_.frames()) drop_oldest();
-        if (events_) events_->add(field.scalar, {field.index, field.pts});
+        if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         volume_.add(field, volume_colour(job_, *frame));
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = frame;
@@ -60,11 +60,12 @@ class Series {
 
     /// After the last frame: the last brick may be shorter than the others. Frames and times are those of the clip, all
     /// else is that of the last window.
-    RenderReport finish() {
+    /// \param scene the empty scene; may be empty
+    RenderReport finish(const Planes& scene) {
         if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
         report_.still = all_still_;
-        if (events_) report_.events = events_->finish();
+        if (events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
         if (begin_) {
             report_.first_frame = begin_->frame;
             report_.first_pts = begin_->seconds;
@@ -187,7 +188,7 @@ RenderReport render_series(const RenderJob& job, const Products& products, Field
         series.add(frame, field);
         observer.frames(++frames, expected);
     });
-    RenderReport report = series.finish();
+    RenderReport report = series.finish(summary.reference);
     report.frames = summary.frames;
     report.damaged = summary.damaged;
     return report;

@@ -85,13 +85,25 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place + 1) : Json();
 }
 
+Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
+    if (!portrait) return {};
+    Json json = json_of(portrait->at);
+    json["box"] = json_of(scale(portrait->box));
+    json["field_box"] = json_of(portrait->box);
+    return json;
+}
+
 Json json_of(const Event& event, std::size_t place, const Scale& scale) {
     Json json{{"number", place + 1},
+              {"kind", name_of(event.kind)},
               {"first", json_of(event.first)},
               {"last", json_of(event.last)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
               {"from", number_of(event.from)},
               {"into", number_of(event.into)},
+              {"by", number_of(event.by)},
+              {"alone_since", event.alone_since ? json_of(*event.alone_since) : Json()},
+              {"portrait", json_of(event.portrait, scale)},
               {"box", json_of(scale(event.box))},
               {"field_box", json_of(event.box)},
               {"path_length", rounded(scale.length(event.path))},

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -29,22 +31,48 @@ struct PathPoint {
     glm::dvec2 place{};  ///< middle of what was seen, field pixels
 };
 
-/// Something that moved or was left: one connected object of the space-time volume.
+/// The frame in which an object is seen best: large, sharp, whole and alone.
+struct Portrait {
+    Moment at;
+    PixelBox box;      ///< field pixels
+    double score = 0;  ///< larger is better; of use between portraits of one clip
+};
+
+enum class EventKind {
+    moved,  ///< it went through the scene
+    stood,  ///< it went, and kept its place for a while
+    left,   ///< somebody put it down
+    taken,  ///< it belonged to the empty scene, and went
+};
+
+/// One row of the table of kinds.
+struct EventKindRow {
+    EventKind kind;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// The kinds, in the order of EventKind.
+std::span<const EventKindRow> event_kinds();
+
+/// "moved", "stood", "left" or "taken".
+std::string_view name_of(EventKind kind);
+
+/// One object of the space-time volume, from its first to its last frame.
 struct Event {
+    EventKind kind = EventKind::moved;
     Moment first;
     Moment last;
     PixelBox box;                 ///< of all places where it was
     std::vector<PathPoint> path;  ///< coarse; its ends are those of the event
     double path_length = 0;       ///< field pixels, along the path
     std::vector<Stay> stays;
-    std::optional<std::size_t> from;  ///< place in the list of the event out of which it came
-    std::optional<std::size_t> into;  ///< of the event in which it went
-};
-
-/// What counts as an event. Seconds are those of the clip.
-struct EventOptions {
-    double stay = 2;     ///< what keeps its place for so long stood still
-    double least = 0.8;  ///< what is seen for less is none
+    std::optional<std::size_t> from;    ///< place in the list of the event out of which it came
+    std::optional<std::size_t> into;    ///< of the event in which it went
+    std::optional<std::size_t> by;      ///< of the event that put it down, or took it
+    std::optional<Moment> alone_since;  ///< of what was left: when whoever left it had gone
+    std::optional<Portrait> portrait;
+    std::vector<std::size_t> tracks;  ///< the numbers that its pixels have in `FrameLabels`
 };
 
 }  // namespace vvr

@@ -1,19 +1,28 @@
 #include "core/events/event_finder.h"
 
 #include <algorithm>
-#include <map>
+#include <iterator>
 #include <utility>
+
+#include "core/events/conclude.h"
 
 namespace vvr {
 
 namespace {
 
-constexpr double lost_after = 1;      // seconds for which something may not be seen
-constexpr double hidden_after = 2;    // the same within a larger object
-constexpr double covered_after = 60;  // the same of something that stands, and has somebody in front of it
-constexpr double visible = 0.3;       // part of something that stands
-constexpr double undisturbed = 0.8;
-constexpr double own_share = 0.2;
+/// Whether pixels of `b` lie within `reach` of the box of `a`.
+bool touches(const Patch& a, const Patch& b, int reach) {
+    const PixelBox both = common(a.box.grown(reach, reach), b.box);
+    for (int j = both.top; j < both.bottom; ++j) {
+        for (int i = both.left; i < both.right; ++i) {
+            if (b.at(i, j) != 0) return true;
+        }
+    }
+    return false;
+}
+
+constexpr double small_part = 0.3;  // of the largest in a blob: a smaller one is not looked for in it
+constexpr double room = 0.75;       // of what several are together, that a blob must have for none to hide another
 
 }  // namespace
 
@@ -21,32 +30,39 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
     : options_(options),
       field_(field),
       reach_(std::max(1, std::max(field.width, field.height) / 192)),
-      min_area_(std::max(4, field.width * field.height / 5000)) {}
+      min_area_(std::max(4, field.width * field.height / 5000)),
+      flicker_(options.flicker_memory) {}
 
-void EventFinder::add(const Plane<std::uint8_t>& field, const Moment& now) {
-    steadiness_.add(field, now);
-    const Blobs blobs = find_blobs(without_standing(field, now), reach_, min_area_);
-    Choices choices = choose(blobs);
-    share_out(blobs, choices);
-    look_after_hidden(field, blobs, choices, now);
-    for (auto& chosen : choices) join_pieces(chosen);
-    go_on(field, blobs, choices, now);
-    settle(now);
-    std::erase_if(followed_, [](const Followed& followed) { return followed.over; });
+void EventFinder::add(const Sight& sight, const Moment& now) {
+    if (next_frame_++ == 0) first_ = now;
+    last_ = now;
+    steadiness_.add(sight.field, now);
+    flicker_.add(sight.field, now);
+    Blobs blobs = find_blobs(without_standing(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
+    std::vector<Appearance> looks;
+    for (const Patch& patch : blobs.patches) looks.emplace_back(patch, sight);
+    Assignment assignment = associate_movers(blobs, looks, now);
+    join_pieces(blobs, looks, assignment, sight);
+    look_after_hidden(sight, blobs, looks, assignment, now);
+    for (auto& chosen : assignment.tracks) drop_young(chosen);
+    go_on(sight, blobs, looks, assignment, now);
+    settle(sight, now);
+    if (label_sink_) give_labels(now);
+    std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
 }
 
 /// Takes out of the field what is known to stand there.
-Plane<std::uint8_t> EventFinder::without_standing(const Plane<std::uint8_t>& field, const Moment& now) {
+Plane<std::uint8_t> EventFinder::without_standing(const Sight& sight, const Moment& now) {
+    const Plane<std::uint8_t>& field = sight.field;
     Plane<std::uint8_t> rest = field;
-    for (Followed& followed : followed_) {
-        Track& track = followed.track;
+    for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);
-        if (part < visible) continue;
-        track.see_standing(now);
-        followed.near.reset();
+        if (part < options_.visible) continue;
+        const bool alone = part >= options_.undisturbed;
+        track.see_standing(sight, now, alone);
         // Its rim is never quite still. Where somebody is about it, that rim may be theirs.
-        const int rim = part >= undisturbed ? reach_ + 1 : 0;
+        const int rim = alone ? reach_ + 1 : 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t value) {
             if (rim == 0 && !Steadiness::alike(field.at(i, j), value)) return;
             for (int y = std::max(0, j - rim); y <= std::min(field.height() - 1, j + rim); ++y) {
@@ -57,88 +73,83 @@ Plane<std::uint8_t> EventFinder::without_standing(const Plane<std::uint8_t>& fie
     return rest;
 }
 
-std::vector<int> EventFinder::overlaps(const Track& track, const Blobs& blobs, const glm::ivec2& by) const {
-    std::vector<int> counts(blobs.patches.size());
-    for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t) {
-        const int x = i + by.x;
-        const int y = j + by.y;
-        if (x < 0 || x >= blobs.labels.width() || y < 0 || y >= blobs.labels.height()) return;
-        if (const int label = blobs.labels.at(x, y)) ++counts[static_cast<std::size_t>(label) - 1];
-    });
-    return counts;
-}
-
-/// Each that moves goes on in the blob that most of it falls on.
-EventFinder::Choices EventFinder::choose(const Blobs& blobs) {
-    Choices choices(blobs.patches.size());
-    overlap_.clear();
-    for (std::size_t k = 0; k < followed_.size(); ++k) {
-        const Track& track = followed_[k].track;
-        overlap_.push_back(overlaps(track, blobs, track.stands() ? glm::ivec2(0) : track.step()));
-        if (track.stands() || blobs.patches.empty()) continue;
-        if (std::ranges::max(overlap_[k]) == 0) overlap_[k] = overlaps(track, blobs, {0, 0});
-        const auto most = std::ranges::max_element(overlap_[k]);
-        if (*most > 0) choices[static_cast<std::size_t>(most - overlap_[k].begin())].push_back(k);
+/// The assignment of all tracks that follow blobs, by their places in `tracks_`.
+Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const Appearance> looks,
+                                         const Moment& now) const {
+    std::vector<std::size_t> movers;
+    std::vector<Expected> expected;
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        const Track& track = tracks_[k];
+        if (!track.follows_blobs()) continue;
+        movers.push_back(k);
+        expected.push_back(
+            {&track.patch(), track.shift_at(now), &track.look(), track.state() == State::merged, track.usual_size()});
     }
-    return choices;
+    Assignment assignment = associate(expected, blobs, looks, options_);
+    for (auto& chosen : assignment.tracks) {
+        for (std::size_t& k : chosen) k = movers[k];
+    }
+    for (auto* places : {&assignment.piece_of, &assignment.out_of}) {
+        for (auto& k : *places) {
+            if (k) k = movers[*k];
+        }
+    }
+    return assignment;
 }
 
-/// Where several were one and now come apart, each takes a part.
-void EventFinder::share_out(const Blobs& blobs, Choices& choices) const {
-    for (std::size_t free = 0; free < blobs.patches.size(); ++free) {
-        if (!choices[free].empty()) continue;
-        double most = own_share;
-        std::vector<std::size_t>* crowd = nullptr;
-        std::size_t taker = 0;
-        for (auto& chosen : choices) {
-            if (chosen.size() < 2) continue;
-            for (const std::size_t k : chosen) {
-                const Track& track = followed_[k].track;
-                const double share = static_cast<double>(overlap_[k][free]) / std::max(1, track.patch().area);
-                if (!track.was_merged() || share <= most) continue;
-                most = share;
-                crowd = &chosen;
-                taker = k;
-            }
-        }
-        if (crowd == nullptr) continue;
-        std::erase(*crowd, taker);
-        choices[free].push_back(taker);
+void EventFinder::join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
+                              const Sight& sight) {
+    for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
+        if (!assignment.piece_of[b]) continue;
+        const auto home = std::ranges::find_if(assignment.tracks, [&](const auto& chosen) {
+            return chosen.size() == 1 && chosen.front() == *assignment.piece_of[b];
+        });
+        const auto place = static_cast<std::size_t>(home - assignment.tracks.begin());
+        blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
+        looks[place] = Appearance(blobs.patches[place], sight);
     }
 }
 
 /// What stood and is not seen now is behind somebody, was taken, or moves itself.
-void EventFinder::look_after_hidden(const Plane<std::uint8_t>& field, const Blobs& blobs, Choices& choices,
-                                    const Moment& now) {
-    for (std::size_t k = 0; k < followed_.size(); ++k) {
-        Followed& followed = followed_[k];
-        Track& track = followed.track;
-        if (followed.over || !track.stands() || track.seen().frame == now.frame) continue;
-        if (!followed.near) followed.near = about(track);
-        if (!followed.near && rises(k, blobs, choices)) continue;
+void EventFinder::look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks,
+                                    Assignment& assignment, const Moment& now) {
+    for (std::size_t k = 0; k < tracks_.size(); ++k) {
+        Track& track = tracks_[k];
+        if (!track.stands() || track.seen().frame == now.frame) continue;
+        if (!track.near()) track.set_near(about(track));
+        if (!track.near() && rises(k, blobs, looks, assignment, sight, now)) continue;
         int covered = 0;
-        for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t) { covered += field.at(i, j) != 0 ? 1 : 0; });
+        for_each_pixel(track.patch(),
+                       [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
-        if (uncovered || now.seconds - track.seen().seconds > covered_after) end(followed, true);
+        if (uncovered || now.seconds - track.seen().seconds > options_.covered_after) end(track, true, now);
     }
 }
 
-/// Where nobody else is near, it goes on in the piece of it that moved off, or in the object that is in its place.
-bool EventFinder::rises(std::size_t k, const Blobs& blobs, Choices& choices) {
-    const auto is_own = [&](std::size_t other) { return followed_[other].from == followed_[k].track.number(); };
-    std::size_t place = choices.size();
-    int most = 0;
-    for (std::size_t b = 0; b < choices.size(); ++b) {
-        const bool own = std::ranges::all_of(choices[b], is_own);
-        const int size = choices[b].empty() ? overlap_[k][b] : blobs.patches[b].area;
-        if (!own || size <= most) continue;
-        most = size;
-        place = b;
+/// It rises where there is nobody but it, or pieces of it: all of those are it.
+bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                        const Sight& sight, const Moment& now) {
+    const std::size_t number = tracks_[k].number();
+    const auto is_own = [&](std::size_t other) { return tracks_[other].from() == number; };
+    const std::vector<int> overlap = overlaps_of(tracks_[k].patch(), {}, blobs);
+    std::vector<std::size_t> own;
+    for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
+        const auto& chosen = assignment.tracks[b];
+        const bool any = chosen.empty() ? overlap[b] > 0 : std::ranges::all_of(chosen, is_own);
+        if (any && !assignment.piece_of[b]) own.push_back(b);
     }
-    if (place == choices.size()) return false;
-    for (const std::size_t piece : choices[place]) followed_[piece].over = true;
-    followed_[k].track.rise();
-    choices[place] = {k};
+    if (own.empty()) return false;
+    const std::size_t place = *std::ranges::max_element(own, {}, [&](std::size_t b) { return blobs.patches[b].area; });
+    for (const std::size_t b : own) {
+        for (const std::size_t piece : assignment.tracks[b]) tracks_[piece].drop();
+        assignment.tracks[b].clear();
+        if (b == place) continue;
+        blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
+        assignment.piece_of[b] = k;
+    }
+    looks[place] = Appearance(blobs.patches[place], sight);
+    tracks_[k].rise(now);
+    assignment.tracks[place] = {k};
     return true;
 }
 
@@ -146,122 +157,152 @@ bool EventFinder::rises(std::size_t k, const Blobs& blobs, Choices& choices) {
 std::optional<std::size_t> EventFinder::about(const Track& standing) const {
     const PixelBox& box = standing.patch().box;
     const PixelBox wide = box.grown(box.width(), box.height());
-    for (const Followed& followed : followed_) {
-        const bool own = followed.from == standing.number();
-        if (wide.meets(followed.track.patch().box) && !own && !followed.over && !followed.track.stands() &&
-            followed.track.is_certain()) {
-            return followed.track.number();
+    for (const Track& track : tracks_) {
+        const bool own = track.from() == standing.number();
+        if (!own && track.follows_blobs() && track.is_certain() && wide.meets(track.patch().box)) {
+            return track.number();
         }
     }
     return std::nullopt;
 }
 
 /// Pieces that were never seen for long belong to the rest of what they are part of now.
-void EventFinder::join_pieces(std::vector<std::size_t>& chosen) {
+void EventFinder::drop_young(std::vector<std::size_t>& chosen) {
     if (chosen.size() < 2) return;
-    const auto whole = *std::ranges::max_element(chosen, {}, [&](std::size_t k) {
-        const Track& track = followed_[k].track;
-        return std::pair(track.is_certain(), track.patch().area);
-    });
+    const auto whole = *std::ranges::max_element(
+        chosen, {}, [&](std::size_t k) { return std::pair(tracks_[k].is_certain(), tracks_[k].patch().area); });
     std::erase_if(chosen, [&](std::size_t k) {
-        Followed& piece = followed_[k];
-        if (k == whole || piece.track.is_certain()) return false;
-        if (!followed_[whole].track.is_certain()) followed_[whole].track.join(piece.track);
-        piece.over = true;
+        Track& piece = tracks_[k];
+        if (k == whole || piece.is_certain()) return false;
+        // Who has just come in at the border is somebody, and no piece of whoever is leaving there.
+        if (tracks_[whole].is_certain() && piece.came_in()) return false;
+        if (!tracks_[whole].is_certain()) tracks_[whole].join(piece);
+        piece.drop();
         return true;
     });
 }
 
-void EventFinder::go_on(const Plane<std::uint8_t>& field, const Blobs& blobs, const Choices& choices,
-                        const Moment& now) {
-    const std::size_t count = followed_.size();
-    std::vector<bool> went_on(count);
+void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks,
+                        const Assignment& assignment, const Moment& now) {
+    std::vector<bool> went_on(tracks_.size());
+    std::vector<Track> begun;
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
-        const auto& chosen = choices[b];
+        const auto& chosen = assignment.tracks[b];
         for (const std::size_t k : chosen) went_on[k] = true;
-        if (chosen.size() == 1) {
-            followed_[chosen.front()].track.see(blobs.patches[b], now);
-            followed_[chosen.front()].near.reset();
+        if (chosen.size() > 1) {
+            share(blobs.patches[b], chosen, sight, now);
             continue;
         }
-        for (const std::size_t k : chosen) {
-            Followed& followed = followed_[k];
-            followed.near = followed_[chosen.front() == k ? chosen.back() : chosen.front()].track.number();
-            const bool there = followed.track.see_within(field, now);
-            if (!there && now.seconds - followed.track.seen().seconds > hidden_after) end(followed, true);
+        if (chosen.size() == 1) {
+            Track& track = tracks_[chosen.front()];
+            if (track.has_left_to(blobs.patches[b])) {
+                end(track, false, now);
+                begin(blobs.patches[b], looks[b], {}, begun, sight, now);
+            } else {
+                track.see(blobs.patches[b], looks[b], sight, flicker_, now);
+                track.set_near({});
+            }
+            continue;
         }
-        if (!chosen.empty()) continue;
-        std::optional<std::size_t> from;
-        int most = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            if (overlap_[k][b] <= most) continue;
-            most = overlap_[k][b];
-            from = followed_[k].track.number();
+        if (assignment.piece_of[b]) continue;
+        begin(blobs.patches[b], looks[b], assignment.out_of[b], begun, sight, now);
+    }
+    for (std::size_t k = 0; k < went_on.size(); ++k) {
+        Track& track = tracks_[k];
+        if (went_on[k] || !track.follows_blobs()) continue;
+        track.miss(now);
+        if (track.is_leaving()) end(track, false, now);
+        if (now.seconds - track.seen().seconds > options_.lost_after) end(track, false, now);
+    }
+    std::ranges::move(begun, std::back_inserter(tracks_));
+}
+
+/// Begins a track with a blob.
+/// \param parent place of the track out of which it came
+void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent,
+                        std::vector<Track>& begun, const Sight& sight, const Moment& now) {
+    auto from = parent ? std::optional(tracks_[*parent].number()) : std::nullopt;
+    for (const Track& track : tracks_) {
+        // Pieces of a piece are those of the whole.
+        const bool own = !parent || tracks_[*parent].from() == track.number();
+        if (own && track.stands() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
+    }
+    Track& track = begun.emplace_back(next_++, from, field_, options_);
+    if (parent) track.set_parent(tracks_[*parent].usual_area(), tracks_[*parent].state() == State::moving);
+    track.see(blob, look, sight, flicker_, now);
+}
+
+/// Finds each of several tracks in the blob that they are.
+void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now) {
+    std::vector<const Template*> templates;
+    std::vector<glm::ivec2> expected;
+    double together = 0;
+    double largest = 0;
+    for (const std::size_t k : chosen) {
+        largest = std::max(largest, tracks_[k].usual_area());
+        together += tracks_[k].usual_area();
+        templates.push_back(&tracks_[k].looked_like());
+        expected.push_back(tracks_[k].template_shift_at(now));
+    }
+    const bool has_room = blob.area >= room * together;
+    const std::vector<Share> shares = share_blob(blob, sight, templates, expected);
+    for (std::size_t n = 0; n < chosen.size(); ++n) {
+        Track& track = tracks_[chosen[n]];
+        track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
+        // Anything small is like some part of a person.
+        const bool is_small = track.usual_area() < small_part * largest;
+        if (is_small) {
+            track.miss_within(now);
+            if (now.seconds - track.seen().seconds > options_.lost_after) end(track, true, now);
+            continue;
         }
-        begin(blobs.patches[b], from, now);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        Followed& followed = followed_[k];
-        if (went_on[k] || followed.over || followed.track.stands()) continue;
-        followed.track.miss();
-        if (now.seconds - followed.track.seen().seconds > lost_after) end(followed, false);
+        const bool found = track.see_within(shares[n], blob, has_room, sight, now);
+        if (track.is_outside() || track.is_leaving()) end(track, false, now);
+        if (!found && now.seconds - track.seen().seconds > options_.hidden_after) end(track, true, now);
     }
 }
 
-void EventFinder::begin(const Patch& patch, std::optional<std::size_t> from, const Moment& now) {
-    followed_.push_back({Track(next_++, patch, now, options_), from, {}, false});
-}
-
-void EventFinder::settle(const Moment& now) {
-    for (Followed& followed : followed_) {
-        Track& track = followed.track;
-        const bool alone = !followed.over && !track.stands() && !track.was_merged() && track.seen().frame == now.frame;
-        if (alone && track.has_settled(steadiness_, now)) {
-            track.settle(steadiness_, now, followed.from && now.seconds - track.first().seconds < 2 * options_.stay);
-            join_standing(followed);
-        }
+void EventFinder::settle(const Sight& sight, const Moment& now) {
+    for (Track& track : tracks_) {
+        if (track.state() != State::moving || track.seen().frame != now.frame) continue;
+        if (!track.has_settled(steadiness_, flicker_, now)) continue;
+        track.settle(steadiness_, sight, now);
+        join_standing(track, sight);
     }
 }
 
-/// What came to rest in parts, for some of it was hidden for a while, is one thing.
-void EventFinder::join_standing(Followed& part) {
-    for (Followed& other : followed_) {
-        if (&other == &part || other.over || !other.track.stands()) continue;
-        if (!part.track.belongs_to(other.track, 2 * reach_ + 1)) continue;
-        other.track.add_part(part.track);
-        part.over = true;
-        return;
+/// What came to rest in parts, for some of it was hidden for a while, is one thing: that of which more is known.
+void EventFinder::join_standing(Track& part, const Sight& sight) {
+    for (Track& other : tracks_) {
+        if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
+        const bool is_whole = part.first().frame < other.first().frame && part.usual_area() > other.usual_area();
+        Track& whole = is_whole ? part : other;
+        Track& rest = is_whole ? other : part;
+        whole.add_part(rest, sight);
+        rest.drop();
+        if (!is_whole) return;
     }
 }
 
-void EventFinder::end(Followed& followed, bool taken) {
-    if (followed.over) return;
-    followed.over = true;
-    if (!followed.track.is_event()) return;
-    Event event = followed.track.finish();
-    event.box = {std::max(0, event.box.left), std::max(0, event.box.top), std::min(field_.width, event.box.right),
-                 std::min(field_.height, event.box.bottom)};
-    ended_.push_back({std::move(event), followed.track.number(), followed.from, taken ? followed.near : std::nullopt});
+void EventFinder::end(Track& track, bool taken, const Moment& now) {
+    if (track.is_over()) return;
+    const bool certain = track.is_certain();
+    Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
+    if (certain) ended_.push_back(std::move(tracklet));
 }
 
-std::vector<Event> EventFinder::finish() {
-    for (Followed& followed : followed_) end(followed, false);
-    followed_.clear();
-    std::ranges::stable_sort(ended_, {},
-                             [](const Ended& ended) { return std::pair(ended.event.first.frame, ended.number); });
-    std::map<std::size_t, std::size_t> places;
-    for (std::size_t k = 0; k < ended_.size(); ++k) places[ended_[k].number] = k;
-    const auto place_of = [&](const std::optional<std::size_t>& number) {
-        const auto found = number ? places.find(*number) : places.end();
-        return found == places.end() ? std::nullopt : std::optional(found->second);
-    };
-    std::vector<Event> events;
-    for (Ended& ended : ended_) {
-        ended.event.from = place_of(ended.from);
-        ended.event.into = place_of(ended.into);
-        events.push_back(std::move(ended.event));
+void EventFinder::give_labels(const Moment& now) const {
+    FrameLabels labels{now, {}};
+    for (const Track& track : tracks_) {
+        if (!track.is_over() && track.seen().frame == now.frame) add_runs(track.pixels(), track.number(), labels);
     }
-    return events;
+    label_sink_(labels);
+}
+
+std::vector<Event> EventFinder::finish(const Planes& scene) {
+    for (Track& track : tracks_) end(track, false, last_);
+    tracks_.clear();
+    return conclude(std::move(ended_), {field_, first_, last_}, scene, options_);
 }
 
 }  // namespace vvr

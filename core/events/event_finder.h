@@ -4,66 +4,70 @@
 #include <optional>
 #include <vector>
 
+#include "core/events/association.h"
 #include "core/events/event.h"
+#include "core/events/event_options.h"
+#include "core/events/labels.h"
+#include "core/events/sight.h"
 #include "core/events/track.h"
+#include "core/fields/planes.h"
 
 namespace vvr {
 
 /// Finds the events of a clip in its fields, one after the other; memory depends on what is to be seen at a time, and
 /// on the number of events.
 ///
-/// Objects of consecutive fields that overlap are one event. Those that meet stay two: each is looked for within what
-/// they are together, by what it was before. An object that comes apart gives a new event; a part that stands still
-/// began when it became still, which is when a bag was put down and not when whoever brought it had gone.
+/// Blobs of consecutive fields are followed as tracks (`associate`). Those that meet share a blob, in which each is
+/// looked for by what it was (`share_blob`). A part that stands still began when it became still, which is when a bag
+/// was put down and not when whoever brought it had gone. At the end tracks of one object are joined (`link`), and it
+/// is told what each of them was (`conclude`).
 class EventFinder {
   public:
-    EventFinder(Size field, const EventOptions& options = {});
+    explicit EventFinder(Size field, const EventOptions& options = {});
 
-    /// \param field 0 = nothing; else part of an object
+    /// Who gets the pixels of each field, in order, from within `add`.
+    void set_label_sink(LabelSink sink) { label_sink_ = std::move(sink); }
+
     /// \param now later than in the call before
-    void add(const Plane<std::uint8_t>& field, const Moment& now);
+    void add(const Sight& sight, const Moment& now);
 
     /// The events, by their first times. To be called once, after the last field.
-    std::vector<Event> finish();
+    /// \param scene the empty scene that the fields were compared with; empty where there is none
+    std::vector<Event> finish(const Planes& scene = {});
 
   private:
-    struct Followed {
-        Track track;
-        std::optional<std::size_t> from;
-        std::optional<std::size_t> near;  ///< who is in front of it, or about it
-        bool over = false;
-    };
-    struct Ended {
-        Event event;
-        std::size_t number;
-        std::optional<std::size_t> from;
-        std::optional<std::size_t> into;
-    };
-    using Choices = std::vector<std::vector<std::size_t>>;  ///< tracks that go on in each blob
-
-    Plane<std::uint8_t> without_standing(const Plane<std::uint8_t>& field, const Moment& now);
-    Choices choose(const Blobs& blobs);
-    void share_out(const Blobs& blobs, Choices& choices) const;
-    void look_after_hidden(const Plane<std::uint8_t>& field, const Blobs& blobs, Choices& choices, const Moment& now);
-    bool rises(std::size_t k, const Blobs& blobs, Choices& choices);
+    Plane<std::uint8_t> without_standing(const Sight& sight, const Moment& now);
+    Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
+    void join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const Sight& sight);
+    void look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                           const Moment& now);
+    bool rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment, const Sight& sight,
+               const Moment& now);
     std::optional<std::size_t> about(const Track& standing) const;
-    void join_pieces(std::vector<std::size_t>& chosen);
-    void go_on(const Plane<std::uint8_t>& field, const Blobs& blobs, const Choices& choices, const Moment& now);
-    void begin(const Patch& patch, std::optional<std::size_t> from, const Moment& now);
-    void settle(const Moment& now);
-    void join_standing(Followed& part);
-    void end(Followed& followed, bool taken);
-    std::vector<int> overlaps(const Track& track, const Blobs& blobs, const glm::ivec2& by) const;
+    void drop_young(std::vector<std::size_t>& chosen);
+    void go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks, const Assignment& assignment,
+               const Moment& now);
+    void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
+               const Sight& sight, const Moment& now);
+    void share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now);
+    void settle(const Sight& sight, const Moment& now);
+    void join_standing(Track& part, const Sight& sight);
+    void end(Track& track, bool taken, const Moment& now);
+    void give_labels(const Moment& now) const;
 
     EventOptions options_;
     Size field_;
     int reach_;
     int min_area_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0;  ///< number of the next track
+    std::int64_t next_frame_ = 0;
     Steadiness steadiness_;
-    std::vector<Followed> followed_;
-    std::vector<std::vector<int>> overlap_;  ///< of each that is followed with each blob
-    std::vector<Ended> ended_;
+    Flicker flicker_;
+    std::vector<Track> tracks_;
+    std::vector<Tracklet> ended_;
+    Moment first_;
+    Moment last_;
+    LabelSink label_sink_;
 };
 
 }  // namespace vvr

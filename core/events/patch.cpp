@@ -11,22 +11,44 @@ namespace vvr {
 namespace {
 
 /// The box about all there is, and `reach` more; empty for nothing.
-PixelBox box_of_objects(const Plane<std::uint8_t>& field, int reach) {
+PixelBox box_of_objects(const Plane<std::uint8_t>& field, const glm::ivec2& reach) {
     const cv::Rect all = cv::boundingRect(cv_view(field));
     if (all.empty()) return {};
-    return {std::max(0, all.x - reach), std::max(0, all.y - reach), std::min(field.width(), all.x + all.width + reach),
-            std::min(field.height(), all.y + all.height + reach)};
+    const PixelBox wide = PixelBox{all.x, all.y, all.x + all.width, all.y + all.height}.grown(reach.x, reach.y);
+    return common(wide, {0, 0, field.width(), field.height()});
 }
 
 }  // namespace
 
-Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area) {
+Patch joined(const Patch& a, const Patch& b) {
+    const PixelBox box = hull_of(a.box, b.box);
+    Patch whole{.box = box, .values = Plane<std::uint8_t>({box.width(), box.height()}), .area = 0, .centre = {}};
+    for (int j = box.top; j < box.bottom; ++j) {
+        for (int i = box.left; i < box.right; ++i) {
+            const std::uint8_t value = std::max(a.at(i, j), b.at(i, j));
+            if (value == 0) continue;
+            whole.values.at(i - box.left, j - box.top) = value;
+            whole.centre += glm::dvec2(i, j);
+            ++whole.area;
+        }
+    }
+    whole.centre /= std::max(1, whole.area);
+    return whole;
+}
+
+Patch moved(Patch patch, const glm::ivec2& by) {
+    patch.box = patch.box.moved(by.x, by.y);
+    patch.centre += by;
+    return patch;
+}
+
+Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int min_area) {
     Blobs blobs{Plane<int>(field.size()), {}};
     const PixelBox all = box_of_objects(field, reach);
     if (all.empty()) return blobs;
     cv::Mat wide;
     const cv::Rect part(all.left, all.top, all.width(), all.height());
-    cv::dilate(cv_view(field)(part), wide, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+    cv::dilate(cv_view(field)(part), wide, cv::Mat::ones(2 * reach.y + 1, 2 * reach.x + 1, CV_8U));
     cv::Mat labels = cv::Mat(field.height(), field.width(), CV_32S, blobs.labels.pixels().data())(part);
     const int count = cv::connectedComponents(wide, labels, 8, CV_32S);
 

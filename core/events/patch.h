@@ -51,9 +51,16 @@ struct Blobs {
     std::vector<Patch> patches;
 };
 
-/// The objects of a field: pixels that are not 0, of which those at most 2 `reach` + 1 apart belong together, for a
-/// person's leg is now and then not joined to the body.
+/// The pixels of both; where they overlap, the larger value.
+Patch joined(const Patch& a, const Patch& b);
+
+/// The same pixels at another place.
+Patch moved(Patch patch, const glm::ivec2& by);
+
+/// The objects of a field: pixels that are not 0. Those at most 2 `reach` + 1 columns or rows apart belong together,
+/// because a filter often cuts a person in two. It does so across the body, and two people walk side by side: so the
+/// reach down is the longer one.
 /// \param min_area pixels; of fewer, there is no object
-Blobs find_blobs(const Plane<std::uint8_t>& field, int reach, int min_area);
+Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int min_area);
 
 }  // namespace vvr

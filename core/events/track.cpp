@@ -2,35 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 #include <vector>
+
+#include "core/events/edges.h"
 
 namespace vvr {
 
 namespace {
 
-constexpr std::size_t most_recent = 10;
+constexpr double recent = 0.8;  // seconds over which the velocity is measured: about one step of a walker
 // A patch that becomes so much larger or smaller from one field to the next has met or lost something.
 constexpr double abrupt = 1.5;
-constexpr double settled_part = 0.6;
-constexpr double like_part = 0.5;
-constexpr int search = 2;
-// What only flutters at its place goes less far than it is long, and is not to be seen every so often.
-constexpr double own_lengths = 1.25;
-constexpr double seen_part = 0.6;
+constexpr double grows_in = 2;        // seconds over which a larger size becomes the usual one
+constexpr double shrinks_in = 8;      // and a smaller one: it may be half hidden for that long
+constexpr double comes_back = 1.6;    // times its least area by which a blob is too large for who was leaving
+constexpr double whole_enough = 0.6;  // of its usual area: then it is seen well enough to learn how it looks now
+constexpr double too_much = 1.5;
+constexpr double unlike = 0.3;          // distance of looks of different people
+constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
+constexpr double sure = 0.3;            // likeness within a shared blob that is more than chance
+constexpr double part_of_parent = 0.5;  // of whom it came out of: a smaller one was carried
+constexpr double apart = 0.6;           // of the longer side of a thing, by which parts of it may be apart
+constexpr double rolls_out = 1;         // seconds for which something of one colour may look steady before it stops
+constexpr double no_jump = 0.3;         // of the smaller box that is common with where it was, or should be
+constexpr double goes_on = 0.5;         // lengths in `stay` seconds that are more than swaying
+constexpr double portrait_each = 0.2;   // seconds
+constexpr double cut_off = 0.25;        // worth of a portrait that the border of the picture cuts
+constexpr double part_of_the_way = 0.25;  // by which a place within a shared blob corrects the velocity
 
-Patch moved(Patch patch, const glm::ivec2& by) {
-    patch.box = patch.box.moved(by.x, by.y);
-    patch.centre += by;
-    return patch;
-}
-
-double like(const Patch& patch, const glm::ivec2& by, const Plane<std::uint8_t>& field) {
+double part_alike(const Patch& patch, const Plane<std::uint8_t>& field) {
     int alike = 0;
     for_each_pixel(patch, [&](int i, int j, std::uint8_t value) {
-        const int x = i + by.x;
-        const int y = j + by.y;
-        const bool within = x >= 0 && x < field.width() && y >= 0 && y < field.height();
-        if (within && Steadiness::alike(field.at(x, y), value)) ++alike;
+        const bool within = i >= 0 && i < field.width() && j >= 0 && j < field.height();
+        if (within && Steadiness::alike(field.at(i, j), value)) ++alike;
     });
     return static_cast<double>(alike) / std::max(1, patch.area);
 }
@@ -43,165 +49,268 @@ Moment nearly_last_of(std::vector<Moment> moments) {
     return *place;
 }
 
-}  // namespace
-
-Track::Track(std::size_t number, const Patch& patch, const Moment& now, const EventOptions& options)
-    : number_(number), options_(options), patch_(patch), first_(now), stays_(options.stay) {
-    recent_.push_back(patch.centre);
-    went_on(now, patch.box, patch.centre);
+/// Whether one box covers enough of the other for both to be of one thing.
+bool goes_over(const PixelBox& a, const PixelBox& b) {
+    const PixelBox both = common(a, b);
+    if (both.empty()) return false;
+    const int smaller = std::min(a.width() * a.height(), b.width() * b.height());
+    return both.width() * both.height() >= no_jump * smaller;
 }
 
-bool Track::is_certain() const {
-    return seen_.seconds - first_.seconds >= options_.least;
-}
-
-bool Track::is_event() const {
-    const double mean_side = sides_ / std::max(1, sightings_);
-    const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
-    const bool went = glm::distance(low_, high_) >= own_lengths * mean_side && sightings_ >= seen_part * frames;
-    return is_certain() && (settled_ || went);
-}
-
-void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place) {
-    seen_ = now;
-    box_ = hull_of(box_, box);
-    low_ = sightings_ == 0 ? place : glm::min(low_, place);
-    high_ = sightings_ == 0 ? place : glm::max(high_, place);
-    sides_ += std::max(box.width(), box.height());
-    ++sightings_;
-    path_.add(now, place);
-    const double reach = std::max(2.0, 0.15 * std::sqrt(static_cast<double>(patch_.area)));
-    if (!stands_) stays_.add(now, place, box, reach);
-}
-
-void Track::see(const Patch& patch, const Moment& now) {
-    const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
-    if (merged_ || growth > abrupt || growth < 1 / abrupt) recent_.clear();
-    recent_.push_back(patch.centre);
-    if (recent_.size() > most_recent) recent_.pop_front();
-    if (recent_.size() > 1) velocity_ = (recent_.back() - recent_.front()) / static_cast<double>(recent_.size() - 1);
-    patch_ = patch;
-    shift_ = {};
-    merged_ = false;
-    went_on(now, patch.box, patch.centre);
-}
-
-bool Track::see_within(const Plane<std::uint8_t>& field, const Moment& now) {
-    merged_ = true;
-    shift_ += velocity_;
-    const glm::ivec2 expected(glm::round(shift_));
-    glm::ivec2 best = expected;
-    double most = like(patch_, expected, field);
-    for (int y = -search; y <= search; ++y) {
-        for (int x = -search; x <= search; ++x) {
-            const double here = like(patch_, expected + glm::ivec2(x, y), field);
-            if (here > most) {
-                most = here;
-                best = expected + glm::ivec2(x, y);
-            }
+double mean_gradient(const Patch& patch, const Sight& sight) {
+    double sum = 0;
+    int count = 0;
+    for (int j = patch.box.top + 1; j < patch.box.bottom; j += 2) {
+        for (int i = patch.box.left + 1; i < patch.box.right; i += 2) {
+            if (patch.at(i, j) == 0 || i < 1 || j < 1 || i >= sight.field.width() || j >= sight.field.height())
+                continue;
+            const int here = sight.brightness(i, j);
+            sum += std::abs(here - sight.brightness(i - 1, j)) + std::abs(here - sight.brightness(i, j - 1));
+            ++count;
         }
     }
-    if (most >= like_part) {
-        velocity_ += 0.1 * glm::dvec2(best - expected);
-        shift_ += best - expected;
+    return sum / std::max(1, count);
+}
+
+}  // namespace
+
+Track::Track(std::size_t number, std::optional<std::size_t> from, Size field, const EventOptions& options)
+    : number_(number), from_(from), field_(field), options_(options), stays_(options.stay) {}
+
+bool Track::touches_border(const PixelBox& box) const {
+    return box.left <= 1 || box.top <= 1 || box.right >= field_.width - 1 || box.bottom >= field_.height - 1;
+}
+
+glm::ivec2 Track::shift_at(const Moment& now) const {
+    const glm::dvec2 place = place_ + velocity_ * (now.seconds - place_at_.seconds);
+    return glm::ivec2(glm::round(place - patch_.centre));
+}
+
+glm::ivec2 Track::template_shift_at(const Moment& now) const {
+    const glm::dvec2 place = place_ + velocity_ * (now.seconds - place_at_.seconds);
+    return glm::ivec2(glm::round(place - template_.patch.centre));
+}
+
+PixelBox Track::moved_box_at(const Moment& now) const {
+    const glm::ivec2 shift = shift_at(now);
+    return patch_.box.moved(shift.x, shift.y);
+}
+
+void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area) {
+    if (sightings_ == 0) {
+        first_ = now;
+        low_ = place;
+        high_ = place;
+        begin_ = {now, place, {}, touches_border(box)};
     }
-    const glm::ivec2 whole(glm::round(shift_));
-    patch_ = moved(std::move(patch_), whole);
-    shift_ -= whole;
-    if (most < like_part) return false;
-    went_on(now, patch_.box, patch_.centre);
-    return true;
+    seen_ = now;
+    box_ = hull_of(box_, box);
+    low_ = glm::min(low_, place);
+    high_ = glm::max(high_, place);
+    ++sightings_;
+    path_.add(now, place, area);
+    if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
-void Track::miss() {
-    shift_ += velocity_;
-    const glm::ivec2 whole(glm::round(shift_));
-    patch_ = moved(std::move(patch_), whole);
-    shift_ -= whole;
+bool Track::has_left_to(const Patch& blob) const {
+    return is_leaving() && blob.area > comes_back * least_at_border_ + 10 && touches_border(blob.box);
 }
 
-bool Track::has_settled(const Steadiness& steadiness, const Moment& now) const {
+void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker,
+                const Moment& now) {
+    const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
+    if (state_ == State::merged || growth > abrupt || growth < 1 / abrupt) recent_.clear();
+    recent_.push_back({now, patch.centre});
+    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > recent) recent_.pop_front();
+    const double span = now.seconds - recent_.front().at.seconds;
+    if (span > 0) velocity_ = (patch.centre - recent_.front().place) / span;
+    if (!begun_ && span >= 0.5 * recent) {
+        begin_.velocity = velocity_;
+        begun_ = true;
+    }
+    if (sightings_ > 0 && (goes_over(patch_.box, patch.box) || goes_over(moved_box_at(now), patch.box))) ++continuous_;
+    const glm::dvec2 size(patch.box.width(), patch.box.height());
+    const double since = now.seconds - seen_.seconds;
+    const auto follow = [&](double& usual, double value) {
+        const double in = value > usual ? grows_in : shrinks_in;
+        usual += (sightings_ == 0 ? 1 : std::clamp(since / in, 0.0, 0.5)) * (value - usual);
+    };
+    follow(usual_size_.x, size.x);
+    follow(usual_size_.y, size.y);
+    follow(usual_area_, patch.area);
+    const bool at_border = touches_border(patch.box);
+    const double area = patch.area;
+    if (!at_border) was_inside_ = true;
+    if (!at_border || !was_inside_) {
+        least_at_border_ = 0;
+    } else {
+        least_at_border_ = least_at_border_ > 0 ? std::min(least_at_border_, area) : area;
+    }
+    place_ = patch.centre;
+    place_at_ = now;
+    patch_ = patch;
+    pixels_ = patch;
+    template_ = Template(patch, sight);
+    look_.learn(look);
+    state_ = State::moving;
+    ++alone_;
+    flicker_sum_ += flicker.of(patch);
+    ++flicker_count_;
+    went_on(now, patch.box, patch.centre, patch.area);
+    take_portrait(sight, patch, now);
+}
+
+void Track::move_to(const glm::dvec2& place) {
+    patch_ = moved(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
+    place_ = place;
+}
+
+bool Track::see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now) {
+    state_ = State::merged;
+    const double time = now.seconds - place_at_.seconds;
+    const glm::dvec2 expected = place_ + velocity_ * time;
+    const bool alike = share.likeness >= sure;
+    const bool found =
+        alike || (has_room && share.patch.area >= enough * usual_area_ && share.patch.area <= too_much * usual_area_ &&
+                  distance(look_, Appearance(share.patch, sight)) < unlike);
+    const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
+    glm::dvec2 place = found ? found_at : expected;
+    // Hidden within the blob, it may leave the picture and nothing else.
+    const bool leaves = touches_border(blob.box) && touches_border(patch_.box);
+    if (!leaves) {
+        const glm::dvec2 low(blob.box.left, blob.box.top);
+        const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
+        place = glm::clamp(place, low, high);
+    }
+    if (found && time > 0) velocity_ += part_of_the_way * (found_at - expected) / std::max(time, 0.2);
+    if (!found && place != expected) velocity_ *= 0.8;
+    move_to(place);
+    place_at_ = now;
+    pixels_ = share.patch;
+    if (false && has_room && share.patch.area >= whole_enough * usual_area_) template_ = Template(share.patch, sight);
+    recent_.clear();
+    if (found) went_on(now, patch_.box, place, patch_.area);
+    return found;
+}
+
+void Track::miss(const Moment& now) {
+    if (state_ != State::merged) state_ = State::unseen;
+    const double time = now.seconds - place_at_.seconds;
+    move_to(place_ + velocity_ * time);
+    place_at_ = now;
+}
+
+bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
+    return pixel.level != 0 && now.seconds - std::max(pixel.since.seconds, risen_.seconds) >= options_.stay;
+}
+
+bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
+    // What is of one colour looks steady while it goes through its own place.
+    const double length = std::max(usual_size_.x, usual_size_.y);
+    if (glm::length(velocity_) * options_.stay > goes_on * length) return false;
     int steady = 0;
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
-        const Steadiness::Pixel& pixel = steadiness.at(i, j);
-        if (pixel.level != 0 && now.seconds - pixel.since.seconds >= options_.stay) ++steady;
+        if (is_steady(steadiness.at(i, j), now)) ++steady;
     });
-    return steady >= settled_part * patch_.area;
+    return steady >= options_.settled_part * patch_.area && flicker.of(patch_) < options_.flicker;
 }
 
-void Track::settle(const Steadiness& steadiness, const Moment& now, bool out_of_another) {
+void Track::settle(const Steadiness& steadiness, const Sight& sight, const Moment& now) {
+    const bool young = now.seconds - first_.seconds < 2 * options_.stay;
+    const bool small = patch_.area < part_of_parent * area_of_parent_;
+    const bool out_of_another = from_.has_value() && (young || small);
     std::vector<Moment> since;
     patch_ = part_of(patch_, [&](int i, int j) {
         const Steadiness::Pixel& pixel = steadiness.at(i, j);
-        if (pixel.level == 0 || now.seconds - pixel.since.seconds < options_.stay) return false;
-        since.push_back(pixel.since);
+        if (!is_steady(pixel, now)) return false;
+        since.push_back(pixel.since.frame < risen_.frame ? risen_ : pixel.since);
         return true;
     });
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
         patch_.values.at(i - patch_.box.left, j - patch_.box.top) = steadiness.at(i, j).level;
     });
-    still_since_ = nearly_last_of(std::move(since));
-    Moment still = still_since_;
+    const Moment still_since = nearly_last_of(std::move(since));
+    Moment still = still_since;
     if (out_of_another) {
         // What was seen of it before was its bearer.
         first_ = still;
         box_ = patch_.box;
+        low_ = high_ = patch_.centre;
+        begin_ = {still, patch_.centre, {}, touches_border(patch_.box)};
         path_ = Path();
-        path_.add(first_, patch_.centre);
+        path_.add(first_, patch_.centre, patch_.area);
         stays_ = Stays(options_.stay);
-    } else if (still.frame < first_.frame) {
-        still = first_;
-    }
-    stands_ = true;
-    settled_ = true;
-    velocity_ = {};
-    shift_ = {};
-    recent_.clear();
-    stay_ = {still, now, patch_.centre, patch_.box};
-    see_standing(now);
-}
-
-bool Track::belongs_to(const Track& other, int reach) const {
-    return patch_.box.grown(reach, reach).meets(other.patch_.box) &&
-           std::abs(still_since_.seconds - other.still_since_.seconds) <= options_.stay;
-}
-
-void Track::add_part(const Track& part) {
-    const PixelBox box = hull_of(patch_.box, part.patch_.box);
-    Patch whole{.box = box, .values = Plane<std::uint8_t>({box.width(), box.height()}), .area = 0, .centre = {}};
-    for (int j = box.top; j < box.bottom; ++j) {
-        for (int i = box.left; i < box.right; ++i) {
-            const std::uint8_t value = std::max(patch_.at(i, j), part.patch_.at(i, j));
-            if (value == 0) continue;
-            whole.values.at(i - box.left, j - box.top) = value;
-            whole.centre += glm::dvec2(i, j);
-            ++whole.area;
+        portrait_.reset();
+        sightings_ = static_cast<int>(now.frame - still.frame);
+        stood_from_start_ = true;
+    } else {
+        // It was where it settled from the first moment: a ghost, or something that appeared there.
+        const double moved_by = glm::distance(low_, high_);
+        stood_from_start_ = moved_by < 0.5 * std::max(usual_size_.x, usual_size_.y);
+        if (still.frame < first_.frame) still = first_;
+        // What is of one colour was steady a little before it stopped.
+        const auto& open = stays_.open();
+        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < rolls_out) {
+            still = open->first;
         }
     }
-    whole.centre /= std::max(1, whole.area);
-    patch_ = std::move(whole);
-    box_ = hull_of(box_, box);
+    settled_ = Settled{patch_, still_since,
+                       edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); })};
+    state_ = State::standing;
+    velocity_ = {};
+    place_ = patch_.centre;
+    place_at_ = now;
+    recent_.clear();
+    stay_ = {still, now, patch_.centre, patch_.box};
+    see_standing(sight, now, true);
+}
+
+bool Track::belongs_to(const Track& other) const {
+    const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
+    const int reach = 3 + static_cast<int>(apart * std::max(larger.width(), larger.height()));
+    return patch_.box.grown(reach, reach).meets(other.patch_.box) &&
+           std::abs(settled_->since.seconds - other.settled_->since.seconds) <= options_.stay;
+}
+
+void Track::add_part(const Track& part, const Sight& sight) {
+    patch_ = joined(patch_, part.patch_);
+    box_ = hull_of(box_, patch_.box);
+    place_ = patch_.centre;
     stay_.place = patch_.centre;
-    stay_.box = box;
+    stay_.box = patch_.box;
+    settled_->patch = patch_;
+    settled_->edges = edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); });
+    portrait_.reset();
+    portrait_due_ = 0;
 }
 
 double Track::visible_part(const Plane<std::uint8_t>& field) const {
-    return like(patch_, {0, 0}, field);
+    return part_alike(patch_, field);
 }
 
-void Track::see_standing(const Moment& now) {
+void Track::see_standing(const Sight& sight, const Moment& now, bool alone) {
     stay_.last = now;
-    went_on(now, patch_.box, patch_.centre);
+    pixels_ = patch_;
+    went_on(now, patch_.box, patch_.centre, patch_.area);
+    if (alone) {
+        last_whole_ = now;
+        near_.reset();
+        take_portrait(sight, patch_, now);
+    }
 }
 
 void Track::end_stay() {
-    if (!stands_) return;
+    if (!stands()) return;
     stays_.add_exactly(stay_);
-    stands_ = false;
+    state_ = State::moving;
 }
 
-void Track::rise() {
+void Track::rise(const Moment& now) {
+    risen_ = now;
+    // What is of one colour hides for a while that it goes: it covers itself.
+    stay_.last = last_whole_;
     end_stay();
+    stood_from_start_ = false;
 }
 
 void Track::join(const Track& piece) {
@@ -209,11 +318,49 @@ void Track::join(const Track& piece) {
     box_ = hull_of(box_, piece.box_);
 }
 
-Event Track::finish() {
+void Track::take_portrait(const Sight& sight, const Patch& patch, const Moment& now) {
+    if (now.seconds < portrait_due_) return;
+    portrait_due_ = now.seconds + portrait_each;
+    const double whole = touches_border(patch.box) ? cut_off : 1;
+    const double score =
+        whole * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
+    if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
+}
+
+Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
+    Tracklet result;
+    result.stood_to_end = stands();
+    result.gone = now;
     end_stay();
-    Event event{first_, seen_, box_, path_.points(), 0, stays_.finish(), {}, {}};
-    event.path_length = length_of(event.path);
-    return event;
+    state_ = State::over;
+    result.number = number_;
+    result.from = from_;
+    result.into = into;
+    result.begin = begin_;
+    result.begin.at = first_;
+    const PixelBox last_box = moved(patch_, glm::ivec2(glm::round(velocity_ * 0.2))).box;
+    result.path = path_.points();
+    result.areas = path_.areas();
+    result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_, touches_border(last_box)};
+    if (!begun_) result.begin.velocity = velocity_;
+    result.length = std::max(usual_size_.x, usual_size_.y);
+    result.size = usual_size_;
+    result.area = usual_area_;
+    result.area_of_parent = parent_was_alone_ ? area_of_parent_ : 0;
+    const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
+    result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
+    result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
+    result.moved = glm::distance(low_, high_);
+    result.flicker = flicker_sum_ / std::max(1, flicker_count_);
+    const double way = length_of(result.path);
+    result.straight = way > 0 ? glm::distance(result.path.front().place, result.path.back().place) / way : 0;
+    result.box = box_;
+    result.look = look_;
+    result.stays = stays_.finish();
+    result.settled = std::move(settled_);
+    result.stood_from_start = stood_from_start_;
+    result.portrait = portrait_;
+    return result;
 }
 
 }  // namespace vvr

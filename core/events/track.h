@@ -4,98 +4,183 @@
 #include <deque>
 #include <optional>
 
+#include "core/events/appearance.h"
+#include "core/events/event_options.h"
+#include "core/events/flicker.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
+#include "core/events/sharing.h"
 #include "core/events/stays.h"
 #include "core/events/steadiness.h"
+#include "core/events/tracklet.h"
 
 namespace vvr {
 
+/// What is going on with a track; docs/report.md has the diagram.
+enum class State {
+    moving,    ///< it has a blob of its own
+    merged,    ///< it shares a blob with others
+    unseen,    ///< no blob is where it should be
+    standing,  ///< its pixels have kept their values: it is known by them, whoever stands about it
+    over,      ///< it has ended
+};
+
 /// An object that is being followed from field to field.
-///
-/// It moves, or it stands: then its pixels have kept their values for so long that they are known, and it is there as
-/// long as some of them are seen, whoever stands about it.
 class Track {
   public:
-    Track(std::size_t number, const Patch& patch, const Moment& now, const EventOptions& options);
+    Track(std::size_t number, std::optional<std::size_t> from, Size field, const EventOptions& options);
 
     std::size_t number() const { return number_; }
-    bool stands() const { return stands_; }
-    bool was_merged() const { return merged_; }
+    std::optional<std::size_t> from() const { return from_; }
+    State state() const { return state_; }
+    bool stands() const { return state_ == State::standing; }
+    bool is_over() const { return state_ == State::over; }
+    bool follows_blobs() const { return !stands() && !is_over(); }
+
+    /// As it was when it was last seen alone, where it is now.
     const Patch& patch() const { return patch_; }
+    /// Its pixels in the last field in which it was seen.
+    const Patch& pixels() const { return pixels_; }
+    const Appearance& look() const { return look_; }
     const Moment& first() const { return first_; }
     const Moment& seen() const { return seen_; }
+    glm::dvec2 usual_size() const { return usual_size_; }
+    double usual_area() const { return usual_area_; }
+    std::optional<std::size_t> near() const { return near_; }
 
     /// Whether it has been seen for long enough to be more than a piece of something.
-    bool is_certain() const;
+    bool is_certain() const { return seen_.seconds - first_.seconds >= options_.least; }
 
-    /// Whether it is one: it stood still, or it has gone farther than it is long, which a flag in the wind does not.
-    bool is_event() const;
+    /// Whether motion has led its middle out of the picture.
+    bool is_outside() const {
+        return patch_.centre.x < 0 || patch_.centre.y < 0 || patch_.centre.x >= field_.width ||
+               patch_.centre.y >= field_.height;
+    }
+
+    /// Whether it began at the border of the picture, out of nobody.
+    bool came_in() const { return !from_ && begin_.at_border; }
 
     /// Where it will be, as a shift of its patch: whole pixels.
-    glm::ivec2 step() const { return glm::ivec2(glm::round(velocity_)); }
+    glm::ivec2 shift_at(const Moment& now) const;
 
-    /// It is this patch now.
-    void see(const Patch& patch, const Moment& now);
+    /// The same as a shift of what it looked like when it was last alone.
+    glm::ivec2 template_shift_at(const Moment& now) const;
+    const Template& looked_like() const { return template_; }
 
-    /// It is somewhere within a larger object. Looks for what it was, near where it should be by now.
-    /// \returns whether there is something like it
-    bool see_within(const Plane<std::uint8_t>& field, const Moment& now);
+    /// Who is in front of it, or about it.
+    void set_near(std::optional<std::size_t> number) { near_ = number; }
+    void set_parent(double area, bool was_alone) {
+        area_of_parent_ = area;
+        parent_was_alone_ = was_alone;
+    }
+
+    /// Whether it has all but left the picture.
+    bool is_leaving() const { return least_at_border_ > 0 && least_at_border_ < all_but_left * usual_area_; }
+
+    /// Whether it is leaving, and this blob is somebody else who comes in at the same place.
+    bool has_left_to(const Patch& blob) const;
+
+    /// It is this blob now.
+    void see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker, const Moment& now);
+
+    /// It is this part of a blob that several objects share.
+    /// \param has_room the blob is as large as they are together, so that nobody hides another
+    /// \returns whether there is enough of it to be sure
+    bool see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now);
+
+    /// It is somewhere in a blob that it shares, and nobody can tell where.
+    void miss_within(const Moment& now) {
+        state_ = State::merged;
+        miss(now);
+    }
 
     /// It is not to be seen, and may go on as before.
-    void miss();
+    void miss(const Moment& now);
 
     /// Whether it has stood still for long enough, by its pixels.
-    bool has_settled(const Steadiness& steadiness, const Moment& now) const;
+    bool has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const;
 
     /// From now on it stands: it is those of its pixels that have kept their values.
-    /// \param out_of_another whether it came out of another object: then it began when it became still
-    void settle(const Steadiness& steadiness, const Moment& now, bool out_of_another);
+    /// If it came out of another, as a bag does, it began when it became still.
+    void settle(const Steadiness& steadiness, const Sight& sight, const Moment& now);
 
     /// Both stand: whether they are parts of one thing, which came to rest side by side within `options.stay`.
-    bool belongs_to(const Track& other, int reach) const;
+    bool belongs_to(const Track& other) const;
 
     /// It stands, and so does this part of it.
-    void add_part(const Track& part);
+    void add_part(const Track& part, const Sight& sight);
 
     /// Of an object that stands, the part of its pixels that are seen.
     double visible_part(const Plane<std::uint8_t>& field) const;
 
-    /// It stands, and is seen, now.
-    void see_standing(const Moment& now);
+    /// It stands, and is seen, now. `alone` where nobody is in front of it or beside it.
+    void see_standing(const Sight& sight, const Moment& now, bool alone);
 
     /// It stands no more, for it moves.
-    void rise();
+    void rise(const Moment& now);
 
     /// It began in pieces, of which this is one.
     void join(const Track& piece);
 
-    Event finish();
+    /// Ends the track.
+    Tracklet finish(std::optional<std::size_t> into, const Moment& now);
+
+    /// Ends it without a trace: it was a piece of another.
+    void drop() { state_ = State::over; }
 
   private:
-    void went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place);
+    static constexpr double all_but_left = 0.3;  ///< of its usual area that is still seen at the border
+
+    void went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
+    void move_to(const glm::dvec2& place);
+    PixelBox moved_box_at(const Moment& now) const;
     void end_stay();
+    bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
+    void take_portrait(const Sight& sight, const Patch& patch, const Moment& now);
+    bool touches_border(const PixelBox& box) const;
 
     std::size_t number_;
+    std::optional<std::size_t> from_;
+    Size field_;
     EventOptions options_;
-    Patch patch_;  ///< as it was when it was last seen alone, where it is now
+    State state_ = State::moving;
+    std::optional<std::size_t> near_;
+
+    Patch patch_;
+    Patch pixels_;
+    Template template_;
+    Appearance look_;
     Moment first_;
     Moment seen_;
     PixelBox box_;
     glm::dvec2 low_{};  ///< corners of the box about all its places
     glm::dvec2 high_{};
-    double sides_ = 0;  ///< of its boxes, the longer one, added up
     int sightings_ = 0;
-    bool settled_ = false;   ///< whether it ever stood
-    glm::dvec2 velocity_{};  ///< field pixels a frame
-    glm::dvec2 shift_{};     ///< by which a patch within a larger object is off whole pixels
-    std::deque<glm::dvec2> recent_;
-    bool merged_ = false;
-    bool stands_ = false;
-    Moment still_since_;  ///< by its pixels, which may be before it was first told from what it was part of
+    int alone_ = 0;       ///< sightings with a blob of its own
+    int continuous_ = 0;  ///< of which it was where it was before, or where motion leads
+    double flicker_sum_ = 0;
+    int flicker_count_ = 0;
+    glm::dvec2 usual_size_{};  ///< of its box of late
+    double usual_area_ = 0;
+    double least_at_border_ = 0;  ///< its least area since it has touched the border of the picture; 0 = it does not
+    bool was_inside_ = false;     ///< whether it was ever seen clear of the border
+    double area_of_parent_ = 0;
+    bool parent_was_alone_ = false;
+    glm::dvec2 place_{};     ///< where its middle is, also while it is not seen
+    Moment place_at_;        ///< when it was there
+    glm::dvec2 velocity_{};  ///< field pixels a second
+    std::deque<PathPoint> recent_;
+    TrackEnd begin_;
+    bool begun_ = false;  ///< whether the velocity at the beginning is known
+    std::optional<Settled> settled_;
+    bool stood_from_start_ = false;
     Stay stay_;
+    Moment risen_;       ///< when it last rose
+    Moment last_whole_;  ///< when it was last seen to stand with nobody in front of it
     Path path_;
     Stays stays_;
+    std::optional<Portrait> portrait_;
+    double portrait_due_ = 0;  ///< seconds: when to look for a better one
 };
 
 }  // namespace vvr

@@ -31,7 +31,7 @@ TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     fill(field, {12, 5, 14, 12}, 200);
     fill(field, {40, 20, 50, 30}, 70);
     fill(field, {30, 2, 31, 3}, 255);
-    const Blobs blobs = find_blobs(field, 1, 4);
+    const Blobs blobs = find_blobs(field, {1, 1}, 4);
     ASSERT_EQ(blobs.patches.size(), 2U);
     EXPECT_EQ(blobs.patches[0].box, (PixelBox{5, 5, 14, 12}));
     EXPECT_EQ(blobs.patches[0].area, 7 * 7);
@@ -42,7 +42,7 @@ TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     EXPECT_DOUBLE_EQ(blobs.patches[1].centre.y, 24.5);
     EXPECT_EQ(blobs.labels.at(4, 4), 1) << "labels reach farther than the pixels";
     EXPECT_EQ(blobs.labels.at(30, 2), 0);
-    EXPECT_TRUE(find_blobs(Plane<std::uint8_t>({8, 8}), 1, 4).patches.empty());
+    EXPECT_TRUE(find_blobs(Plane<std::uint8_t>({8, 8}), {1, 1}, 4).patches.empty());
 }
 
 TEST(Steadiness, KnowsSinceWhenThroughNoiseAndShortGaps) {
@@ -100,7 +100,7 @@ std::vector<Event> events_of(int frames, const std::function<void(int, Plane<std
     for (int f = 0; f < frames; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
-        finder.add(field, at(f));
+        finder.add({field, {}, {}}, at(f));
     }
     return finder.finish();
 }

@@ -25,10 +25,11 @@ std::vector<Event> events_of(const scene::Scene& scene) {
     FieldOptions fields;
     fields.flow.method = "none";
     EventFinder finder(scene.size());
-    compute_fields(*scene::open_scene(scene, source), fields, [&](const SharedFrame&, Field&& field) {
-        finder.add(field.scalar, {field.index, field.pts});
+    const auto clip = scene::open_scene(scene, source);
+    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, Field&& field) {
+        finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
     });
-    return finder.finish();
+    return finder.finish(summary.reference);
 }
 
 struct Visit {

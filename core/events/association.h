@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/events/appearance.h"
+#include "core/events/event_options.h"
+#include "core/events/patch.h"
+
+namespace vvr {
+
+/// A track, where it should be by now.
+struct Expected {
+    const Patch* patch = nullptr;  ///< as it was last seen
+    glm::ivec2 shift{};            ///< to where motion leads
+    const Appearance* appearance = nullptr;
+    bool was_merged = false;  ///< it shared a blob with others, so that looks count more than places
+    glm::dvec2 usual_size{};  ///< width and height of late, field pixels
+};
+
+/// Which tracks go on in which blobs.
+struct Assignment {
+    std::vector<std::vector<std::size_t>> tracks;      ///< of each blob; two or more have merged there
+    std::vector<std::optional<std::size_t>> piece_of;  ///< of each blob without tracks: whose piece it is
+    std::vector<std::optional<std::size_t>> out_of;    ///< of each other blob without tracks: out of whom it came
+};
+
+/// How many pixels of a shifted patch fall on each blob.
+std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const Blobs& blobs);
+
+/// Finds the blobs in which tracks go on: one each, by overlap, distance and looks, the best for all of them together.
+/// Who gets none shares the blob that it falls on. A blob that nobody took is a piece of the track that it lies in, or
+/// something new.
+/// \param looks of the blobs
+Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::span<const Appearance> looks,
+                     const EventOptions& options);
+
+}  // namespace vvr

@@ -1,0 +1,26 @@
+#include <array>
+
+#include "core/events/event.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr std::array rows{
+    EventKindRow{EventKind::moved, "moved", "went through the scene"},
+    EventKindRow{EventKind::stood, "stood", "kept its place for a while"},
+    EventKindRow{EventKind::left, "left", "was put down"},
+    EventKindRow{EventKind::taken, "taken", "belonged to the empty scene, and went"},
+};
+
+}  // namespace
+
+std::span<const EventKindRow> event_kinds() {
+    return rows;
+}
+
+std::string_view name_of(EventKind kind) {
+    return rows[static_cast<std::size_t>(kind)].name;
+}
+
+}  // namespace vvr

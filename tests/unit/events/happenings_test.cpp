@@ -1,0 +1,171 @@
+// Events of small scenes of one happening each, of which it is known to the frame what happens.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/events/event_finder.h"
+#include "core/events/path.h"
+#include "core/fields/pipeline.h"
+#include "tests/scene/happenings.h"
+#include "tests/scene/scene_source.h"
+
+namespace vvr {
+namespace {
+
+constexpr double half_a_second = 12.5;  // frames
+
+using Make = scene::Scene (*)(const scene::Options&);
+
+scene::Options small(std::uint64_t seed = 1, double noise = 0) {
+    scene::Options options;
+    options.size = {192, 144};
+    options.seed = seed;
+    options.noise = noise;
+    return options;
+}
+
+struct Found {
+    scene::Scene scene;
+    std::vector<Event> events;
+    std::vector<FrameLabels> labels;
+};
+
+Found found_in(Make make, const scene::Options& options) {
+    Found found{make(options), {}, {}};
+    SourceOptions source;
+    source.colour = true;
+    source.field_size = {-1, -1};
+    FieldOptions fields;
+    fields.flow.method = "none";
+    EventFinder finder(found.scene.size());
+    finder.set_label_sink([&](const FrameLabels& labels) { found.labels.push_back(labels); });
+    const auto clip = scene::open_scene(found.scene, source);
+    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, Field&& field) {
+        finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+    });
+    found.events = finder.finish(summary.reference);
+    return found;
+}
+
+std::vector<EventKind> kinds_of(const std::vector<Event>& events) {
+    std::vector<EventKind> kinds;
+    for (const Event& event : events) kinds.push_back(event.kind);
+    return kinds;
+}
+
+void expect_near(const Moment& moment, int frame) {
+    EXPECT_NEAR(static_cast<double>(moment.frame), frame, half_a_second);
+}
+
+/// The mean distance of an event from an object of the scene, pixels.
+double distance_to(const Event& event, const scene::Scene& scene, const std::string& name) {
+    double sum = 0;
+    int count = 0;
+    for (int f = 0; f < scene.frames(); f += 5) {
+        if (f < event.first.frame || f > event.last.frame) continue;
+        const scene::Truth truth = scene.truth(f);
+        const auto object = std::ranges::find(truth.objects, name, &scene::Object::name);
+        if (object == truth.objects.end()) continue;
+        sum += glm::distance(place_at(event.path, f), {object->x, object->y});
+        ++count;
+    }
+    return count == 0 ? std::numeric_limits<double>::infinity() : sum / count;
+}
+
+TEST(TenCrossings, LeaveTwoPeopleTwo) {
+    for (const std::uint64_t seed : {2U}) {
+        const Found found = found_in(scene::make_ten_crossings, small(seed));
+        ASSERT_EQ(found.events.size(), 2U);
+        const bool first_is_0 = distance_to(found.events[0], found.scene, "person 0") <
+                                distance_to(found.events[0], found.scene, "person 1");
+        // Anyone who swapped even once would be 70 pixels off for a tenth of the time.
+        EXPECT_LT(distance_to(found.events[0], found.scene, first_is_0 ? "person 0" : "person 1"), 10) << seed;
+        EXPECT_LT(distance_to(found.events[1], found.scene, first_is_0 ? "person 1" : "person 0"), 10) << seed;
+    }
+}
+
+TEST(GroupThatSplits, IsTwoFromTheBeginning) {
+    const Found found = found_in(scene::make_group_splits, small());
+    ASSERT_EQ(found.events.size(), 2U);
+    for (const Event& event : found.events) {
+        EXPECT_EQ(event.kind, EventKind::moved);
+        expect_near(event.first, 6);
+    }
+}
+
+TEST(Train, IsOneAndHidesNobody) {
+    const Found found = found_in(scene::make_train, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::stood, EventKind::moved}));
+    ASSERT_EQ(found.events[0].stays.size(), 1U);
+    expect_near(found.events[0].stays[0].first, scene::train_stands().first);
+    expect_near(found.events[0].stays[0].last, scene::train_stands().last);
+}
+
+TEST(PaleBag, IsOneThingThatWasLeft) {
+    const Found found = found_in(scene::make_pale_bag, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::moved, EventKind::left}));
+    const Event& bag = found.events[1];
+    expect_near(bag.first, scene::pale_bag_stands().first);
+    expect_near(bag.last, scene::pale_bag_stands().last);
+    EXPECT_EQ(bag.by, 0U);
+    ASSERT_TRUE(bag.alone_since);
+    EXPECT_GT(bag.alone_since->frame, 150) << "then its owner goes";
+    EXPECT_LT(bag.alone_since->frame, 220);
+    ASSERT_TRUE(bag.portrait);
+    EXPECT_GT(bag.portrait->box.height(), 18) << "both its stripes";
+}
+
+TEST(TakenBox, IsTakenAndNotLeft) {
+    const Found found = found_in(scene::make_taken_box, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::moved, EventKind::taken}));
+    const Event& box = found.events[1];
+    expect_near(box.first, scene::box_is_gone().first);
+    expect_near(box.last, scene::box_is_gone().last);
+    EXPECT_EQ(box.by, 0U);
+    EXPECT_TRUE(box.stays.empty()) << "nothing stands there";
+}
+
+TEST(Rain, IsNoneAndHidesNobody) {
+    for (const std::uint64_t seed : {1U, 3U}) {
+        const Found found = found_in(scene::make_rain, small(seed, 5));
+        ASSERT_EQ(found.events.size(), 1U) << seed;
+        // Drops that touch a person are taken for parts of them.
+        EXPECT_LT(distance_to(found.events[0], found.scene, "person"), 20) << seed;
+    }
+}
+
+TEST(Crowd, LeavesNothing) {
+    for (const Event& event : found_in(scene::make_crowd, small()).events) {
+        EXPECT_EQ(event.kind, EventKind::moved) << event.first.frame;
+    }
+}
+
+TEST(Clock, IsNoEvent) {
+    EXPECT_TRUE(found_in(scene::make_clock, small()).events.empty());
+}
+
+TEST(Labels, SayWhosePixelsTheyAre) {
+    const Found found = found_in(scene::make_ten_crossings, small());
+    ASSERT_EQ(found.events.size(), 2U);
+    const auto places = events_of_tracks(found.events);
+    ASSERT_EQ(found.labels.size(), static_cast<std::size_t>(found.scene.frames()));
+    const FrameLabels& labels = found.labels[30];
+    std::set<std::size_t> seen;
+    for (const LabelRun& run : labels.runs) {
+        ASSERT_LT(run.track, places.size());
+        ASSERT_TRUE(places[run.track]);
+        seen.insert(*places[run.track]);
+        const double middle = 0.5 * (run.first + run.last);
+        EXPECT_NEAR(middle, place_at(found.events[*places[run.track]].path, labels.at.frame).x, 25);
+    }
+    EXPECT_EQ(seen.size(), 2U);
+}
+
+}  // namespace
+}  // namespace vvr
