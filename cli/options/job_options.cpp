@@ -1,9 +1,7 @@
 #include "cli/options/job_options.h"
 
-#include "cli/options/look.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "cli/options/view.h"
 #include "cli/render/settings.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
