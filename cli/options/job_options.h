@@ -34,8 +34,9 @@ void add_view_options(CommandLine& line, RenderJob& job);
 void add_look_options(CommandLine& line, RenderJob& job);
 
 /// Puts what was given into the job as texts, after parsing.
+/// \param series a picture for each brick is drawn
 /// \throws Error usage where options contradict each other
-void finish(const CommandLine& line, RenderJob& job);
+void finish(const CommandLine& line, RenderJob& job, bool series);
 
 /// Options as a file of settings records them.
 Metadata shown(const std::vector<OptionValue>& values);
