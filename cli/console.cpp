@@ -16,7 +16,7 @@ void Console::frames(std::int64_t done, std::int64_t expected) {
 
 void Console::clear() {
     const std::lock_guard lock(mutex_);
-    if (progress_) progress_->clear();
+    progress_.reset();
 }
 
 void Console::debug(const std::string& text) {

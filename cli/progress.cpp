@@ -24,7 +24,7 @@ void write_stderr(std::string_view text) {
 
 Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
 
-void Progress::clear() {
+Progress::~Progress() {
     write_stderr(clear_line);
 }
 

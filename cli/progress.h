@@ -11,14 +11,12 @@ class Progress {
   public:
     /// \param total frames that are expected, 0 = unknown
     Progress(std::string what, std::int64_t total);
-    ~Progress() { clear(); }
+    /// Removes the bar, so that a line can be written.
+    ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void set(std::int64_t done);
-
-    /// Removes the bar, so that a line can be written.
-    void clear();
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -21,6 +21,15 @@ std::string with_flags(const std::string& text, const About& about) {
     return others.empty() ? flagged : fmt::format("{} ({})", flagged, others);
 }
 
+namespace {
+
+ExitStatus out_of_memory(spdlog::logger& log) {
+    log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");
+    return ExitStatus::limit;
+}
+
+}  // namespace
+
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
     try {
         return action();
@@ -28,9 +37,10 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
         log.error("{}", with_flags(error.what(), error.about()));
         return exit_status(error.kind());
     } catch (const std::bad_alloc&) {
-        log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");
-        return ExitStatus::limit;
+        return out_of_memory(log);
     } catch (const std::system_error& error) {
+        // What the system says when it has no memory for a thread.
+        if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory(log);
         log.error("{}", error.what());
         return ExitStatus::io;
     } catch (const std::exception& error) {

@@ -48,7 +48,7 @@ class Archive final : public Command {
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
         if (!job_.input.names.empty()) options_.in = only_input(job_.input);
         check(options_);
-        finish(line, job_);
+        finish(line, job_, false);
         if (!options_.index_only) validate(job_);
         options_.settings = digest_of(line, options_);
         for (const OptionValue& value : line.given(picture_groups)) pass_on(value);

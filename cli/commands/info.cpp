@@ -80,7 +80,7 @@ class Info final : public Command {
 
     ExitStatus run(const CommandLine& line, const Environment&) override {
         if (job_.input.names.size() < 2) only_input(job_.input);
-        finish(line, job_);
+        finish(line, job_, false);
         validate(job_);
         const OpenedFields fields = open_fields(job_);
         const Plan plan = make_plan(job_, {}, *fields.source);

@@ -20,7 +20,7 @@ class Render final : public Command {
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
         check(job_.output);
-        finish(line, job_);
+        finish(line, job_, is_series(job_.output));
         check_outputs(job_);
         if (job_.input.names.size() < 2) only_input(job_.input);
         Console console(environment);

@@ -32,7 +32,7 @@ class Watch final : public Command {
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
         check_stream(line, job_);
         only_input(job_.input);
-        finish(line, job_);
+        finish(line, job_, true);
         Console console(environment, false);
         StreamWatch watch(job_, options_, console);
         const PoliteStop stop(environment.signals, [&watch] { watch.stop(); });

@@ -1,9 +1,7 @@
 #include "cli/options/job_options.h"
 
-#include "cli/options/look.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "cli/options/view.h"
 #include "cli/render/settings.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
@@ -117,8 +115,8 @@ Metadata shown(const std::vector<OptionValue>& values) {
     return settings;
 }
 
-void finish(const CommandLine& line, RenderJob& job) {
-    if (line.has(setting::brick) && line.has(setting::window) && !products_of(job).series) {
+void finish(const CommandLine& line, RenderJob& job, bool series) {
+    if (line.has(setting::brick) && line.has(setting::window) && !series) {
         throw Error(ErrorKind::usage,
                     "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write "
                     "a series: -o out.{brick:4}.png");

@@ -27,9 +27,16 @@ void add_thread_options(CommandLine& line, int& threads);
 /// What one picture or a series is made of, but neither INPUT nor where it goes.
 void add_picture_options(CommandLine& line, RenderJob& job);
 
+/// Layout, camera and size of the picture.
+void add_view_options(CommandLine& line, RenderJob& job);
+
+/// What the picture shows of the volume and the flow.
+void add_look_options(CommandLine& line, RenderJob& job);
+
 /// Puts what was given into the job as texts, after parsing.
+/// \param series a picture for each brick is drawn
 /// \throws Error usage where options contradict each other
-void finish(const CommandLine& line, RenderJob& job);
+void finish(const CommandLine& line, RenderJob& job, bool series);
 
 /// Options as a file of settings records them.
 Metadata shown(const std::vector<OptionValue>& values);

@@ -1,10 +1,9 @@
-#include "cli/options/look.h"
-
 #include <charconv>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
 
+#include "cli/options/job_options.h"
 #include "cli/render/settings.h"
 #include "core/error.h"
 #include "core/scene/transfer_file.h"

@@ -1,7 +1,6 @@
-#include "cli/options/view.h"
-
 #include <tuple>
 
+#include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
 #include "cli/render/settings.h"
 

@@ -53,10 +53,6 @@ void check_stream(const CommandLine& line, const RenderJob& job) {
         {line.has(setting::end), "--end", "--duration ends a stream"},
         {!job.seeds.empty(), "--seeds", "they are for a clip whose frames are known"},
         {job.look.start_time.as_recorded, "--start-time recorded", "a stream is not recorded; give a date and time"},
-        {job.bricks.skip_idle > 0, "--skip-idle",
-         "it is for one picture of a clip; the pictures of a series share one scale of time"},
-        {job.look.keyframes > 0, "--keyframes",
-         "it is for one picture of a clip; the pictures of a series show their first and last frame"},
         {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference,
          "it takes the whole clip; take running, first or a picture"},
     };

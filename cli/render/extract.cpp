@@ -34,14 +34,11 @@ void choose_part(ExtractJob& job, const VideoInfo& clip) {
             {"part", setting::start.name, setting::end.name});
     }
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
-    if (part > 1) {
-        job.fields.span.first = begin(part - 1);
-        put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first));
-    }
-    if (part < count) {
-        job.fields.span.stop = begin(part);
-        put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop));
-    }
+    job.fields.span.first = begin(part - 1);
+    const std::size_t next = put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first), 0);
+    if (part == count) return;
+    job.fields.span.stop = begin(part);
+    put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop), next);
 }
 
 }  // namespace

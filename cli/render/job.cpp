@@ -15,7 +15,7 @@ namespace vvr {
 
 namespace {
 
-void validate(const BrickOptions& bricks, const LookOptions& look, bool series) {
+void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::step, bricks.step);
     check(setting::window, bricks.window);
     check(setting::skip_idle, bricks.skip_idle);
@@ -25,16 +25,6 @@ void validate(const BrickOptions& bricks, const LookOptions& look, bool series) 
     check(setting::trace_steps, look.traces.steps);
     check(setting::trace_dt, look.traces.dt);
     check(setting::time_velocity, look.traces.time_velocity);
-    if (series && bricks.skip_idle > 0) {
-        throw Error(ErrorKind::usage,
-                    "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
-                    {setting::skip_idle.name});
-    }
-    if (series && look.keyframes > 0) {
-        throw Error(ErrorKind::usage,
-                    "keyframes is for one picture of a clip; the pictures of a series show their first and last frame",
-                    {setting::keyframes.name});
-    }
 }
 
 void validate(const RenderOptions& picture) {
@@ -56,10 +46,24 @@ void validate(const LayoutOptions& shape) {
         {setting::radius.name});
 }
 
+void validate_series(const RenderJob& job) {
+    if (job.bricks.skip_idle > 0) {
+        throw Error(ErrorKind::usage,
+                    "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
+                    {setting::skip_idle.name});
+    }
+    if (job.look.keyframes > 0) {
+        throw Error(ErrorKind::usage,
+                    "keyframes is for one picture of a clip; the pictures of a series show their first and last frame",
+                    {setting::keyframes.name});
+    }
+}
+
 void validate(const RenderJob& job) {
     if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
     validate(job.fields);
-    validate(job.bricks, job.look, products_of(job).series);
+    validate(job.bricks, job.look);
+    if (products_of(job).series) validate_series(job);
     validate(job.picture);
     validate(job.shape);
 }
@@ -77,9 +81,10 @@ Products products_of(const RenderJob& job) {
 }
 
 RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
+    std::size_t next = 0;
     for (const auto& [name, value] : extracted) {
         if (name == setting::filter.name) job.fields.filter = value;
-        put(job.settings, name, value);
+        next = put(job.settings, name, value, next);
     }
     return job;
 }

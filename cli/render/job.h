@@ -84,6 +84,9 @@ struct RenderJob {
 void validate(const RenderJob& job);
 void validate(const LayoutOptions& shape);
 
+/// \throws Error usage for what only one picture of a whole clip can have
+void validate_series(const RenderJob& job);
+
 /// What a run has to make, beside files: `products_of` for a RenderJob's output.
 struct Products {
     int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe

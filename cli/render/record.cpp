@@ -6,13 +6,14 @@
 
 namespace vvr {
 
-void put(Metadata& settings, std::string_view name, const std::string& value) {
-    const auto known = std::ranges::find(settings, name, &Metadata::value_type::first);
-    if (known == settings.end()) {
-        settings.emplace_back(name, value);
+std::size_t put(Metadata& settings, std::string_view name, const std::string& value, std::size_t place) {
+    auto at = std::ranges::find(settings, name, &Metadata::value_type::first);
+    if (at == settings.end()) {
+        at = settings.emplace(settings.begin() + static_cast<std::ptrdiff_t>(place), name, value);
     } else {
-        known->second = value;
+        at->second = value;
     }
+    return static_cast<std::size_t>(at - settings.begin()) + 1;
 }
 
 Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {

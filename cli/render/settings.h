@@ -28,7 +28,7 @@ inline constexpr Setting size{"size", "WxH", "pixels of the picture", {1, 16'384
 inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
                                 "where the viewer is: degrees to the right and above the floor"};
 inline constexpr Setting slice_view{"slice-view", "AZIMUTH,ELEVATION",
-                                    "viewer whose slices --show slices draws; the picture's own if not given"};
+                                    "viewer whose slices are shown by the part slices; the picture's own if not given"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
 inline constexpr Setting slices{"slices", "COUNT", "slices of the volume; 0 = one per two voxels", {0, 16'384}, "auto"};
 inline constexpr Setting samples{

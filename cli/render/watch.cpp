@@ -115,6 +115,7 @@ std::string summary_of(const LiveSource& stream, const RenderReport& report, con
 StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
     : job_(job), observer_(observer) {
     validate(job);
+    validate_series(job);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
     const VideoInfo& info = stream_->info();

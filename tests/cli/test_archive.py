@@ -364,7 +364,7 @@ def test_archive_prunes(t):
     text = t.path("out/index.html").read_text()
     check("a.avi" in text and "b.avi" not in text, "the index is old")
     t.path("in/a.avi").unlink()
-    archive(t, "--prune").expect(2, "no clip is left in 'in', so --prune removes nothing")
+    archive(t, "--prune").expect(2, "no clip is left in 'in', so nothing is pruned")
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
 
 

@@ -31,7 +31,7 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
         ("0/3", "'0/3' is not a share"),
         ("1", "'1' is not a share"),
         ("1/x", "'1/x' is not a share"),
-        ("2/42", "--part 2/42: 'clip.mkv' tells of 41 frames; ask for fewer parts"),
+        ("2/42", "--part 2/42: 'clip.mkv' has 41 frames; ask for fewer parts"),
     ]:
         t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
     t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out --start and --end")
@@ -63,7 +63,7 @@ def test_colour_of_the_video_needs_extracted_frames(t):
     look = ("--backend", "software", "--color", "video")
     t.vvr("extract", clip, "-o", "data").expect(0)
     t.render("data", *look, output="no.png").expect(
-        1, "'data' was extracted without the frames' colours: extract it again with --with-color, or render the clip itself")
+        1, "'data' was extracted without the frames' colours: extract it again with them, or render the clip itself (--with-color)")
     check(not t.path("no.png").exists(), "a picture was written")
     t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
     check(len(list(t.path("data/colour").iterdir())) == 40, "not a picture a frame")
@@ -195,7 +195,7 @@ def test_seeds_from_lists(t):
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 nan 2 0 1\n")
     t.render("clip.mkv", "--seeds", "one").expect(2, "one/000007.txt:5: 'nan' is not a finite number")
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 90 64\npoints 0\n")
-    t.render("clip.mkv", "--seeds", "one").expect(2, "seeds of a field of 90x64, and the clip's fields have 96x64")
+    t.render("clip.mkv", "--seeds", "one").expect(2, "seeds of a field of 90x64, but the clip's fields have 96x64")
     t.render("clip.mkv", "--seeds", "none").expect(2, "--seeds: cannot read the folder 'none'")
     t.render("clip.mkv", "--seeds", "data").expect(2, "--seeds: 'data' holds no list of seeds")
 

@@ -135,7 +135,7 @@ TEST_F(VideoErrors, RateThatCannotBe) {
     const auto clip = counting_clip(folder, "clip.mkv", "-c:v ffv1");
     SourceOptions options;
     options.rate = 0;
-    expect_error(clip, ErrorKind::usage, {"rate of 0"}, options);
+    expect_error(clip, ErrorKind::usage, {"rate: 0 is not between"}, options);
 }
 
 TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
