@@ -82,7 +82,10 @@ def test_report_of_what_was_extracted(t):
     t.vvr("render", "cross.y4m", "--report", "clip.json").expect(0, "2 events")
     t.vvr("extract", "cross.y4m", "-o", "data").expect(0)
     t.vvr("render", "data", "--report", "data.json").expect(0, "2 events")
-    check(read(t, "clip.json")["events"] == read(t, "data.json")["events"], "extraction changes the events")
+    # Data files hold no pictures, by whose colours objects are told apart: places may differ by what is seen of them.
+    for of_clip, of_data in zip(read(t, "clip.json")["events"], read(t, "data.json")["events"]):
+        for part in ("number", "kind", "first", "last", "from", "into", "by"):
+            check(of_clip[part] == of_data[part], f"extraction changes {part}: {of_clip[part]} and {of_data[part]}")
 
 
 def test_report_of_a_part(t):
