@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
-#include "core/words.h"
 #include "core/image/draw.h"
 #include "core/image/text.h"
+#include "core/words.h"
 
 namespace vvr {
 
