@@ -22,6 +22,7 @@ std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
     std::string text;
     for (const Group group : picture_groups) {
         for (const OptionValue& value : line.values({group})) {
+            if (value.value.empty()) continue;
             text += fmt::format("{}={}\n", value.name, value.shown());
             std::error_code none;
             if (value.may_be_file && std::filesystem::is_regular_file(value.value, none))

@@ -217,7 +217,7 @@ std::vector<OptionValue> CommandLine::values(std::initializer_list<Group> groups
     std::vector<OptionValue> values;
     for (const CLI::Option* option : std::as_const(impl_->app).get_options()) {
         const auto value = impl_->value_of(*option, groups);
-        if (value && !value->value.empty()) values.push_back(*value);
+        if (value) values.push_back(*value);
     }
     return values;
 }

@@ -112,7 +112,7 @@ class CommandLine {
     /// \throws Error usage, or io when the config file can't be read
     bool parse(std::span<const std::string> arguments);
 
-    /// The options of some groups: as given, else the default. Those without a value are left out.
+    /// The options of some groups: as given, else the default, which may be empty.
     std::vector<OptionValue> values(std::initializer_list<Group> groups) const;
 
     /// Those of them that the user gave, on the command line or in a config file.

@@ -35,10 +35,10 @@ void choose_part(ExtractJob& job, const VideoInfo& clip) {
     }
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
     job.fields.span.first = begin(part - 1);
-    const std::size_t next = put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first), 0);
+    put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first));
     if (part == count) return;
     job.fields.span.stop = begin(part);
-    put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop), next);
+    put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void extract(ExtractJob job, Observer& observer) {
     manifest.span = job.fields.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
-    manifest.settings = job.settings;
+    manifest.settings = with_values(job.settings);
     {
         const auto held = observer.guard();
         folder->close(std::move(manifest), summary.reference);

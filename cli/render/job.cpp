@@ -81,10 +81,9 @@ Products products_of(const RenderJob& job) {
 }
 
 RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
-    std::size_t next = 0;
     for (const auto& [name, value] : extracted) {
         if (name == setting::filter.name) job.fields.filter = value;
-        next = put(job.settings, name, value, next);
+        put(job.settings, name, value);
     }
     return job;
 }

@@ -76,7 +76,7 @@ struct RenderJob {
     RenderOptions picture;  ///< camera, background and glyphs are made of the rest
     BackendOptions backend;
     OutputOptions output;
-    Metadata settings;  ///< all settings as texts: files and reports record them
+    Metadata settings;  ///< all settings as texts, in the order in which files and reports record them
     Metadata given;     ///< those that were asked for; they must not contradict an extraction
 };
 

@@ -6,18 +6,22 @@
 
 namespace vvr {
 
-std::size_t put(Metadata& settings, std::string_view name, const std::string& value, std::size_t place) {
-    auto at = std::ranges::find(settings, name, &Metadata::value_type::first);
-    if (at == settings.end()) {
-        at = settings.emplace(settings.begin() + static_cast<std::ptrdiff_t>(place), name, value);
+void put(Metadata& settings, std::string_view name, const std::string& value) {
+    const auto known = std::ranges::find(settings, name, &Metadata::value_type::first);
+    if (known == settings.end()) {
+        settings.emplace_back(name, value);
     } else {
-        at->second = value;
+        known->second = value;
     }
-    return static_cast<std::size_t>(at - settings.begin()) + 1;
+}
+
+Metadata with_values(Metadata settings) {
+    std::erase_if(settings, [](const auto& setting) { return setting.second.empty(); });
+    return settings;
 }
 
 Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
-    Metadata record = job.settings;
+    Metadata record = with_values(job.settings);
     record.emplace_back("frames", fmt::to_string(report.frames));
     if (series) {
         // Damage is only known at the end of the clip.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,9 +8,11 @@
 
 namespace vvr {
 
-/// Sets a value in place of the one that has its name, or puts it in at `place`.
-/// \returns the place after it
-std::size_t put(Metadata& settings, std::string_view name, const std::string& value, std::size_t place);
+/// Sets a value, in place of the one that has its name.
+void put(Metadata& settings, std::string_view name, const std::string& value);
+
+/// Settings without those that have no value.
+Metadata with_values(Metadata settings);
 
 /// What a picture's file records: the settings, and what they made of this clip.
 Metadata record_of(const RenderJob& job, const RenderReport& report, bool series);

@@ -103,7 +103,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
     if (report.events) observer.info(summary_of(*report.events));
     if (!job.output.report.empty()) {
-        const std::string text = format_report(report, job.settings, took.count());
+        const std::string text = format_report(report, with_values(job.settings), took.count());
         const auto held = observer.guard();
         replace_file(job.output.report, std::as_bytes(std::span(text)));
     }

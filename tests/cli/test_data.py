@@ -34,7 +34,7 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
         ("2/42", "--part 2/42: 'clip.mkv' has 41 frames; ask for fewer parts"),
     ]:
         t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
-    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out --start and --end")
+    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out the start and the end (--start, --end)")
     check(not t.path("none").exists(), "a folder was made")
 
 

@@ -277,7 +277,7 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "none/out.png"), 2, "there is no folder 'none'"),
         (("text.txt", "-o", "out.png"), 3, "'text.txt' is not a video"),
         (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "/dev/null"),
-        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "--log-format: 'xml'"),
+        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "--log-format: there is no 'xml'"),
         (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "cannot write the log 'none/log'"),
     ]:
         t.vvr("watch", *arguments).expect(status, *texts)
