@@ -76,13 +76,12 @@ std::size_t root(std::vector<Run>& runs, std::size_t k) {
 void join_neighbours(std::vector<Run>& runs, int slack) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        while (above < k &&
-               (runs[above].row < runs[k].row - 1 ||
-                (runs[above].row == runs[k].row - 1 && runs[above].last + slack <= runs[k].first))) {
+        while (above < k && (runs[above].row < runs[k].row - 1 ||
+                             (runs[above].row == runs[k].row - 1 && runs[above].last + slack <= runs[k].first))) {
             ++above;
         }
-        for (std::size_t m = above;
-             m < k && runs[m].row == runs[k].row - 1 && runs[m].first < runs[k].last + slack; ++m) {
+        for (std::size_t m = above; m < k && runs[m].row == runs[k].row - 1 && runs[m].first < runs[k].last + slack;
+             ++m) {
             runs[root(runs, m)].parent = root(runs, k);
         }
     }
@@ -140,7 +139,8 @@ struct Hole {
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area) {
     if (min_area <= 1) return;
     std::vector<Run> runs = blobs_of(plane);
-    paint(plane, runs, length, [&](int area) { return area < min_area; }, 0);
+    paint(
+        plane, runs, length, [&](int area) { return area < min_area; }, 0);
 }
 
 void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
@@ -152,7 +152,8 @@ void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& s
         return pixels;
     };
     std::vector<Run> runs = blobs_of(plane);
-    paint(plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
+    paint(
+        plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
 }
 
 void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options) {
@@ -162,7 +163,8 @@ void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differenc
         // A run that is too long makes its set too large to be a hole, and so does one at the picture's edge.
         if (at_edge || length(gap) > options.max_area) return Hole{.area = options.max_area + std::int64_t{1}};
         const std::uint8_t* const row = differences.row(gap.row).data();
-        return Hole{.area = length(gap), .difference = std::accumulate(row + gap.first, row + gap.last, std::int64_t{0})};
+        return Hole{.area = length(gap),
+                    .difference = std::accumulate(row + gap.first, row + gap.last, std::int64_t{0})};
     };
     const auto is_wanted = [&](const Hole& hole) {
         return hole.area <= options.max_area && hole.difference >= options.least * hole.area;

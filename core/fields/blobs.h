@@ -17,8 +17,8 @@ void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& s
 
 /// Which holes are filled: what is 0 and enclosed by a blob. What touches the picture's edge is not enclosed.
 struct HoleOptions {
-    int max_area = 0;         ///< pixels; larger ones stay
-    int least = 0;            ///< grey levels; those whose mean difference is less stay
+    int max_area = 0;          ///< pixels; larger ones stay
+    int least = 0;             ///< grey levels; those whose mean difference is less stay
     std::uint8_t value = 255;  ///< that they get
 };
 

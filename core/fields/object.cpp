@@ -86,7 +86,8 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
     reference_.noise = reference.noise;
     const Size size = reference.grey.size();
-    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes filled.
+    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes
+    // filled.
     holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
               .least = static_cast<int>(std::lround(hole_share * threshold)),
               .value = threshold_value_};
@@ -119,8 +120,7 @@ Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, co
     if (shadow.empty()) return object;
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
     constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
-    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side,
-                       threshold_value_);
+    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
     return object;
 }
 

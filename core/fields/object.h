@@ -38,7 +38,7 @@ class ObjectFinder {
 
     const IlluminationRow& illumination_;
     int min_area_;
-    int least_strong_;  ///< pixels of a blob that must reach `strong_`
+    int least_strong_;              ///< pixels of a blob that must reach `strong_`
     std::uint8_t threshold_value_;  ///< of what differs by the threshold; what is less is faint
     HoleOptions holes_;
     bool removes_shadows_;

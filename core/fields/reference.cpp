@@ -87,8 +87,8 @@ std::vector<Frame> first_frame(FrameSource& clip) {
     return first_frames(clip, 1, 1);
 }
 
-// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again, it
-// is the first twenty seconds, so that people who pass are gone for most of them.
+// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again,
+// it is the first twenty seconds, so that people who pass are gone for most of them.
 std::vector<Frame> first_seconds(FrameSource& clip) {
     const VideoInfo& info = clip.info();
     constexpr double seconds = 20;

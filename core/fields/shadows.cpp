@@ -20,8 +20,11 @@ constexpr float most_tint = 0.07F;
 // And by how much those of a single pixel, which prove less.
 constexpr float least_tint = 0.06F;
 
-// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is allowed
-// for the share of the light that is missing.
+// A pixel with more than this is none in whatever surroundings.
+constexpr float hopeless_tint = 0.3F;
+
+// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is
+// allowed for the share of the light that is missing.
 constexpr float sky_tint = 0.1F;
 
 /// 1 / (level + 1), for a division takes as long as all the rest.
@@ -131,8 +134,9 @@ std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes&
         const Shares shares = shares_of(frame.colour.at(i, j), empty.colour.at(i, j));
         // Next to its thing a shadow has that thing's colour in its surroundings.
         const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
-        const bool is_plain = shares.most - shares.least < own_tint;
-        const bool shadow = is_darker(shares) && (is_plain || has_kept_colour(frame, empty, i, j));
+        const float tint = shares.most - shares.least;
+        const bool may_be = is_darker(shares) && tint < hopeless_tint;
+        const bool shadow = may_be && (tint < own_tint || has_kept_colour(frame, empty, i, j));
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
     std::vector<ShadowPixel> taken;

@@ -34,9 +34,9 @@ struct ShadowPixel {
 std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
                                       std::uint8_t faint);
 
-/// Gives back to `object` what has something of it within `reach` pixels below and in two more of the four directions: a
-/// grey car's roof on a grey road looks like a shadow, but a shadow lies beside or under its thing, not within it. What
-/// is below `faint` stays out.
+/// Gives back to `object` what has something of it within `reach` pixels below and in two more of the four directions:
+/// a grey car's roof on a grey road looks like a shadow, but a shadow lies beside or under its thing, not within it.
+/// What is below `faint` stays out.
 void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
                         std::uint8_t faint);
 

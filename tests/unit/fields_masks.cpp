@@ -41,10 +41,10 @@ TEST(Blobs, FaintOnesGo) {
 TEST(Blobs, HolesAreFilledAndBaysAreNot) {
     Plane<std::uint8_t> plane(size);
     paint(plane, 10, 10, 30, 30, 40);
-    paint(plane, 12, 12, 3, 3, 0);   // a hole
+    paint(plane, 12, 12, 3, 3, 0);    // a hole
     paint(plane, 20, 20, 10, 10, 0);  // one that is too large
-    paint(plane, 38, 30, 2, 4, 0);   // a bay
-    paint(plane, 0, 50, 5, 14, 40);  // a hole at the picture's edge is none
+    paint(plane, 38, 30, 2, 4, 0);    // a bay
+    paint(plane, 0, 50, 5, 14, 40);   // a hole at the picture's edge is none
     paint(plane, 0, 55, 2, 2, 0);
     Plane<std::uint8_t> differences(size, 7);
     differences.at(21, 21) = 255;
