@@ -60,8 +60,8 @@ TEST(TransferFile, IsFoundByNameOrPath) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "'heet' is neither a transfer function nor a file; there are blue, grey, heat, "
-                     "viridis, magma, coolwarm, mist, solid (did you mean 'heat'?)");
+                     "transfer: there is no 'heet' (did you mean 'heat'?); it is one of: blue, grey, heat, "
+                     "viridis, magma, coolwarm, mist, solid, or the name of a file");
     }
     EXPECT_THROW(find_transfer("/"), Error) << "a folder";
 }
