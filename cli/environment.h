@@ -10,6 +10,7 @@ namespace vvr {
 struct Environment {
     spdlog::logger& log;  ///< to people, on stderr
     Signals& signals;
+    bool quiet = false;  ///< nothing is said unless it fails
 };
 
 }  // namespace vvr

@@ -9,6 +9,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 
 #include "cli/log_file.h"
+#include "core/json_text.h"
 
 namespace vvr {
 
@@ -34,7 +35,7 @@ class JsonLines : public spdlog::formatter {
             {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
             {"level", std::string(level.data(), level.size())},
             {"message", std::string(message.payload.data(), message.payload.size())}};
-        const std::string text = line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        const std::string text = json_text(line) + "\n";
         out.append(text.data(), text.data() + text.size());
     }
     std::unique_ptr<formatter> clone() const override { return std::make_unique<JsonLines>(); }

@@ -22,15 +22,14 @@ void write_stderr(std::string_view text) {
 
 }  // namespace
 
-Progress::Progress(std::string what, std::int64_t total, bool shown)
-    : what_(std::move(what)), total_(total), shown_(shown) {}
+Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
 
 void Progress::clear() {
-    if (shown_) write_stderr(clear_line);
+    write_stderr(clear_line);
 }
 
 void Progress::set(std::int64_t done) {
-    if (!shown_ || Clock::now() < next_) return;
+    if (Clock::now() < next_) return;
     next_ = Clock::now() + std::chrono::milliseconds(100);
     if (total_ <= 0) {
         write_stderr(fmt::format("{}{} {}", clear_line, what_, done));

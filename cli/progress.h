@@ -6,18 +6,18 @@
 
 namespace vvr {
 
-/// A bar on stderr that shows how far a pass has come; nothing at all where `shown` is false.
+/// A bar on stderr that shows how far a run is.
 class Progress {
   public:
     /// \param total frames that are expected, 0 = unknown
-    Progress(std::string what, std::int64_t total, bool shown);
+    Progress(std::string what, std::int64_t total);
     ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void set(std::int64_t done);
 
-    /// Takes the bar away, so that something else can be said.
+    /// Removes the bar, so that a line can be written.
     void clear();
 
   private:
@@ -25,7 +25,6 @@ class Progress {
 
     std::string what_;
     std::int64_t total_;
-    bool shown_;
     Clock::time_point next_ = Clock::now();
 };
 

@@ -4,15 +4,28 @@
 #include <new>
 #include <system_error>
 
-#include "core/error.h"
+#include <fmt/format.h>
 
 namespace vvr {
+
+std::string with_flags(const std::string& text, const About& about) {
+    std::string flagged = text;
+    std::string others;
+    for (const std::string& name : about.names()) {
+        if (text.starts_with(name)) {
+            flagged = fmt::format("--{}", text);
+        } else {
+            others += fmt::format("{}--{}", others.empty() ? "" : ", ", name);
+        }
+    }
+    return others.empty() ? flagged : fmt::format("{} ({})", flagged, others);
+}
 
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
     try {
         return action();
     } catch (const Error& error) {
-        log.error("{}", error.what());
+        log.error("{}", with_flags(error.what(), error.about()));
         return exit_status(error.kind());
     } catch (const std::bad_alloc&) {
         log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");

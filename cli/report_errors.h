@@ -1,12 +1,18 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include <spdlog/logger.h>
 
 #include "cli/exit_status.h"
+#include "core/error.h"
 
 namespace vvr {
+
+/// A text with the options of the settings that it is about: `threshold: 300 ...` becomes `--threshold: 300 ...`, and
+/// what the text does not begin with follows in brackets.
+std::string with_flags(const std::string& text, const About& about);
 
 /// Runs `action`; whatever it throws becomes a line for people and an exit status. The one place that does so.
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action);

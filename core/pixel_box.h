@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/plane.h"
+
 namespace vvr {
 
 /// Part of a picture or a field: columns left to right - 1, rows top to bottom - 1.
@@ -14,6 +16,7 @@ struct PixelBox {
     bool empty() const { return left >= right || top >= bottom; }
     int width() const { return right - left; }
     int height() const { return bottom - top; }
+    Size size() const { return {width(), height()}; }
 
     PixelBox moved(int x, int y) const { return {left + x, top + y, right + x, bottom + y}; }
     PixelBox grown(int x, int y) const { return {left - x, top - y, right + x, bottom + y}; }

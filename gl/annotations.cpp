@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
+#include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
-#include "shaders.h"
 
 namespace vvr {
 
@@ -23,37 +24,27 @@ void blend_over(const GladGLContext& gl, bool writes_depth) {
 
 Annotations::Annotations(const GladGLContext& gl)
     : gl_(&gl),
-      line_program_(gl, "the lines", {shaders::line_vert}, {shaders::line_frag}),
+      line_program_(gl, line_program()),
       line_array_(gl),
       corners_(gl),
       segments_(gl),
-      picture_program_(gl, "the standing frames", {shaders::picture_vert}, {shaders::picture_frag}),
+      picture_program_(gl, frame_program(Channels::colour)),
       picture_array_(gl),
       picture_vertices_(gl) {
     gl.BindVertexArray(line_array_.id());
     constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
     gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
-    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Segment),
-                               reinterpret_cast<const void*>(offset));
-        gl.VertexAttribDivisor(attribute, 1);
-    };
-    instance(1, 3, offsetof(Segment, from));
-    instance(2, 3, offsetof(Segment, to));
-    instance(3, 4, offsetof(Segment, colour));
+    set_attribute<Segment>(gl, 1, 3, offsetof(Segment, from), Per::instance);
+    set_attribute<Segment>(gl, 2, 3, offsetof(Segment, to), Per::instance);
+    set_attribute<Segment>(gl, 3, 4, offsetof(Segment, colour), Per::instance);
 
     gl.BindVertexArray(picture_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PictureVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(PictureVertex),
-                           reinterpret_cast<const void*>(offsetof(PictureVertex, at)));
+    set_attribute<PictureVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<PictureVertex>(gl, 1, 2, offsetof(PictureVertex, at), Per::vertex);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the annotations");
 }
@@ -95,20 +86,17 @@ void Annotations::upload_vertices(std::span<const PictureVertex> vertices) {
     gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
 }
 
-void Annotations::draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
-                                  const SeenTarget& target) {
-    if (!seen_program_) {
-        seen_program_ = Program(*gl_, "the standing frames' layers", {shaders::picture_vert},
-                                {shaders::seen_over_glsl, shaders::seen_picture_frag});
-    }
-    seen_program_->use();
-    seen_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
-    seen_program_->set("opacity", frame.opacity);
-    seen_program_->set("frame", static_cast<float>(frame.frame));
+void Annotations::draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,
+                                        const PixelDataTarget& target) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, frame_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    pixel_data_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    pixel_data_program_->set("opacity", frame.opacity);
+    pixel_data_program_->set("frame", static_cast<float>(frame.frame));
     upload_frame(frame, layout);
-    target.draw_over(*seen_program_, [&] { gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
+    target.draw_over(*pixel_data_program_, [&] { gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
     gl_->BindVertexArray(0);
-    check_gl(*gl_, "drawing a standing frame's layers");
+    check_gl(*gl_, "drawing a standing frame's pixel data");
 }
 
 void Annotations::draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera) {
@@ -133,7 +121,7 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     if (floor.darkness.empty()) return;
     constexpr int steps = 128;
     const GladGLContext& gl = *gl_;
-    if (!floor_program_) floor_program_ = Program(gl, "the floor", {shaders::picture_vert}, {shaders::floor_frag});
+    if (!floor_program_) floor_program_ = Program(gl, floor_program());
     std::vector<PictureVertex> vertices;
     for (int i = 0; i <= steps; ++i) {
         const double along = static_cast<double>(i) / steps;

@@ -6,31 +6,31 @@
 
 #include "core/scene/scene.h"
 #include "core/space/camera.h"
+#include "gl/pixel_data_target.h"
 #include "gl/program.h"
-#include "gl/seen_target.h"
 
 namespace vvr {
 
-/// Draws what explains the volume: lines, and frames that stand in it.
+/// Draws what explains the volume: lines, frames that stand in it, and its shadow on the floor.
 class Annotations {
   public:
     explicit Annotations(const GladGLContext& gl);
 
-    /// Takes the pictures that are drawn from now on.
+    /// Replaces the pictures that are drawn.
     void upload(const FloorShadow& floor, std::span<const StandingFrame> frames);
 
-    /// Lines of `width` pixels of a picture of size `picture`.
+    /// \param width in pixels of a picture of size `picture`
     void draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture);
 
     /// Frames standing at their times; opaque ones write depth.
     /// \param frames those that were uploaded
     void draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera);
 
-    /// One of them into a target of what is seen.
-    void draw_frame_seen(const StandingFrame& frame, const Layout& layout, const Camera& camera,
-                         const SeenTarget& target);
+    /// Draws one of the frames into a target of pixel data.
+    void draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,
+                               const PixelDataTarget& target);
 
-    /// The shadow on the volume's floor, the one that was uploaded.
+    /// \param floor the one that was uploaded
     void draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera);
 
   private:
@@ -48,8 +48,8 @@ class Annotations {
     GlBuffer corners_;
     GlBuffer segments_;
     Program picture_program_;
-    std::optional<Program> floor_program_;  ///< made when it is first asked for
-    std::optional<Program> seen_program_;   ///< the same
+    std::optional<Program> floor_program_;       ///< made when it is first used
+    std::optional<Program> pixel_data_program_;  ///< as `floor_program_`
     GlTexture floor_texture_;
     std::vector<GlTexture> frame_textures_;
     GlVertexArray picture_array_;

@@ -50,8 +50,7 @@ void upload_part(const GladGLContext& gl, const BrickLayers& layers, std::int64_
 
 }  // namespace
 
-BrickTextures::BrickTextures(const GladGLContext& gl, BrickRing ring)
-    : gl_(&gl), ring_(ring), slots_(static_cast<std::size_t>(ring.size())) {}
+BrickTextures::BrickTextures(const GladGLContext& gl, int count) : gl_(&gl), slots_(static_cast<std::size_t>(count)) {}
 
 void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     const GladGLContext& gl = *gl_;
@@ -62,12 +61,14 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
         throw Error(ErrorKind::limit,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
-                                "take a smaller --field-size or a shorter --brick",
-                                width, height, layers.brick().count, largest));
+                                "choose smaller fields or shorter bricks",
+                                width, height, layers.brick().count, largest),
+                    {"field-size", "brick"});
     }
 
-    Slot* const held = find(number);
-    Slot& slot = held != nullptr ? *held : slots_[static_cast<std::size_t>(ring_.slot(entered_++))];
+    Slot* found = find(number);
+    if (found == nullptr) found = find(nobody);
+    Slot& slot = found != nullptr ? *found : slots_[next_++ % slots_.size()];
     const bool fits = slot.texture && slot.box.width() == width && slot.box.height() == height &&
                       slot.layers == layers.count() && slot.coloured == layers.coloured();
     if (!fits) slot.texture = GlTexture(gl);
@@ -90,15 +91,19 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     slot.coloured = layers.coloured();
 }
 
-void BrickTextures::upload_ends(std::int64_t number, const BrickLayers& layers) {
+void BrickTextures::renew_ends(std::int64_t number, const BrickLayers& layers) {
     const Slot* const slot = find(number);
-    if (slot == nullptr || slot->box != layers.box()) {
-        upload(number, layers);
-        return;
-    }
+    if (slot == nullptr) return;
+    if (slot->box != layers.box()) return upload(number, layers);
     gl_->BindTexture(GL_TEXTURE_3D, slot->texture.id());
     for (const std::int64_t layer : {std::int64_t{0}, slot->layers - 1}) upload_part(*gl_, layers, layer, 1);
     check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
+}
+
+void BrickTextures::keep_only(std::int64_t first, std::int64_t end) {
+    for (Slot& slot : slots_) {
+        if (slot.number < first || slot.number >= end) slot.number = nobody;
+    }
 }
 
 BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
@@ -106,16 +111,9 @@ BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
     return slot == slots_.end() ? nullptr : &*slot;
 }
 
-void BrickTextures::bind(const PlacedBrick& brick) {
-    if (find(brick.number) == nullptr) {
-        if (brick.made_of == nullptr) {
-            throw Error(ErrorKind::backend,
-                        fmt::format("brick {} is not among the {} in the ring, and its layers are gone", brick.number,
-                                    ring_.size()));
-        }
-        upload(brick.number, *brick.made_of);
-    }
-    gl_->BindTexture(GL_TEXTURE_3D, find(brick.number)->texture.id());
+void BrickTextures::bind(std::int64_t number, const BrickLayers& layers) {
+    if (find(number) == nullptr) upload(number, layers);
+    gl_->BindTexture(GL_TEXTURE_3D, find(number)->texture.id());
 }
 
 }  // namespace vvr

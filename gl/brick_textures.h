@@ -1,49 +1,53 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "core/bricks/brick.h"
 #include "core/bricks/brick_layers.h"
-#include "core/bricks/cells.h"
+#include "core/pixel_box.h"
 #include "gl/objects.h"
 
 namespace vvr {
 
-/// The ring's k 3D textures, which bricks take in turn: one that enters overwrites the texture of the one that entered
-/// k bricks before (§6.1).
+/// 3D textures that hold bricks. A brick that needs one takes a texture that no brick uses, else the one that was taken
+/// longest ago.
 class BrickTextures {
   public:
-    BrickTextures(const GladGLContext& gl, BrickRing ring);
+    /// \param count of textures, at least 1
+    BrickTextures(const GladGLContext& gl, int count);
 
-    /// Puts a brick into the ring: into the slot that it has, else the next one.
-    /// \param number of the brick, counted from the clip's first
-    /// \throws Error limit when the brick is larger than the driver's largest 3D texture or memory is out
+    /// Binds the texture of brick `number` to the active texture unit. A brick without a texture is uploaded.
+    /// \throws Error limit when the brick is larger than the driver's largest 3D texture, or memory is out
+    void bind(std::int64_t number, const BrickLayers& layers);
+
+    /// Uploads a brick, also one that has a texture.
+    /// \throws Error as `bind`
     void upload(std::int64_t number, const BrickLayers& layers);
 
-    /// Replaces the first and the last texel layer of a brick in the ring, which are its neighbours': they have
-    /// changed. If they hold something outside of the brick's box all of it is uploaded.
-    void upload_ends(std::int64_t number, const BrickLayers& layers);
+    /// Uploads the first and the last texel layer of a brick that has a texture: they repeat layers of its neighbours.
+    /// All of the brick is uploaded if the box of its layers has changed.
+    void renew_ends(std::int64_t number, const BrickLayers& layers);
 
-    /// Binds a brick's texture to the texture unit in use. If it isn't in the ring it enters.
-    /// \throws Error backend when it isn't, and nothing says what it is made of
-    void bind(const PlacedBrick& brick);
+    /// Takes their textures from all bricks but those from `first` to before `end`.
+    void keep_only(std::int64_t first, std::int64_t end);
 
   private:
+    static constexpr std::int64_t nobody = -1;
+
     struct Slot {
         GlTexture texture;
-        std::int64_t number = -1;
-        PixelBox box;  ///< of the layers' texels
+        std::int64_t number = nobody;  ///< of the brick
+        PixelBox box;                  ///< of the layers' texels
         std::int64_t layers = 0;
         bool coloured = false;
     };
 
-    /// Where a brick is in the ring; null if it isn't.
+    /// The slot of a brick; null if it has none.
     Slot* find(std::int64_t number);
 
     const GladGLContext* gl_;
-    BrickRing ring_;
     std::vector<Slot> slots_;
-    std::int64_t entered_ = 0;  ///< bricks, into the ring
+    std::size_t next_ = 0;  ///< slot that is taken when none is free
 };
 
 }  // namespace vvr

@@ -34,9 +34,11 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
     }
     if (error == GL_OUT_OF_MEMORY) {
-        throw Error(ErrorKind::limit, fmt::format("OpenGL ran out of memory while {}; try a smaller --size or "
-                                                  "--field-size, or a larger --step",
-                                                  doing));
+        throw Error(ErrorKind::limit,
+                    fmt::format("OpenGL ran out of memory while {}; try a smaller picture, smaller fields, or more "
+                                "frames per layer",
+                                doing),
+                    {"size", "field-size", "step"});
     }
     throw Error(ErrorKind::backend, fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing));
 }

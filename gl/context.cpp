@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "core/choice.h"
 #include "core/error.h"
 #include "gl/backend.h"
 
@@ -18,6 +18,14 @@ std::vector<Backend> backends() {
 
 }  // namespace
 
+void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user) {
+    if (!gladLoadGLContextUserPtr(&gl_, load, user)) {
+        throw Error(ErrorKind::backend, fmt::format("{} gives no OpenGL 3.3 functions", get_proc_address));
+    }
+    renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+    version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+}
+
 std::unique_ptr<Context> open_context(std::string_view name, int device) {
     std::string tried;
     for (const Backend& backend : backends()) {
@@ -28,13 +36,10 @@ std::unique_ptr<Context> open_context(std::string_view name, int device) {
             tried += fmt::format("\n  {}: {}", backend.name, error.what());
         }
     }
-    if (tried.empty()) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("no backend is called '{}'; there are {}", name, fmt::join(backend_names(), ", ")));
-    }
+    if (tried.empty()) refuse_choice("backend", name, backend_names());
     throw Error(ErrorKind::backend,
-                fmt::format("no OpenGL context from --backend {}{}; tried:{}\n`vvr doctor` says what would mend it",
-                            name, device < 0 ? "" : fmt::format(" --device {}", device), tried));
+                fmt::format("no OpenGL context from backend {}{}; tried:{}\n`vvr doctor` says how to fix it", name,
+                            device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
 
 std::vector<std::string> backend_names() {

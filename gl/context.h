@@ -3,26 +3,20 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glad/gl.h>
 
 namespace vvr {
 
-/// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress.
-/// The thread that opened it owns it; where frames are read on several threads, it is lent (gl/context_loan.h).
+/// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress. It is
+/// opened, used and closed on one thread.
 class Context {
   public:
     virtual ~Context() = default;
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
-
-    /// Makes the context current in the calling thread, which it has been released for.
-    /// \throws Error backend
-    virtual void take() = 0;
-
-    /// Gives the context up, so that another thread can take it.
-    virtual void release() = 0;
 
     const GladGLContext& gl() const { return gl_; }
     const std::string& backend() const { return backend_; }    ///< its name in the backend table
@@ -30,8 +24,16 @@ class Context {
     const std::string& version() const { return version_; }    ///< GL_VERSION
 
   protected:
-    Context() = default;
+    /// \param backend its name in the backend table
+    explicit Context(std::string backend) : backend_(std::move(backend)) {}
 
+    /// Loads OpenGL's functions, once the context is current.
+    /// \param get_proc_address for messages
+    /// \param load calls it, with `user` as the first argument
+    /// \throws Error backend when there is no OpenGL 3.3
+    void finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user);
+
+  private:
     GladGLContext gl_{};
     std::string backend_;
     std::string renderer_;

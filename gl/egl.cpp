@@ -81,8 +81,7 @@ std::vector<Device> list_devices(const Egl& egl) {
 
 class EglContext final : public Context {
   public:
-    EglContext(std::string backend, Egl egl, const Device& device) : egl_(std::move(egl)) {
-        backend_ = std::move(backend);
+    EglContext(std::string backend, Egl egl, const Device& device) : Context(std::move(backend)), egl_(std::move(egl)) {
         display_ = egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
         if (display_ == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
         if (!egl_.initialize(display_, nullptr, nullptr)) fail("eglInitialize");
@@ -97,26 +96,12 @@ class EglContext final : public Context {
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
-    void take() final {
-        bind_api();
-        if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
-    }
-    void release() final {
-        egl_.bind_api(EGL_OPENGL_API);
-        egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
-
   private:
-    /// Which API is meant is said anew in each thread.
-    void bind_api() const {
-        if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
-    }
-
     void create() {
         if (!has_word(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
             throw Error(ErrorKind::backend, "the driver has no EGL_KHR_surfaceless_context");
         }
-        bind_api();
+        if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                               EGL_NONE};
         EGLConfig config = nullptr;
@@ -129,16 +114,12 @@ class EglContext final : public Context {
             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext (OpenGL 3.3 core)");
-        take();
+        if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
 
         const auto load = [](void* user, const char* name) -> GLADapiproc {
             return reinterpret_cast<GLADapiproc>(static_cast<Egl*>(user)->get_proc_address(name));
         };
-        if (!gladLoadGLContextUserPtr(&gl_, load, &egl_)) {
-            throw Error(ErrorKind::backend, "eglGetProcAddress gives no OpenGL 3.3 functions");
-        }
-        renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
-        version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+        finish("eglGetProcAddress", load, &egl_);
     }
 
     void close() {

@@ -2,19 +2,16 @@
 
 #include <cstddef>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
-#include "shaders.h"
+#include "gl/light.h"
+#include "gl/program_sources.h"
 
 namespace vvr {
 
-glm::vec3 to_light(const Camera& camera) {
-    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
-    return glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right));
-}
-
 FlowGeometry::FlowGeometry(const GladGLContext& gl)
     : gl_(&gl),
-      program_(gl, "the flow geometry", {shaders::arrow_vert}, {shaders::arrow_frag}),
+      program_(gl, arrow_program(Channels::colour)),
       vertex_array_(gl),
       mesh_(gl),
       indices_(gl),
@@ -26,27 +23,18 @@ FlowGeometry::FlowGeometry(const GladGLContext& gl)
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh_.id());
     gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(GlyphVertex)),
                   mesh.vertices.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(GlyphVertex),
-                           reinterpret_cast<const void*>(offsetof(GlyphVertex, normal)));
+    set_attribute<GlyphVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<GlyphVertex>(gl, 1, 3, offsetof(GlyphVertex, normal), Per::vertex);
 
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                   mesh.indices.data(), GL_STATIC_DRAW);
 
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
-    const auto instance = [&](GLuint attribute, GLint size, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Glyph),
-                               reinterpret_cast<const void*>(offset));
-        gl.VertexAttribDivisor(attribute, 1);
-    };
-    instance(2, 3, offsetof(Glyph, from));
-    instance(3, 3, offsetof(Glyph, vector));
-    instance(4, 1, offsetof(Glyph, speed));
-    instance(5, 1, offsetof(Glyph, frame));
+    set_attribute<Glyph>(gl, 2, 3, offsetof(Glyph, from), Per::instance);
+    set_attribute<Glyph>(gl, 3, 3, offsetof(Glyph, vector), Per::instance);
+    set_attribute<Glyph>(gl, 4, 1, offsetof(Glyph, speed), Per::instance);
+    set_attribute<Glyph>(gl, 5, 1, offsetof(Glyph, frame), Per::instance);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the flow geometry");
 }
@@ -58,22 +46,26 @@ void FlowGeometry::upload(std::span<const Glyph> glyphs) {
     check_gl(*gl_, "uploading the arrows");
 }
 
-void FlowGeometry::draw_seen(const Camera& camera, const GlyphStyle& style) {
-    if (!seen_program_)
-        seen_program_ = Program(*gl_, "the arrows' layers", {shaders::arrow_vert}, {shaders::seen_frag});
-    draw_with(*seen_program_, camera, style);
+void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
+    program_.use();
+    program_.set("slow_colour", style.slow_colour);
+    program_.set("fast_colour", style.fast_colour);
+    program_.set("to_light", to_light(camera));
+    draw_glyphs(program_, camera, style);
 }
 
-void FlowGeometry::draw_with(const Program& program, const Camera& camera, const GlyphStyle& style) const {
+void FlowGeometry::draw_pixel_data(const Camera& camera, const GlyphStyle& style) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, arrow_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    draw_glyphs(*pixel_data_program_, camera, style);
+}
+
+void FlowGeometry::draw_glyphs(const Program& program, const Camera& camera, const GlyphStyle& style) const {
     if (glyph_count_ == 0) return;
     const GladGLContext& gl = *gl_;
-    program.use();
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     program.set("thickness", style.thickness);
     program.set("speed_range", style.speed_range);
-    program.set("slow_colour", style.slow_colour);
-    program.set("fast_colour", style.fast_colour);
-    program.set("to_light", to_light(camera));
 
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "gl/check.h"
-#include "shaders.h"
+#include "gl/program_sources.h"
 
 namespace vvr {
 
@@ -17,8 +17,22 @@ void check_samples(const GladGLContext& gl, int samples) {
     gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most_sampled);
     const GLint most = std::min(most_drawn, most_sampled);
     if (samples <= most) return;
-    throw Error(ErrorKind::limit, fmt::format("--samples {}: this OpenGL has at most {} a pixel; choose {} or fewer",
-                                              samples, most, most));
+    throw Error(
+        ErrorKind::limit,
+        fmt::format("samples {}: this OpenGL has at most {} per pixel; choose {} or fewer", samples, most, most),
+        {"samples"});
+}
+
+std::vector<PixelBox> cut_tiles(Size picture, std::int64_t pixels) {
+    const int width = static_cast<int>(std::clamp<std::int64_t>(pixels, 1, picture.width));
+    const int height = static_cast<int>(std::clamp<std::int64_t>(pixels / width, 1, picture.height));
+    std::vector<PixelBox> tiles;
+    for (int top = 0; top < picture.height; top += height) {
+        for (int left = 0; left < picture.width; left += width) {
+            tiles.push_back({left, top, std::min(left + width, picture.width), std::min(top + height, picture.height)});
+        }
+    }
+    return tiles;
 }
 
 Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(&gl), size_(size), samples_(samples) {
@@ -57,8 +71,7 @@ Framebuffer::Drawn Framebuffer::make_drawn() const {
 
 Framebuffer::Resolved Framebuffer::make_resolved() const {
     const GladGLContext& gl = *gl_;
-    Resolved resolved{GlFramebuffer(gl), GlRenderbuffer(gl), GlVertexArray(gl),
-                      Program(gl, "the joined samples", {shaders::resolve_vert}, {shaders::resolve_frag})};
+    Resolved resolved{GlFramebuffer(gl), GlRenderbuffer(gl), GlVertexArray(gl), Program(gl, resolve_program())};
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved.framebuffer.id());
     gl.BindRenderbuffer(GL_RENDERBUFFER, resolved.colour.id());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size_.width, size_.height);
@@ -81,17 +94,17 @@ void Framebuffer::bind(Size size) const {
     gl_->Viewport(0, 0, size.width, size.height);
 }
 
-void Framebuffer::read(const Tile& tile, Plane<glm::vec4>& picture) const {
+void Framebuffer::read(const PixelBox& tile, Plane<glm::vec4>& picture) const {
     const GladGLContext& gl = *gl_;
     if (resolved_) {
-        resolve(tile.size);
+        resolve(tile.size());
     } else {
         gl.BindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer.id());
     }
     read_pixels(gl, tile, picture);
 }
 
-/// By a shader of our own: Mesa's software rasteriser compiles the one that glBlitFramebuffer takes each time anew.
+/// By a shader of our own: glBlitFramebuffer has one that Mesa's software rasteriser compiles each time.
 void Framebuffer::resolve(Size size) const {
     const GladGLContext& gl = *gl_;
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
@@ -108,17 +121,17 @@ void Framebuffer::resolve(Size size) const {
     gl.BindVertexArray(0);
 }
 
-void read_pixels(const GladGLContext& gl, const Tile& tile, Plane<glm::vec4>& picture) {
+void read_pixels(const GladGLContext& gl, const PixelBox& tile, Plane<glm::vec4>& picture) {
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl.PixelStorei(GL_PACK_ROW_LENGTH, picture.width());
-    gl.ReadPixels(0, 0, tile.size.width, tile.size.height, GL_RGBA, GL_FLOAT, &picture.at(tile.column, tile.row));
+    gl.ReadPixels(0, 0, tile.width(), tile.height(), GL_RGBA, GL_FLOAT, &picture.at(tile.left, tile.top));
     gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
     check_gl(gl, "reading the picture back");
     const auto row = [&](int j) {
-        return picture.row(tile.row + j)
-            .subspan(static_cast<std::size_t>(tile.column), static_cast<std::size_t>(tile.size.width));
+        return picture.row(tile.top + j)
+            .subspan(static_cast<std::size_t>(tile.left), static_cast<std::size_t>(tile.width()));
     };
-    for (int j = 0; j < tile.size.height / 2; ++j) std::ranges::swap_ranges(row(j), row(tile.size.height - 1 - j));
+    for (int j = 0; j < tile.height() / 2; ++j) std::ranges::swap_ranges(row(j), row(tile.height() - 1 - j));
 }
 
 }  // namespace vvr

@@ -1,21 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
+#include "core/pixel_box.h"
 #include "core/plane.h"
-#include "core/space/camera.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 
 namespace vvr {
 
-/// \throws Error limit when the driver has no framebuffers with so many samples a pixel
+/// \throws Error limit when the driver has no framebuffers with that many samples per pixel
 void check_samples(const GladGLContext& gl, int samples);
 
+/// Cuts a picture into tiles of at most `pixels` pixels: bands where whole rows are not too long.
+std::vector<PixelBox> cut_tiles(Size picture, std::int64_t pixels);
+
 /// Puts the lower left of the bound framebuffer into a tile of a picture, top row first.
-void read_pixels(const GladGLContext& gl, const Tile& tile, Plane<glm::vec4>& picture);
+void read_pixels(const GladGLContext& gl, const PixelBox& tile, Plane<glm::vec4>& picture);
 
 /// Where a picture is drawn: colour and depth. The colour is in floats: hundreds of faint slices add up in it, and in
 /// half floats each would be rounded down, a tenth of the picture by the end. It costs the software rasteriser no time.
@@ -29,14 +34,14 @@ class Framebuffer {
     void bind(Size size) const;
 
     /// Puts its lower left, premultiplied RGBA, into a tile of a picture, top row first.
-    void read(const Tile& tile, Plane<glm::vec4>& picture) const;
+    void read(const PixelBox& tile, Plane<glm::vec4>& picture) const;
 
   private:
-    /// What is drawn into: one with several samples a pixel can be sampled, but not read.
+    /// What is drawn into: one with several samples per pixel can be sampled, but not read.
     struct Drawn {
         GlFramebuffer framebuffer;
         GlTexture samples;
-        GlRenderbuffer colour;  ///< where a pixel has but one sample
+        GlRenderbuffer colour;  ///< where a pixel has one sample
         GlRenderbuffer depth;
     };
     /// Where several samples become one.

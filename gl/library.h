@@ -6,7 +6,7 @@
 
 namespace vvr {
 
-/// A shared library opened at run time; closed when the last copy goes.
+/// A shared library opened at run time. It stays loaded until the program ends.
 class Library {
   public:
     /// Opens the first of `names` that is there. \throws Error backend with the loader's own text

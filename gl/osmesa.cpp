@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "core/error.h"
 #include "gl/backend.h"
@@ -34,53 +35,35 @@ struct OSMesa {
 
 class OSMesaContext final : public Context {
   public:
-    OSMesaContext() {
-        backend_ = "osmesa";
-        const std::array<int, 11> attributes = {osmesa_format,
-                                                GL_RGBA,
-                                                osmesa_depth_bits,
-                                                0,
-                                                osmesa_profile,
-                                                osmesa_core_profile,
-                                                osmesa_major,
-                                                3,
-                                                osmesa_minor,
-                                                3,
-                                                0};
-        handle_ = mesa_.create(attributes.data(), nullptr);
-        if (handle_ == nullptr) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
-        try {
-            take();
-        } catch (...) {
-            mesa_.destroy(handle_);
-            throw;
+    OSMesaContext() : Context("osmesa") {
+        constexpr std::array attributes = {osmesa_format,
+                                           GL_RGBA,
+                                           osmesa_depth_bits,
+                                           0,
+                                           osmesa_profile,
+                                           osmesa_core_profile,
+                                           osmesa_major,
+                                           3,
+                                           osmesa_minor,
+                                           3,
+                                           0};
+        handle_.reset(mesa_.create(attributes.data(), nullptr));
+        if (!handle_) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
+        if (!mesa_.make_current(handle_.get(), surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
+            throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
         }
         const auto load = [](void* user, const char* name) -> GLADapiproc {
             return static_cast<OSMesa*>(user)->get_proc_address(name);
         };
-        if (!gladLoadGLContextUserPtr(&gl_, load, &mesa_)) {
-            mesa_.destroy(handle_);
-            throw Error(ErrorKind::backend, "OSMesaGetProcAddress gives no OpenGL 3.3 functions");
-        }
-        renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
-        version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
+        finish("OSMesaGetProcAddress", load, &mesa_);
     }
-    ~OSMesaContext() override { mesa_.destroy(handle_); }
-    OSMesaContext(const OSMesaContext&) = delete;
-    OSMesaContext& operator=(const OSMesaContext&) = delete;
-
-    void take() final {
-        if (mesa_.make_current(handle_, surface_.data(), GL_UNSIGNED_BYTE, side, side)) return;
-        throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
-    }
-    void release() final { mesa_.make_current(nullptr, nullptr, 0, 0, 0); }
 
   private:
-    // OSMesa wants a picture to draw into; ours is drawn into a framebuffer object, so the smallest one does.
+    // OSMesa needs a picture to draw into. We draw into a framebuffer object, so a small one is enough.
     static constexpr int side = 4;
 
     OSMesa mesa_;
-    OSMesaHandle handle_ = nullptr;
+    std::unique_ptr<osmesa_context, OSMesa::Destroy> handle_{nullptr, mesa_.destroy};
     std::array<std::uint8_t, std::size_t{4} * side * side> surface_{};
 };
 
@@ -89,7 +72,7 @@ class OSMesaContext final : public Context {
 Backend osmesa_backend() {
     return {"osmesa", "Mesa's software rasteriser through OSMesa, for machines without EGL",
             [](int device) -> std::unique_ptr<Context> {
-                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices; --device is for EGL");
+                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices to choose from");
                 return std::make_unique<OSMesaContext>();
             },
             []() { return std::vector<std::string>{}; }, "apt-get install libosmesa6"};

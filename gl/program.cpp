@@ -1,55 +1,81 @@
 #include "gl/program.h"
 
-#include <vector>
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "shaders.h"
 
 namespace vvr {
 
 namespace {
 
-void compile(const GladGLContext& gl, GLuint shader, std::string_view name,
-             std::initializer_list<std::string_view> pieces) {
-    std::vector<const char*> texts = {"#version 330 core\n"};
-    std::vector<GLint> lengths = {-1};
-    for (const std::string_view piece : pieces) {
-        texts.push_back(piece.data());
-        lengths.push_back(static_cast<GLint>(piece.size()));
-    }
-    gl.ShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
-    gl.CompileShader(shader);
+/// Throws if a shader or a program has not become what it should.
+template <class Get, class GetLog>
+void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::string& failed) {
     GLint done = GL_FALSE;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    get(id, what, &done);
     if (done == GL_TRUE) return;
     std::string log(4096, '\0');
     GLsizei length = 0;
-    gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    get_log(id, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    throw Error(ErrorKind::backend, fmt::format("the driver does not compile {}: {}", name, log));
+    throw Error(ErrorKind::backend, fmt::format("{}: {}", failed, log));
+}
+
+void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderPiece> pieces) {
+    const std::string text = shader_text(pieces);
+    const char* const begin = text.c_str();
+    gl.ShaderSource(shader, 1, &begin, nullptr);
+    gl.CompileShader(shader);
+    std::string files;
+    for (std::size_t i = 0; i < pieces.size(); ++i) files += fmt::format(" {}001... {}", i + 1, pieces[i].file);
+    check_done(shader, GL_COMPILE_STATUS, gl.GetShaderiv, gl.GetShaderInfoLog,
+               fmt::format("the driver does not compile {} (lines{})", name, files));
 }
 
 }  // namespace
 
-Program::Program(const GladGLContext& gl, std::string name, std::initializer_list<std::string_view> vertex,
-                 std::initializer_list<std::string_view> fragment)
-    : gl_(&gl), program_(gl) {
+ShaderPiece shader_piece(std::string_view file) {
+    const auto found = std::ranges::find(shaders::files, file, [](const auto& entry) { return entry.first; });
+    if (found == shaders::files.end()) throw std::logic_error(fmt::format("there is no shader file '{}'", file));
+    return {found->first, found->second};
+}
+
+std::string shader_text(std::span<const ShaderPiece> pieces) {
+    std::string text = "#version 330 core\n";
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);
+    return text;
+}
+
+Program::Program(const GladGLContext& gl, const ProgramSource& source) : gl_(&gl), name_(source.name), program_(gl) {
     const GlVertexShader vertex_shader(gl);
     const GlFragmentShader fragment_shader(gl);
-    compile(gl, vertex_shader.id(), name + "'s vertex shader", vertex);
-    compile(gl, fragment_shader.id(), name + "'s fragment shader", fragment);
+    compile(gl, vertex_shader.id(), name_ + "'s vertex shader", source.vertex);
+    compile(gl, fragment_shader.id(), name_ + "'s fragment shader", source.fragment);
     gl.AttachShader(program_.id(), vertex_shader.id());
     gl.AttachShader(program_.id(), fragment_shader.id());
     gl.LinkProgram(program_.id());
-    GLint done = GL_FALSE;
-    gl.GetProgramiv(program_.id(), GL_LINK_STATUS, &done);
-    if (done == GL_TRUE) return;
-    std::string log(4096, '\0');
-    GLsizei length = 0;
-    gl.GetProgramInfoLog(program_.id(), static_cast<GLsizei>(log.size()), &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    throw Error(ErrorKind::backend, fmt::format("the driver does not link {}: {}", name, log));
+    check_done(program_.id(), GL_LINK_STATUS, gl.GetProgramiv, gl.GetProgramInfoLog,
+               fmt::format("the driver does not link {}", name_));
+    for (const auto* pieces : {&source.vertex, &source.fragment}) {
+        std::istringstream words(shader_text(*pieces));
+        for (std::string word, type, name; words >> word;) {
+            if (word != "uniform" || !(words >> type >> name)) continue;
+            name = name.substr(0, name.find(';'));
+            uniforms_[name] = gl.GetUniformLocation(program_.id(), name.c_str());
+        }
+    }
+}
+
+GLint Program::at(std::string_view uniform) const {
+    const auto found = uniforms_.find(uniform);
+    if (found == uniforms_.end()) throw std::logic_error(fmt::format("{} has no uniform '{}'", name_, uniform));
+    return found->second;
 }
 
 }  // namespace vvr

@@ -1,8 +1,11 @@
 #pragma once
 
-#include <initializer_list>
+#include <functional>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -10,17 +13,36 @@
 
 namespace vvr {
 
-/// A linked vertex and fragment shader. Each shader is given as pieces that follow one another after "#version 330".
+/// A piece of a shader.
+struct ShaderPiece {
+    std::string_view file;  ///< in glsl/
+    std::string_view text;
+};
+
+/// The piece that is a file in glsl/. \throws std::logic_error when there is none of that name
+ShaderPiece shader_piece(std::string_view file);
+
+/// A vertex and a fragment shader, each made of pieces that follow one another.
+struct ProgramSource {
+    std::string name;  ///< for messages: "the arrows"
+    std::vector<ShaderPiece> vertex;
+    std::vector<ShaderPiece> fragment;
+};
+
+/// The text of a shader: "#version 330 core", then each piece behind a #line with its number k, from 1 on. The lines of
+/// piece k are numbered from 1000 k + 1 on, as Mesa's messages name only the line.
+std::string shader_text(std::span<const ShaderPiece> pieces);
+
+/// A linked program.
 class Program {
   public:
-    /// \param name for messages
-    /// \throws Error backend with the compiler's or linker's log
-    Program(const GladGLContext& gl, std::string name, std::initializer_list<std::string_view> vertex,
-            std::initializer_list<std::string_view> fragment);
+    /// \throws Error backend with the compiler's or linker's log and the numbers of each file's lines
+    Program(const GladGLContext& gl, const ProgramSource& source);
 
     void use() const { gl_->UseProgram(program_.id()); }
 
-    // Uniforms of the program in use; a name that the compiler has optimised away is ignored by OpenGL.
+    // These set a uniform of the program in use. They throw std::logic_error when no piece declares the uniform. A
+    // uniform that the compiler has optimised away is ignored.
     void set(const char* uniform, int value) const { gl_->Uniform1i(at(uniform), value); }
     void set(const char* uniform, float value) const { gl_->Uniform1f(at(uniform), value); }
     void set(const char* uniform, const glm::vec2& value) const { gl_->Uniform2f(at(uniform), value.x, value.y); }
@@ -35,10 +57,12 @@ class Program {
     }
 
   private:
-    GLint at(const char* uniform) const { return gl_->GetUniformLocation(program_.id(), uniform); }
+    GLint at(std::string_view uniform) const;
 
     const GladGLContext* gl_;
+    std::string name_;
     GlProgram program_;
+    std::map<std::string, GLint, std::less<>> uniforms_;  ///< locations of those that the pieces declare
 };
 
 }  // namespace vvr

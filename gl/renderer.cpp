@@ -1,13 +1,9 @@
 #include "gl/renderer.h"
 
 #include <algorithm>
-#include <future>
 #include <limits>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
-
-#include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "gl/check.h"
 
@@ -34,68 +30,11 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       options_(options),
       camera_(options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
       tiles_(cut_tiles(options.size, options.tile_samples / options.samples)),
-      framebuffer_(context.gl(), tiles_.front().size, options.samples),
-      textures_(context.gl(), BrickRing(options.ring)),
+      framebuffer_(context.gl(), tiles_.front().size(), options.samples),
       slicer_(context.gl(), layout, options.colour, options.shading),
       flow_geometry_(context.gl()),
       traceline_strips_(context.gl()),
       annotations_(context.gl()) {}
-
-void Renderer::set_window(int ring, std::int64_t layers) {
-    window_.clear();
-    options_.ring = ring;
-    options_.window_layers = layers;
-    textures_ = BrickTextures(*gl_, BrickRing(ring));
-}
-
-void Renderer::push_brick(std::int64_t number, const BrickLayers& layers) {
-    auto cells = std::async(std::launch::async, [&] { return brick_cells(layers, t_span(layers), *layout_); });
-    textures_.upload(number, layers);
-    if (static_cast<int>(window_.size()) == options_.ring) window_.erase(window_.begin());
-    window_.push_back({number, layers.brick().count, layers.size(), layers.box(), cells.get(), {}});
-}
-
-void Renderer::drop_before(std::int64_t number) {
-    std::erase_if(window_, [number](const Held& held) { return held.number < number; });
-}
-
-void Renderer::show(const Volume& volume, std::span<const Brick> bricks, int textures) {
-    set_window(textures, volume.layers());
-    window_.resize(bricks.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, bricks.size(), [&](std::size_t i) {
-        const BrickLayers layers(volume, bricks[i]);
-        window_[i] = {static_cast<std::int64_t>(i),
-                      layers.brick().count,
-                      layers.size(),
-                      layers.box(),
-                      brick_cells(layers, t_span(layers), *layout_),
-                      layers};
-    });
-}
-
-void Renderer::renew_ends(std::int64_t number, const BrickLayers& layers) {
-    textures_.upload_ends(number, layers);
-    const auto held = std::ranges::find(window_, number, &Held::number);
-    held->box = layers.box();
-    held->cells = brick_cells(layers, t_span(layers), *layout_);
-}
-
-double Renderer::t_span(const BrickLayers& layers) const {
-    return static_cast<double>(layers.brick().count) / static_cast<double>(options_.window_layers);
-}
-
-std::vector<PlacedBrick> Renderer::place() const {
-    std::vector<PlacedBrick> placed;
-    std::int64_t before = 0;
-    const auto n = static_cast<double>(options_.window_layers);
-    for (const Held& brick : window_) {
-        const double t_begin = static_cast<double>(before) / n;
-        before += brick.layers;
-        placed.push_back({brick.number, brick.layers, t_begin, static_cast<double>(before) / n, brick.size, brick.box,
-                          &brick.cells, brick.made_of ? &*brick.made_of : nullptr});
-    }
-    return placed;
-}
 
 void Renderer::set_scene(Scene scene) {
     scene_ = std::move(scene);
@@ -104,90 +43,83 @@ void Renderer::set_scene(Scene scene) {
     annotations_.upload(scene_.floor, scene_.frames);
 }
 
-SliceStack Renderer::slices(const Camera& camera) const {
+SliceStack Renderer::slices(const BrickWindow& window, const Camera& camera) const {
     // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
-    const double spacing = window_.empty() ? 1 : 2 * layout_->shape().y_s / window_.front().size.height;
+    const double spacing = window.cells().empty() ? 1 : 2 * layout_->shape().y_s / window.layers(0).size().height;
     return stack_slices(camera, *layout_, options_.slices, spacing);
 }
 
-Plane<glm::vec4> Renderer::draw(double phase) {
-    const SliceStack stack = slices(camera_);
+Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
     auto picture = Plane<glm::vec4>::for_overwrite(options_.size);
-    for (const Tile& tile : tiles_) {
-        draw_tile(stack, phase, tile);
+    for (const PixelBox& tile : tiles_) {
+        draw_tile(window, tile, phase);
         framebuffer_.read(tile, picture);
     }
     return picture;
 }
 
-PictureLayers Renderer::draw_layers(const TimeTable& times) {
-    if (!seen_) seen_.emplace(*gl_, tiles_.front().size);
-    const SliceStack stack = slices(camera_);
+PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times) {
+    if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PictureLayers layers{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
-                         Plane<float>(options_.size, -1)};
-    for (const Tile& tile : tiles_) {
-        const Plane<glm::vec4> seen = draw_tile_seen(stack, times.frames_a_layer(), tile);
-        for (int j = 0; j < tile.size.height; ++j) {
-            for (int i = 0; i < tile.size.width; ++i) {
-                const glm::vec4& state = seen.at(i, j);
-                if (state.w < least_opacity) continue;
-                const FrameTime at = times.at(static_cast<double>(state.y));
-                layers.depth.at(tile.column + i, tile.row + j) = static_cast<float>(distance_of(state.z, camera_));
-                layers.time.at(tile.column + i, tile.row + j) = static_cast<float>(at.seconds);
-                layers.frame.at(tile.column + i, tile.row + j) = static_cast<float>(at.frame);
+    PixelData shown{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
+                    Plane<float>(options_.size, -1)};
+    for (const PixelBox& tile : tiles_) {
+        const Plane<glm::vec4> data = draw_tile_data(window, tile, times.frames_per_layer());
+        for (int j = 0; j < tile.height(); ++j) {
+            for (int i = 0; i < tile.width(); ++i) {
+                const glm::vec4& pixel = data.at(i, j);
+                if (pixel.w < least_opacity) continue;
+                const FrameTime at = times.at(static_cast<double>(pixel.y));
+                shown.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
+                shown.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
+                shown.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);
             }
         }
     }
-    return layers;
+    return shown;
 }
 
-Plane<glm::vec4> Renderer::draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile) {
-    const GladGLContext& gl = *gl_;
+Plane<glm::vec4> Renderer::draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer) {
     const Camera camera = camera_.cropped(tile, options_.size);
-    seen_->begin(tile.size);
-    flow_geometry_.draw_seen(camera, options_.glyphs);
-    traceline_strips_.draw_seen(camera, tile.size, options_.traces);
-    const Plane<glm::vec4> opaque = seen_->read(tile.size);
-    seen_->begin_before_geometry();
-    slicer_.draw_seen(place(), textures_, camera, stack, frames_a_layer, *seen_);
-    for (const StandingFrame& frame : scene_.frames) annotations_.draw_frame_seen(frame, *layout_, camera, *seen_);
-    Plane<glm::vec4> seen = seen_->read(tile.size);
-    check_gl(gl, "drawing the layers");
-    std::ranges::transform(opaque.pixels(), seen.pixels(), seen.pixels().begin(),
-                           [](const glm::vec4& behind, const glm::vec4& before) {
-                               return behind.w > 0 && before.w <= 0.5F ? behind : before;
+    pixel_data_->begin(tile.size());
+    flow_geometry_.draw_pixel_data(camera, options_.glyphs);
+    traceline_strips_.draw_pixel_data(camera, tile.size(), options_.traces, options_.glyphs);
+    const Plane<glm::vec4> opaque = pixel_data_->read(tile.size());
+    pixel_data_->begin_before_geometry();
+    slicer_.draw_pixel_data(window, camera, slices(window, camera_), frames_per_layer, *pixel_data_);
+    for (const StandingFrame& frame : scene_.frames) {
+        annotations_.draw_frame_pixel_data(frame, *layout_, camera, *pixel_data_);
+    }
+    Plane<glm::vec4> data = pixel_data_->read(tile.size());
+    check_gl(*gl_, "drawing the pixel data");
+    std::ranges::transform(opaque.pixels(), data.pixels(), data.pixels().begin(),
+                           [](const glm::vec4& behind, const glm::vec4& in_front) {
+                               return behind.w > 0 && in_front.w <= 0.5F ? behind : in_front;
                            });
-    return seen;
+    return data;
 }
 
-void Renderer::draw_unread(double phase) {
-    const SliceStack stack = slices(camera_);
-    for (const Tile& tile : tiles_) draw_tile(stack, phase, tile);
-    gl_->Finish();
+void Renderer::rehearse(BrickWindow& window) {
+    const PixelBox corner{0, 0, std::min(16, options_.size.width), std::min(16, options_.size.height)};
+    draw_tile(window, corner);
+    Plane<glm::vec4> unused(corner.size());
+    framebuffer_.read(corner, unused);
 }
 
-void Renderer::rehearse() {
-    const Tile corner{.size = {std::min(16, options_.size.width), std::min(16, options_.size.height)}};
-    draw_tile(slices(camera_), 0, corner);
-    Plane<glm::vec4> unseen(corner.size);
-    framebuffer_.read(corner, unseen);
-}
-
-void Renderer::draw_tile(const SliceStack& stack, double phase, const Tile& tile) {
+void Renderer::draw_tile(BrickWindow& window, const PixelBox& tile, double phase) {
     const GladGLContext& gl = *gl_;
     const Camera camera = camera_.cropped(tile, options_.size);
-    framebuffer_.bind(tile.size);
+    framebuffer_.bind(tile.size());
     gl.ClearColor(options_.background.x, options_.background.y, options_.background.z, options_.background.w);
     gl.DepthMask(GL_TRUE);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    annotations_.draw_lines(scene_.lines, camera, 1.0 + options_.size.height / 800.0, tile.size);
-    // Seen from below, the floor lies before all else, and is drawn as what is behind it all the same: it is thin.
+    annotations_.draw_lines(scene_.lines, camera, 1.0 + options_.size.height / 800.0, tile.size());
+    // The floor is drawn first. Seen from below it should come last, but it is so thin that this does not show.
     annotations_.draw_floor(scene_.floor, *layout_, camera);
     flow_geometry_.draw(camera, options_.glyphs);
-    traceline_strips_.draw(camera, tile.size, options_.traces, options_.glyphs, phase);
-    slicer_.draw(place(), textures_, camera, stack);
+    traceline_strips_.draw(camera, tile.size(), options_.traces, options_.glyphs, phase);
+    slicer_.draw(window, camera, slices(window, camera_));
     annotations_.draw_frames(scene_.frames, *layout_, camera);
     check_gl(gl, "drawing the picture");
 }

@@ -2,12 +2,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "core/bricks/volume.h"
 #include "core/image/picture.h"
 #include "core/scene/scene.h"
 #include "core/scene/time_table.h"
@@ -15,11 +13,11 @@
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 #include "gl/annotations.h"
-#include "gl/brick_textures.h"
+#include "gl/brick_window.h"
 #include "gl/context.h"
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
-#include "gl/seen_target.h"
+#include "gl/pixel_data_target.h"
 #include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
@@ -30,10 +28,8 @@ struct RenderOptions {
     View view;
     std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
     int slices = 0;                       ///< 0 = one for every two voxels
-    int samples = 4;                      ///< a pixel, for smooth edges; 1 takes about half the time
+    int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
     std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
-    int ring = 8;                         ///< k, the bricks that are visible at a time
-    std::int64_t window_layers = 0;       ///< n, the layers of a full window
     glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
     VolumeColour colour = VolumeColour::transfer;
     VolumeShading shading = VolumeShading::none;
@@ -41,94 +37,55 @@ struct RenderOptions {
     TraceStyle traces;
 };
 
-/// Draws a window of bricks and its scene: opaque geometry first, then the volume back to front with the depth test
-/// on (§6.2), so that each hides the other where it should.
+/// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
+/// (§6.2), so that each hides the other.
 class Renderer {
   public:
     /// `context` and `layout` outlive the renderer.
     Renderer(const Context& context, const Layout& layout, const RenderOptions& options);
 
-    /// Empties the window; from now on it takes `ring` bricks, of `layers` layers when it is full.
-    void set_window(int ring, std::int64_t layers);
-
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
-
-    /// Empties the window and shows a whole volume, which stays as it is until it has been drawn.
-    /// \param textures of bricks at a time, at least 1: fewer than there are bricks are made anew in each drawing
-    void show(const Volume& volume, std::span<const Brick> bricks, int textures);
-
-    /// Puts brick `number` into the ring and at the end of the window, from which the oldest leaves when it is full.
-    void push_brick(std::int64_t number, const BrickLayers& layers);
-
-    /// Takes the bricks of lower numbers out of the window.
-    void drop_before(std::int64_t number);
-
-    /// Renews what the texels of a brick in the window repeat of its neighbours, after one has come or gone. So the
-    /// window looks as if nothing stood before or after it, and moving it is the same as drawing it afresh.
-    void renew_ends(std::int64_t number, const BrickLayers& layers);
 
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(Scene scene);
 
-    /// Draws the bricks in the ring and the scene.
+    /// Draws the window's bricks and the scene.
     /// \param phase of the texture that moves along the tracelines, 0..1 (§6.2.1)
     /// \returns premultiplied RGBA, top row first
-    Plane<glm::vec4> draw(double phase = 0);
+    Plane<glm::vec4> draw(BrickWindow& window, double phase = 0);
 
-    /// What is seen in each pixel of the picture, at its centre: opaque geometry where it contributes at least as much
-    /// as all that stands before it, else the sample of the volume, or the standing frame, that contributes most.
-    /// Lines show no frame and hide none. It takes a pass of its own, and leaves `draw` as it is.
+    /// What each pixel of the picture shows at its centre: opaque geometry where it contributes at least as much as all
+    /// in front of it, else the sample of the volume, or the standing frame, that contributes most. Lines show no frame
+    /// and hide none. This is a pass of its own; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
-    PictureLayers draw_layers(const TimeTable& times);
+    PixelData draw_pixel_data(BrickWindow& window, const TimeTable& times);
 
-    /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
-    void draw_unread(double phase = 0);
+    /// Draws a tile of the picture, no larger than `tile_samples` allows, and reads nothing back.
+    void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);
 
-    /// Draws and reads back a corner of the picture, for nothing but that the driver compiles its shaders, which Mesa
-    /// does when it first draws with them.
-    void rehearse();
-
-    /// `set_scene` and `draw` in one.
-    Plane<glm::vec4> draw(const Scene& scene) {
-        set_scene(scene);
-        return draw();
-    }
+    /// Draws and reads back a corner of the picture, so that the driver compiles its shaders. Mesa compiles a shader
+    /// when it first draws with it.
+    void rehearse(BrickWindow& window);
 
     const Camera& camera() const { return camera_; }
 
-    /// The slices that the volume would be cut into for `camera`.
-    SliceStack slices(const Camera& camera) const;
-
-    /// Where each brick of the window stands: t_C by its share of the window's layers.
-    std::vector<PlacedBrick> place() const;
+    /// The slices that the window's bricks would be cut into for `camera`.
+    SliceStack slices(const BrickWindow& window, const Camera& camera) const;
 
   private:
-    double t_span(const BrickLayers& layers) const;
-    Plane<glm::vec4> draw_tile_seen(const SliceStack& stack, std::int64_t frames_a_layer, const Tile& tile);
-    void draw_tile(const SliceStack& stack, double phase, const Tile& tile);
-
-    struct Held {
-        std::int64_t number = 0;
-        std::int64_t layers = 0;
-        Size size;  ///< of its layers
-        PixelBox box;
-        BrickCells cells;
-        std::optional<BrickLayers> made_of;  ///< where the texture may have to be made again
-    };
+    Plane<glm::vec4> draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
 
     const GladGLContext* gl_;
     const Layout* layout_;
     RenderOptions options_;
     Camera camera_;
-    std::vector<Tile> tiles_;
+    std::vector<PixelBox> tiles_;
     Framebuffer framebuffer_;
-    std::optional<SeenTarget> seen_;  ///< made when layers are first asked for
-    BrickTextures textures_;
+    std::optional<PixelDataTarget> pixel_data_;  ///< made when it is first drawn
     VolumeSlicer slicer_;
     FlowGeometry flow_geometry_;
     TracelineStrips traceline_strips_;
     Annotations annotations_;
-    std::vector<Held> window_;
     Scene scene_;
 };
 

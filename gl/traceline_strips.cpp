@@ -4,15 +4,17 @@
 #include <cstddef>
 
 #include "core/scene/zebra.h"
+#include "gl/attribute.h"
 #include "gl/check.h"
+#include "gl/light.h"
+#include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
-#include "shaders.h"
 
 namespace vvr {
 
 TracelineStrips::TracelineStrips(const GladGLContext& gl)
     : gl_(&gl),
-      program_(gl, "the tracelines", {shaders::trace_vert}, {shaders::trace_frag}),
+      program_(gl, traceline_program(Channels::colour)),
       zebra_(smooth_repeating_texture(gl, zebra_texels())),
       vertex_array_(gl),
       corners_(gl),
@@ -21,17 +23,13 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
     constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
 
     // Each piece of line is an instance that sees four points in a row of the one buffer: its own two, and those
     // beside them for the direction at its ends.
     gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
     const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
-        gl.EnableVertexAttribArray(attribute);
-        gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(TraceVertex),
-                               reinterpret_cast<const void*>(point * sizeof(TraceVertex) + offset));
-        gl.VertexAttribDivisor(attribute, 1);
+        set_attribute<TraceVertex>(gl, attribute, size, point * sizeof(TraceVertex) + offset, Per::instance);
     };
     static_assert(offsetof(TraceVertex, along) == offsetof(TraceVertex, p) + sizeof(glm::vec3));
     static_assert(offsetof(TraceVertex, speed) == offsetof(TraceVertex, length) + sizeof(float));
@@ -48,7 +46,7 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
 void TracelineStrips::upload(const Tracelines& lines) {
     pieces_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
     if (pieces_ == 0) return;
-    // The first and the last point stand again, so that the outermost pieces have points beside them.
+    // The first and the last point come twice, so that the outermost pieces have points beside them.
     const auto size = static_cast<GLsizeiptr>(sizeof(TraceVertex));
     const auto bytes = static_cast<GLsizeiptr>(lines.size()) * size;
     gl_->BindBuffer(GL_ARRAY_BUFFER, points_.id());
@@ -59,18 +57,31 @@ void TracelineStrips::upload(const Tracelines& lines) {
     check_gl(*gl_, "uploading the tracelines");
 }
 
-void TracelineStrips::draw_seen(const Camera& camera, Size picture, const TraceStyle& style) {
-    if (!seen_program_) {
-        seen_program_ = Program(*gl_, "the tracelines' layers", {shaders::trace_vert}, {shaders::seen_frag});
-    }
-    draw_with(*seen_program_, camera, picture, style, {}, 0);
+void TracelineStrips::draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+                           double phase) const {
+    program_.use();
+    program_.set("shade", style.shade);
+    program_.set("phase", static_cast<float>(phase));
+    program_.set("slow_colour", colours.slow_colour);
+    program_.set("fast_colour", colours.fast_colour);
+    program_.set("to_light", to_light(camera));
+    program_.set("zebra", 0);
+    gl_->ActiveTexture(GL_TEXTURE0);
+    gl_->BindTexture(GL_TEXTURE_1D, zebra_.id());
+    draw_lines(program_, camera, picture, style, colours);
 }
 
-void TracelineStrips::draw_with(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
-                                const GlyphStyle& colours, double phase) const {
+void TracelineStrips::draw_pixel_data(const Camera& camera, Size picture, const TraceStyle& style,
+                                      const GlyphStyle& colours) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, traceline_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    draw_lines(*pixel_data_program_, camera, picture, style, colours);
+}
+
+void TracelineStrips::draw_lines(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
+                                 const GlyphStyle& colours) const {
     if (pieces_ == 0) return;
     const GladGLContext& gl = *gl_;
-    program.use();
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     program.set("eye", glm::vec3(camera.eye));
     program.set("forward", glm::vec3(camera.forward));
@@ -79,16 +90,8 @@ void TracelineStrips::draw_with(const Program& program, const Camera& camera, Si
     const double pixel = 2 / (camera.projection[1][1] * picture.height);
     program.set("least_width", static_cast<float>(style.least_width * pixel / 2));
     program.set("stripe_length", style.stripe_length);
-    program.set("shade", style.shade);
-    program.set("phase", static_cast<float>(phase));
     program.set("speed_range", colours.speed_range);
-    program.set("slow_colour", colours.slow_colour);
-    program.set("fast_colour", colours.fast_colour);
-    program.set("to_light", to_light(camera));
-    program.set("zebra", 0);
 
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_1D, zebra_.id());
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(GL_TRUE);
     gl.Disable(GL_BLEND);

@@ -28,20 +28,19 @@ class TracelineStrips {
 
     /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
     void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
-              double phase) const {
-        draw_with(program_, camera, picture, style, colours, phase);
-    }
+              double phase) const;
 
-    /// The same into a target of what is seen.
-    void draw_seen(const Camera& camera, Size picture, const TraceStyle& style);
+    /// Draws into a PixelDataTarget.
+    void draw_pixel_data(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours);
 
   private:
-    void draw_with(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
-                   const GlyphStyle& colours, double phase) const;
+    /// With the program in use.
+    void draw_lines(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
+                    const GlyphStyle& colours) const;
 
     const GladGLContext* gl_;
     Program program_;
-    std::optional<Program> seen_program_;  ///< made when it is first asked for
+    std::optional<Program> pixel_data_program_;  ///< made when it is first used
     GlTexture zebra_;
     GlVertexArray vertex_array_;
     GlBuffer corners_;

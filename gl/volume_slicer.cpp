@@ -1,57 +1,23 @@
 #include "gl/volume_slicer.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 
+#include "gl/attribute.h"
 #include "gl/check.h"
 #include "gl/fence.h"
-#include "gl/flow_geometry.h"
-#include "gl/layout_shader.h"
-#include "shaders.h"
+#include "gl/light.h"
+#include "gl/program_sources.h"
 
 namespace vvr {
-
-namespace {
-
-constexpr std::array colours{
-    VolumeColourRow{VolumeColour::transfer, "transfer", "the transfer function's", shaders::optical_transfer_glsl},
-    VolumeColourRow{VolumeColour::video, "video", "the video's own", shaders::optical_video_glsl},
-};
-
-std::string_view optical_shader(VolumeColour colour) {
-    return std::ranges::find(colours, colour, &VolumeColourRow::colour)->shader;
-}
-
-constexpr std::array shadings{
-    VolumeShadingRow{VolumeShading::none, "none", "as mist: where most is, it is darkest", shaders::shading_none_glsl},
-    VolumeShadingRow{VolumeShading::relief, "relief", "as solids with light and dark edges; takes about twice the time",
-                     shaders::shading_relief_glsl},
-};
-
-std::string_view shading_shader(VolumeShading shading) {
-    return std::ranges::find(shadings, shading, &VolumeShadingRow::shading)->shader;
-}
-
-}  // namespace
-
-std::span<const VolumeColourRow> volume_colours() {
-    return colours;
-}
-
-std::span<const VolumeShadingRow> volume_shadings() {
-    return shadings;
-}
 
 VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading)
     : gl_(&gl),
       layout_(&layout),
       colour_(colour),
-      program_(gl, "the volume slicer", {layout_shader(layout), shaders::volume_vert},
-               {layout_shader(layout), optical_shader(colour), shaders::volume_sample_glsl, shading_shader(shading),
-                shaders::volume_frag}),
+      program_(gl, volume_program(layout, colour, shading, Channels::colour)),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
       vertex_array_(gl),
@@ -60,11 +26,8 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, Volume
     gl.BindVertexArray(vertex_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SliceVertex), nullptr);
-    gl.EnableVertexAttribArray(1);
-    gl.VertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(SliceVertex),
-                           reinterpret_cast<const void*>(offsetof(SliceVertex, t_reference)));
+    set_attribute<SliceVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<SliceVertex>(gl, 1, 1, offsetof(SliceVertex, t_reference), Per::vertex);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the volume slicer");
 }
@@ -85,47 +48,46 @@ void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
     check_gl(*gl_, "uploading the transfer function");
 }
 
-void VolumeSlicer::draw(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
-                        const SliceStack& stack) {
+void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceStack& stack) {
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthMask(GL_FALSE);
     gl_->Enable(GL_BLEND);
     gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for_each_brick(program_, bricks, textures, camera, stack, [&](const PlacedBrick&, const SliceMesh& mesh) {
+    for_each_brick(program_, window, camera, stack, [&](std::size_t, const SliceMesh& mesh) {
         gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
     });
 }
 
-void VolumeSlicer::draw_seen(std::span<const PlacedBrick> bricks, BrickTextures& textures, const Camera& camera,
-                             const SliceStack& stack, std::int64_t frames_a_layer, const SeenTarget& target) {
-    if (!seen_program_) {
-        seen_program_ = Program(*gl_, "the volume's layers", {layout_shader(*layout_), shaders::volume_vert},
-                                {layout_shader(*layout_), optical_shader(colour_), shaders::volume_sample_glsl,
-                                 shaders::seen_over_glsl, shaders::seen_volume_frag});
+void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+                                   std::int64_t frames_per_layer, const PixelDataTarget& target) {
+    if (!pixel_data_program_) {
+        pixel_data_program_ =
+            Program(*gl_, volume_program(*layout_, colour_, VolumeShading::none, Channels::pixel_data));
     }
     std::vector<std::int64_t> first_layers = {0};
-    for (const PlacedBrick& brick : bricks) first_layers.push_back(first_layers.back() + brick.layers);
-    for_each_brick(*seen_program_, bricks, textures, camera, stack,
-                   [&](const PlacedBrick& brick, const SliceMesh& mesh) {
-                       const auto number = static_cast<std::size_t>(&brick - bricks.data());
-                       seen_program_->set("texel_layers", static_cast<float>(brick.layers + 2));
-                       seen_program_->set("first_layer", static_cast<float>(first_layers[number]));
-                       seen_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
-                       seen_program_->set("frames_a_layer", static_cast<float>(frames_a_layer));
-                       std::size_t begin = 0;
-                       for (const std::size_t end : mesh.slice_ends) {
-                           target.draw_over(*seen_program_, [&] {
-                               gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
-                                                 reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
-                           });
-                           begin = end;
-                       }
-                   });
+    for (std::size_t i = 0; i < window.cells().size(); ++i) {
+        first_layers.push_back(first_layers.back() + window.layers(i).brick().count);
+    }
+    for_each_brick(*pixel_data_program_, window, camera, stack, [&](std::size_t i, const SliceMesh& mesh) {
+        pixel_data_program_->set("texel_layers", static_cast<float>(window.layers(i).count()));
+        pixel_data_program_->set("first_layer", static_cast<float>(first_layers[i]));
+        pixel_data_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
+        pixel_data_program_->set("frames_per_layer", static_cast<float>(frames_per_layer));
+        std::size_t begin = 0;
+        for (const std::size_t end : mesh.slice_ends) {
+            target.draw_over(*pixel_data_program_, [&] {
+                gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                                  reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
+            });
+            begin = end;
+        }
+    });
 }
 
-void VolumeSlicer::for_each_brick(const Program& program, std::span<const PlacedBrick> bricks, BrickTextures& textures,
-                                  const Camera& camera, const SliceStack& stack,
-                                  const std::function<void(const PlacedBrick&, const SliceMesh&)>& draw) {
+void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const Camera& camera,
+                                  const SliceStack& stack,
+                                  const std::function<void(std::size_t, const SliceMesh&)>& draw) {
+    const std::span<const PlacedCells> bricks = window.cells();
     if (bricks.empty()) return;
     const GladGLContext& gl = *gl_;
 
@@ -134,6 +96,7 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     program.set("eye", glm::vec3(camera.eye));
     program.set("forward", glm::vec3(camera.forward));
+    program.set("frame_height", static_cast<float>(layout_->shape().y_s));
     program.set("spacing", static_cast<float>(stack.spacing));
     program.set("perspective", camera.perspective ? 1 : 0);
     program.set("to_light", to_light(camera));
@@ -147,27 +110,27 @@ void VolumeSlicer::for_each_brick(const Program& program, std::span<const Placed
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
 
     std::vector<double> borders = {bricks.front().t_begin};
-    for (const PlacedBrick& brick : bricks) borders.push_back(brick.t_end);
+    for (const PlacedCells& brick : bricks) borders.push_back(brick.t_end);
     Fence last;
     Fence before_last;
     // Parallel rays come from infinitely far behind the eye.
     const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
-    for (const int i : layout_->back_to_front(from, borders)) {
-        const PlacedBrick& brick = bricks[static_cast<std::size_t>(i)];
-        const SliceMesh mesh = cut_slices(bricks, static_cast<std::size_t>(i), *layout_, transfer_, camera, stack);
+    for (const int number : layout_->back_to_front(from, borders)) {
+        const auto i = static_cast<std::size_t>(number);
+        const SliceMesh mesh = cut_slices(bricks, i, *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
-        const TextureMap map = texture_from_c(brick);
+        const TextureMap map = window.texture_map(i);
         program.set("brick_scale", map.scale);
         program.set("brick_offset", map.offset);
         // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
         // one brick wait while it draws another. Where two textures take turns the next one's is no longer read then.
         before_last.wait();
-        textures.bind(brick);
+        window.bind(i);
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                       mesh.indices.data(), GL_STREAM_DRAW);
-        draw(brick, mesh);
+        draw(i, mesh);
         before_last = std::exchange(last, Fence(gl));
     }
     gl.BindVertexArray(0);

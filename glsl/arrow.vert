@@ -7,11 +7,11 @@ layout(location = 5) in float frame;
 
 uniform mat4 clip_from_p;
 uniform float thickness;     // P-space units per unit of the reference glyph
-uniform vec2 speed_range;    // pixels a frame at the ends of the colour scale
+uniform vec2 speed_range;    // pixels per frame at the ends of the colour scale
 
 out vec3 world_normal;
 out float strength;
-out float seen_frame;
+out float frame_number;
 
 void main() {
     float len = length(vector);
@@ -23,6 +23,6 @@ void main() {
     float width = min(thickness, len);
     gl_Position = clip_from_p * vec4(from + (side * position.x + up * position.y) * width + vector * position.z, 1.0);
     world_normal = side * normal.x + up * normal.y + along * normal.z;
-    seen_frame = frame;
+    frame_number = frame;
     strength = clamp((speed - speed_range.x) / (speed_range.y - speed_range.x), 0.0, 1.0);
 }

@@ -1,12 +1,9 @@
 // The horseshoe, Eq. (1): P = (-r cos πt, y_s y, r sin πt), r = r_min + Δr x.
-uniform vec4 layout_shape;  // r_min, Δr, y_s, unused
+uniform float layout_r_min;
+uniform float layout_depth;   // Δr
+uniform float layout_height;  // y_s
 
 const float pi = 3.14159265358979;
-
-vec3 p_from_c(vec3 c) {
-    float r = layout_shape.x + layout_shape.y * c.x;
-    return vec3(-r * cos(pi * c.z), layout_shape.z * c.y, r * sin(pi * c.z));
-}
 
 // P turned about the y axis so that t_reference lies on the first axis: an affine map, so it interpolates exactly.
 vec3 local_from_p(vec3 p, float t_reference) {
@@ -21,5 +18,5 @@ vec3 c_from_local(vec3 local, float t_reference) {
     float square = slope * slope;
     float r = local.x * (1.0 + square * (0.5 - 0.125 * square));
     float angle = slope * (1.0 - square * (1.0 / 3.0 - 0.2 * square));
-    return vec3((r - layout_shape.x) / layout_shape.y, local.y / layout_shape.z, t_reference + angle / pi);
+    return vec3((r - layout_r_min) / layout_depth, local.y / layout_height, t_reference + angle / pi);
 }

@@ -4,10 +4,10 @@ in vec3 view;
 float scalar_at(vec3 at) { return scalar_of(texture(brick, texture_from_c(c_from_local(at, t_near)))); }
 
 // Where the scalar changes there is a surface: light from the side it rises against, dark where the ray only grazes it,
-// so that of two trails that cross one sees which is in front.
+// so that where two trails cross, the nearer one stands out.
 vec3 shaded(vec3 colour) {
     // Three voxels: less would show the noise of the video.
-    float reach = 3.0 * layout_shape.z / (float(textureSize(brick, 0).y) * brick_scale.y);
+    float reach = 3.0 * frame_height / (float(textureSize(brick, 0).y) * brick_scale.y);
     vec3 gradient = vec3(scalar_at(local + vec3(reach, 0.0, 0.0)) - scalar_at(local - vec3(reach, 0.0, 0.0)),
                          scalar_at(local + vec3(0.0, reach, 0.0)) - scalar_at(local - vec3(0.0, reach, 0.0)),
                          scalar_at(local + vec3(0.0, 0.0, reach)) - scalar_at(local - vec3(0.0, 0.0, reach)));

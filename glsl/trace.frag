@@ -17,7 +17,7 @@ layout(location = 0) out vec4 colour;
 void main() {
     // The edges are ahead in the texture: stripes become chevrons that point where the flow goes, also in a still.
     float stripe = texture(zebra, stripes + abs(across) * half_girth - phase).r;
-    // A flat strip that is lit as the tube it stands for.
+    // A flat strip, lit as a tube.
     vec3 normal = side * across + toward * sqrt(max(1.0 - across * across, 0.0));
     float lit = 0.62 + 0.38 * dot(normalize(normal), to_light);
     colour = vec4(mix(slow_colour, fast_colour, strength) * mix(shade, 1.0, stripe) * lit, 1.0);

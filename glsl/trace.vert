@@ -13,7 +13,7 @@ uniform bool perspective;
 uniform float half_width;     // P-space units
 uniform float least_width;    // half of it, P-space units at distance 1 where the view is a perspective
 uniform float stripe_length;  // P-space units
-uniform vec2 speed_range;     // pixels a frame at the ends of the colour scale
+uniform vec2 speed_range;     // pixels per frame at the ends of the colour scale
 
 out float across;
 out float stripes;     // along the line, counted from its first vertex
@@ -21,7 +21,7 @@ out float half_girth;  // half the line's width, in stripes
 out vec3 side;
 out vec3 toward;
 out float strength;
-out float seen_frame;
+out float frame_number;
 
 // Between two lines the place along the line does not grow.
 vec3 direction(vec4 a, vec4 b) { return b.w > a.w ? normalize(b.xyz - a.xyz) : vec3(0.0); }
@@ -52,7 +52,7 @@ void main() {
 
     across = corner.y;
     stripes = at.w * line.x / stripe_length;
-    seen_frame = line.z;
+    frame_number = line.z;
     half_girth = wide / stripe_length;
     strength = clamp((line.y - speed_range.x) / (speed_range.y - speed_range.x), 0.0, 1.0);
 }

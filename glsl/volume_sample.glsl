@@ -6,6 +6,7 @@ uniform sampler3D brick;
 uniform vec3 brick_scale;   // texture coordinates of the brick from C-space
 uniform vec3 brick_offset;
 uniform float spacing;      // of the slices
+uniform float frame_height;  // P-space units
 
 vec3 texture_from_c(vec3 c) { return c * brick_scale + brick_offset; }
 

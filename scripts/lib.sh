@@ -26,26 +26,27 @@ update_package_lists() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update >&2
 }
 
-# The packages of packages.txt that are not installed, one a line: those for everything, or those marked `GROUP:`.
+# The packages of packages.txt that are not installed, one per line: those without a group, and those of GROUP...
 missing_packages() {
     local wanted
-    wanted=$(sed 's/#.*//' scripts/packages.txt | awk -F': *' -v group="${1-}" 'NF == 2 ? $1 == group : group == "" {print $NF}')
+    wanted=$(sed 's/#.*//' scripts/packages.txt |
+        awk -F': *' -v groups=" $* " 'NF == 1 || index(groups, " " $1 " ") {print $NF}')
     # dpkg-query fails when it has never heard of a package, which is an answer too.
     # shellcheck disable=SC2086
     { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |
         awk '$2 == "installed" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted | sort -u)
 }
 
-# Installs what is missing for everything, or with an argument for that group.
+# Installs what is missing to build and run vvr, and for GROUP...
 install_packages() {
     command -v dpkg-query >/dev/null || die "this is not Debian; install what scripts/packages.txt lists, by your own means"
     local missing
-    missing=$(missing_packages "${1-}")
+    missing=$(missing_packages "$@")
     if [ -z "$missing" ]; then
-        say "all packages of scripts/packages.txt are installed${1:+ (group $1)}"
+        say "all packages are installed${*:+ (also for: $*)}"
         return
     fi
-    say "installing" $missing
+    say "installing" $missing "(one to three minutes where all are missing)"
     # shellcheck disable=SC2086
     if ! apt_get install --no-install-recommends --simulate $missing >/dev/null 2>&1; then
         update_package_lists
@@ -54,14 +55,29 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends $missing >&2
 }
 
-# All of it, or one target.
-build() {
-    if [ ! -e build/release/build.ninja ]; then
-        say "configuring build/release"
-        cmake --preset release >&2
-    fi
-    say "building build/release${1:+ ($1)}"
-    cmake --build --preset release ${1:+--target "$1"} >&2
+configured() { # PRESET
+    [ -e "build/$1/build.ninja" ]
+}
+
+# Configures build/PRESET with OPTION...; what was configured before keeps its other options.
+configure() { # PRESET OPTION...
+    local preset=$1
+    shift
+    say "configuring build/$preset"
+    cmake --preset "$preset" "$@" >&2
+}
+
+# With tests, also where scripts/demo configured it without.
+configure_tests() { # PRESET
+    configured "$1" && grep -q '^VVR_TESTS:BOOL=ON' "build/$1/CMakeCache.txt" || configure "$1" -DVVR_TESTS=ON
+}
+
+# Builds TARGET..., or everything that is configured.
+build() { # PRESET TARGET...
+    local preset=$1
+    shift
+    say "building build/$preset${*:+ ($*)}"
+    cmake --build --preset "$preset" ${1:+--target "$@"} >&2
 }
 
 # One file out of Debian's opencv-doc, kept in .cache. Fails when the package can't be had.
@@ -86,10 +102,11 @@ download_opencv_doc() {
     (cd "$1" && apt_get -o APT::Sandbox::User=root download opencv-doc >/dev/null 2>&1)
 }
 
-# A scene made by the test programs, for where there is no network.
+# A scene made by a test program, for where there is no network.
 generate_scene() {
     mkdir -p .cache
     [ -s .cache/left_bag.y4m ] && return
+    build release vvr-scene
     build/release/tests/scene/vvr-scene left_bag .cache/part.y4m --frames 600
     mv .cache/part.y4m .cache/left_bag.y4m
 }

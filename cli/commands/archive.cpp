@@ -1,215 +1,77 @@
 #include "cli/options/archive.h"
 
-#include <algorithm>
-#include <chrono>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <system_error>
-#include <thread>
-#include <utility>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
-#include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/archive_run.h"
-#include "cli/jobs/open_fields.h"
-#include "cli/options/option.h"
-#include "cli/options/render_settings.h"
-#include "cli/options/words.h"
-#include "cli/print.h"
-#include "core/image/atomic_file.h"
+#include "cli/options/job_options.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/settings.h"
+#include "core/archive/names.h"
+#include "core/read_file.h"
 #include "core/sha256.h"
-#include "core/version.h"
 
 namespace vvr {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::initializer_list<const char*> picture_groups{group::input, group::fields, group::bricks, group::view,
-                                                            group::look};
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
-std::string digest_of(const CommandLine& line, const std::vector<OutputKind>& files) {
+std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
     std::string text;
-    for (const char* name : picture_groups) {
-        for (const auto& [option, value] : line.settings(name)) {
-            text += fmt::format("{}={}\n", option, without_folder(option, value));
+    for (const Group group : picture_groups) {
+        for (const OptionValue& value : line.values({group})) {
+            text += fmt::format("{}={}\n", value.name, value.shown());
             std::error_code none;
-            if (may_name_file(option) && fs::is_regular_file(value, none)) text += bytes_of(value);
+            if (value.may_be_file && std::filesystem::is_regular_file(value.value, none))
+                text += read_file(value.value);
         }
     }
-    for (const OutputKind kind : files) text += fmt::format("file {}\n", static_cast<int>(kind));
+    for (const OutputRow& row : output_rows) {
+        if (row.kind != OutputKind::page || !options.no_pages)
+            text += fmt::format("file {}\n", static_cast<int>(row.kind));
+    }
     std::string digest;
     for (const std::byte byte : sha256(text)) digest += fmt::format("{:02x}", std::to_integer<int>(byte));
     return digest;
 }
 
-/// What was given of the options that `vvr render` has too.
-std::vector<std::string> options_for_workers(const CommandLine& line) {
-    std::vector<std::string> names = line.names(picture_groups);
-    names.insert(names.end(), {"backend", "device"});
-    std::vector<std::string> options;
-    for (const std::string& name : names) {
-        if (const auto given = line.given(name)) options.push_back(fmt::format("--{}={}", name, *given));
+class Archive final : public Command {
+  public:
+    void add_options(CommandLine& line) override {
+        add_archive_options(line, options_);
+        add_input_options(line, job_.input, "the folder that holds the clips, in folders of its own or not");
+        add_picture_options(line, job_);
     }
-    return options;
-}
 
-std::int64_t memory_of_the_machine() {
-    return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
-}
+    ExitStatus run(const CommandLine& line, const Environment& environment) override {
+        if (!job_.input.names.empty()) options_.in = only_input(job_.input);
+        check(options_);
+        finish(line, job_);
+        if (!options_.index_only) validate(job_);
+        options_.settings = digest_of(line, options_);
+        for (const OptionValue& value : line.given(picture_groups)) pass_on(value);
+        for (const OptionValue& value : line.given({Group::run})) {
+            if (value.name == setting::backend.name || value.name == setting::device.name) pass_on(value);
+        }
+        options_.threads = job_.fields.threads;
+        return run_archive(options_, environment);
+    }
 
-/// How the machine is shared out among workers.
-struct Shares {
-    int workers;
-    int threads;  ///< a worker
-    std::int64_t memory;
+  private:
+    void pass_on(const OptionValue& value) {
+        options_.worker_options.push_back(fmt::format("--{}={}", value.name, value.value));
+    }
+
+    ArchiveOptions options_;
+    RenderJob job_;
 };
-
-Shares share_out(const ArchiveOptions& options, int threads, std::size_t clips) {
-    constexpr std::int64_t usual_need = 1'000'000'000;
-    constexpr std::int64_t least_limit = 2 * usual_need;
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const std::int64_t memory = memory_of_the_machine();
-    const int by_memory = static_cast<int>(std::clamp<std::int64_t>(memory / usual_need, 1, cores));
-    int workers = options.jobs.value_or(std::max(1, std::min(by_memory, cores / std::max(1, threads))));
-    workers = static_cast<int>(std::clamp<std::size_t>(clips, 1, static_cast<std::size_t>(workers)));
-    return {workers, threads > 0 ? threads : std::max(1, cores / workers),
-            options.max_memory.value_or(std::max(memory / workers, least_limit))};
-}
-
-ArchiveJob job_of(const ArchiveOptions& options, const CommandLine& line) {
-    ArchiveJob job;
-    job.in = options.in;
-    job.out = options.out;
-    for (const OutputRow& row : output_rows) {
-        if (row.kind != OutputKind::page || !options.no_pages) job.rules.files.push_back(row.kind);
-    }
-    job.rules.settings = digest_of(line, job.rules.files);
-    job.rules.version = version();
-    job.rules.tries = options.tries;
-    job.rules.settle = options.settle;
-    job.options = options_for_workers(line);
-    return job;
-}
-
-void make_folder(const fs::path& out) {
-    std::error_code error;
-    fs::create_directories(out, error);
-    if (error) {
-        throw Error(ErrorKind::io,
-                    fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
-    }
-    check_file_path(out / index_name);
-}
-
-void print_plan(const std::vector<PlannedClip>& planned) {
-    for (const auto& [clip, need, reason] : planned) {
-        if (need == Need::nothing) continue;
-        print(fmt::format("{:<15} {}{}\n", name_of(need), text_of_path(clip.path),
-                          need == Need::retry || need == Need::given_up ? ": " + reason : ""));
-    }
-}
-
-std::size_t count(const std::vector<PlannedClip>& planned, Need need) {
-    return static_cast<std::size_t>(std::ranges::count(planned, need, &PlannedClip::need));
-}
-
-/// What came of all clips, in a line.
-std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOutcome& outcome, double seconds) {
-    std::string text =
-        outcome.drawn + outcome.failed == 0
-            ? "nothing to do"
-            : fmt::format("{} drawn, {} failed, {:.1f} s", counted(static_cast<std::int64_t>(outcome.drawn), "clip"),
-                          outcome.failed, seconds);
-    const std::pair<std::size_t, const char*> others[] = {
-        {count(planned, Need::nothing), "done before"},
-        {count(planned, Need::given_up), "failed too often (--tries)"},
-        {count(planned, Need::still_written), "still being written (--settle)"},
-        {outcome.elsewhere, "left to another run or gone"}};
-    const char* separator = "; ";
-    for (const auto& [clips, what] : others) {
-        if (clips == 0) continue;
-        text += fmt::format("{}{} {}", std::exchange(separator, ", "), clips, what);
-    }
-    return text;
-}
-
-/// The clips, and what is to become of them.
-struct Survey {
-    std::size_t clips_there = 0;  ///< of all shares
-    std::size_t unreadable = 0;
-    std::vector<PlannedClip> planned;
-};
-
-Survey survey(const ArchiveOptions& options, const ArchiveJob& job, spdlog::logger& log) {
-    Scan scan = scan_archive(job.in, job.out, ClipNames(options.match));
-    for (const ScanProblem& problem : scan.problems) {
-        log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
-    }
-    Survey survey{scan.clips.size(), scan.problems.size(), {}};
-    std::erase_if(scan.clips, [&](const Clip& clip) { return !options.shard.holds(clip.path); });
-    survey.planned = plan_archive(scan.clips, job);
-    return survey;
-}
 
 }  // namespace
 
-ExitStatus run_archive(const Command& command, Arguments arguments, const Environment& environment) {
-    ArchiveOptions options;
-    RenderSettings settings;
-    CommandLine line(command.name, command.help);
-    add_options(line.app(), options);
-    add_options(line.app(), settings);
-    line.app().get_option("INPUT")->description("the folder that holds the clips, in folders of its own or not");
-    if (!line.parse(arguments)) return ExitStatus::done;
-    apply(settings.run, environment.log);
-    if (!settings.input.names.empty()) options.in = only_input(settings.input);
-    check(options);
-    ArchiveJob job = job_of(options, line);
-    if (options.index_only) {
-        make_folder(options.out);
-        write_index(job, environment);
-        environment.log.info("'{}' is up to date", (options.out / index_name).string());
-        return ExitStatus::done;
-    }
-    check(settings);
-
-    const auto begin = std::chrono::steady_clock::now();
-    const Survey found = survey(options, job, environment.log);
-    if (options.dry_run) {
-        print_plan(found.planned);
-        if (options.prune) prune(job, options.shard, found.clips_there, true, environment);
-        return ExitStatus::done;
-    }
-    make_folder(options.out);
-    std::vector<PlannedClip> work = found.planned;
-    std::erase_if(work, [](const PlannedClip& planned) { return !wants_work(planned.need); });
-    ArchiveOutcome outcome;
-    if (!work.empty()) {
-        const Shares shares = share_out(options, settings.run.threads, work.size());
-        job.threads = shares.threads;
-        job.limits = {options.timeout, shares.memory};
-        environment.log.debug("{} at a time, {} each, {} MB each", counted(shares.workers, "clip"),
-                              counted(shares.threads, "thread"), shares.memory / 1'000'000);
-        outcome = draw_clips(job, work, shares.workers, environment);
-    }
-    if (options.prune) prune(job, options.shard, found.clips_there, false, environment);
-    if (!options.no_index) write_index(job, environment);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {}", options.out.string(), summary_of(found.planned, outcome, took.count()));
-    const bool partial = outcome.failed + found.unreadable + count(found.planned, Need::given_up) > 0;
-    return partial ? ExitStatus::partial : ExitStatus::done;
+std::unique_ptr<Command> make_archive() {
+    return std::make_unique<Archive>();
 }
 
 }  // namespace vvr

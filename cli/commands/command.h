@@ -1,36 +1,50 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "cli/environment.h"
 #include "cli/exit_status.h"
+#include "cli/options/command_line.h"
 
 namespace vvr {
 
 using Arguments = std::span<const std::string>;
 
+/// What a command takes, and does.
+class Command {
+  public:
+    virtual ~Command() = default;
+
+    /// Adds the command's options, beside those of every command.
+    virtual void add_options(CommandLine& line) = 0;
+
+    /// Does the work, once the options have their values.
+    virtual ExitStatus run(const CommandLine& line, const Environment& environment) = 0;
+};
+
 /// One row of the table of commands.
-struct Command {
-    std::string name;
-    std::string help;
-    ExitStatus (*run)(const Command& command, Arguments arguments, const Environment& environment);
+struct CommandRow {
+    std::string_view name;
+    std::string_view help;
+    std::unique_ptr<Command> (*make)();
 };
 
 /// Every command.
-const std::vector<Command>& commands();
+std::span<const CommandRow> commands();
 
 /// Runs the command that the first argument names, with the others; --help as well.
 ExitStatus run_command(Arguments arguments, const Environment& environment);
 
-ExitStatus run_render(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_watch(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_extract(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_inspect(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_archive(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_compare(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_info(const Command& command, Arguments arguments, const Environment& environment);
-ExitStatus run_doctor(const Command& command, Arguments arguments, const Environment& environment);
+std::unique_ptr<Command> make_render();
+std::unique_ptr<Command> make_watch();
+std::unique_ptr<Command> make_extract();
+std::unique_ptr<Command> make_inspect();
+std::unique_ptr<Command> make_archive();
+std::unique_ptr<Command> make_compare();
+std::unique_ptr<Command> make_info();
+std::unique_ptr<Command> make_doctor();
 
 }  // namespace vvr

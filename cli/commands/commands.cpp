@@ -1,36 +1,40 @@
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "cli/commands/command.h"
-#include "cli/options/option.h"
+#include "cli/options/talk.h"
 #include "cli/print.h"
+#include "cli/versions.h"
+#include "core/error.h"
 #include "core/suggest.h"
 
 namespace vvr {
 
 namespace {
 
+constexpr std::array table{
+    CommandRow{"render", "draw a video as one picture", make_render},
+    CommandRow{"watch", "draw a live stream as a picture that is replaced after each brick", make_watch},
+    CommandRow{"extract", "write the data files of a video: scalar fields, flow, seeds", make_extract},
+    CommandRow{"inspect", "show one frame's object, flow and seeds side by side", make_inspect},
+    CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
+    CommandRow{"compare", "compare two pictures within a tolerance", make_compare},
+    CommandRow{"info", "describe a video, and what a render of it would do and need", make_info},
+    CommandRow{"doctor", "say what this machine can do, and how to fix what it cannot", make_doctor},
+};
+
 std::string help() {
     std::string text = "vvr: surveillance video as one still picture\n\nUsage: vvr COMMAND [OPTIONS]\n\n";
-    for (const Command& command : commands()) text += fmt::format("  vvr {:<8} {}\n", command.name, command.help);
+    for (const CommandRow& command : table) text += fmt::format("  vvr {:<8} {}\n", command.name, command.help);
     text += "\n`vvr COMMAND --help` lists a command's options, `vvr --version` the libraries' versions.\n";
     return text;
 }
 
 }  // namespace
 
-const std::vector<Command>& commands() {
-    static const std::vector<Command> table{
-        {"render", "a video as a picture", run_render},
-        {"watch", "a live stream as a picture that is drawn anew after each brick", run_watch},
-        {"extract", "the data files of a video: scalar fields, flow, seeds", run_extract},
-        {"inspect", "one frame's object, flow and seeds side by side", run_inspect},
-        {"archive", "every new clip of a folder as a picture and a page, with an index", run_archive},
-        {"compare", "whether two pictures are the same but for what a tolerance allows", run_compare},
-        {"info", "what a video is, and what a render of it would do and need", run_info},
-        {"doctor", "what this machine can do, and what would mend what it can't", run_doctor},
-    };
+std::span<const CommandRow> commands() {
     return table;
 }
 
@@ -41,12 +45,23 @@ ExitStatus run_command(Arguments arguments, const Environment& environment) {
         print(help());
         return ExitStatus::done;
     }
-    const auto command = std::ranges::find(commands(), name, &Command::name);
-    if (command == commands().end()) {
-        throw Error(ErrorKind::usage, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
-                                                  did_you_mean(name, names_of(commands()))));
+    if (name == "--version") {
+        print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
+        return ExitStatus::done;
     }
-    return command->run(*command, arguments.subspan(1), environment);
+    const auto row = std::ranges::find(table, name, &CommandRow::name);
+    if (row == table.end()) {
+        throw Error(ErrorKind::usage, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
+                                                  did_you_mean(name, names_of(table))));
+    }
+    const std::unique_ptr<Command> command = row->make();
+    TalkOptions talk;
+    CommandLine line(name, std::string(row->help));
+    command->add_options(line);
+    add_talk_options(line, talk);
+    if (!line.parse(arguments.subspan(1))) return ExitStatus::done;
+    apply(talk, environment.log);
+    return command->run(line, {environment.log, environment.signals, talk.quiet});
 }
 
 }  // namespace vvr

@@ -1,55 +1,69 @@
-#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/show_comparison.h"
-#include "cli/options/comparison.h"
-#include "cli/options/option.h"
-#include "cli/options/run.h"
+#include "cli/console.h"
+#include "cli/options/output.h"
 #include "cli/print.h"
+#include "cli/render/show_comparison.h"
+#include "core/error.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
+#include "core/json_text.h"
 
 namespace vvr {
 
-ExitStatus run_compare(const Command& command, Arguments arguments, const Environment& environment) {
-    std::vector<std::string> names;
-    bool json = false;
-    ComparisonOptions options;
-    RunOptions run;
-    CommandLine line(command.name, command.help);
-    line.app().add_option("A B", names, "two picture files")->type_name("");
-    line.app().add_flag("--json", json, "for programs: null where there is no number")->group(group::output);
-    add_options(line.app(), options);
-    add_talk_options(line.app(), run);
-    if (!line.parse(arguments)) return ExitStatus::done;
-    apply(run, environment.log);
-    if (names.size() != 2) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names.size()));
-    }
-    check(options);
+namespace {
 
-    const Samples a = without_layers(read_samples(names[0]));
-    const Samples b = without_layers(read_samples(names[1]));
-    const Comparison comparison = compare(a, b, options.tolerance);
-    if (json) {
-        nlohmann::ordered_json told{{"a", names[0]}, {"b", names[1]}};
-        told.update(json_of(comparison));
-        print(told.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-    } else {
-        print(numbers_of(comparison));
+constexpr Setting json_option{"json", "", "for programs: null where there is no number"};
+
+class Compare final : public Command {
+  public:
+    void add_options(CommandLine& line) override {
+        line.arguments(names_, "A B", "two picture files");
+        line.flag(Group::output, json_, json_option);
+        add_comparison_options(line, options_);
     }
-    if (comparison.has_numbers() && !options.diff.empty()) {
-        const auto held = environment.signals.hold();
-        write_picture(options.diff, difference_picture(a, comparison));
+
+    ExitStatus run(const CommandLine&, const Environment& environment) override {
+        if (names_.size() != 2) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names_.size()));
+        }
+        check(options_);
+        const Samples a = without_pixel_data(read_samples(names_[0]));
+        const Samples b = without_pixel_data(read_samples(names_[1]));
+        const Comparison comparison = compare(a, b, options_.tolerance);
+        print(json_ ? json_of_files(comparison) : numbers_of(comparison));
+        Console console(environment, false);
+        if (comparison.has_numbers() && !options_.diff.empty()) {
+            const auto held = console.guard();
+            write_picture(options_.diff, difference_picture(a, comparison));
+        }
+        if (comparison.verdict == Verdict::same) return ExitStatus::done;
+        show_difference(comparison, options_.tolerance, console);
+        throw Error(ErrorKind::differs,
+                    fmt::format("'{}' and '{}' differ: {}", names_[0], names_[1], comparison.reason));
     }
-    if (comparison.verdict == Verdict::same) return ExitStatus::done;
-    log_difference(comparison, options.tolerance, environment.log);
-    throw Error(ErrorKind::differs, fmt::format("'{}' and '{}' differ: {}", names[0], names[1], comparison.reason));
+
+  private:
+    std::string json_of_files(const Comparison& comparison) const {
+        nlohmann::ordered_json json{{"a", names_[0]}, {"b", names_[1]}};
+        json.update(json_of(comparison));
+        return json_text(json, 2) + "\n";
+    }
+
+    std::vector<std::string> names_;
+    bool json_ = false;
+    ComparisonOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_compare() {
+    return std::make_unique<Compare>();
 }
 
 }  // namespace vvr

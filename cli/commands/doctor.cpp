@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/options/run.h"
+#include "cli/options/job_options.h"
 #include "cli/print.h"
 #include "cli/versions.h"
 #include "gl/context.h"
@@ -22,27 +21,33 @@ std::string describe(const BackendReport& report) {
     line("renderer", report.renderer);
     line("version", report.version);
     line("reason", report.reason);
-    line("mend with", report.mend);
+    line("fix with", report.mend);
     for (std::size_t i = 0; i < report.devices.size(); ++i) line(fmt::format("device {}", i), report.devices[i]);
     return text;
 }
 
+class Doctor final : public Command {
+  public:
+    void add_options(CommandLine& line) override { add_thread_options(line, threads_); }
+
+    ExitStatus run(const CommandLine&, const Environment& environment) override {
+        std::string text = version_text();
+        const std::vector<BackendReport> reports = probe_backends();
+        for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
+        print(text);
+        if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
+        environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
+        return ExitStatus::backend;
+    }
+
+  private:
+    int threads_ = 0;  // taken for config files that hold for all commands
+};
+
 }  // namespace
 
-ExitStatus run_doctor(const Command& command, Arguments arguments, const Environment& environment) {
-    RunOptions run;
-    CommandLine line(command.name, command.help);
-    add_options(line.app(), run);
-    if (!line.parse(arguments)) return ExitStatus::done;
-    apply(run, environment.log);
-
-    std::string text = version_text();
-    const std::vector<BackendReport> reports = probe_backends();
-    for (const BackendReport& report : reports) text += "\n" + describe(report);
-    print(text);
-    if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
-    environment.log.error("no backend works, so vvr can draw nothing here; the commands above mend it");
-    return ExitStatus::backend;
+std::unique_ptr<Command> make_doctor() {
+    return std::make_unique<Doctor>();
 }
 
 }  // namespace vvr

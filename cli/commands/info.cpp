@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/command_line.h"
 #include "cli/commands/command.h"
-#include "cli/jobs/open_fields.h"
-#include "cli/jobs/plan.h"
-#include "cli/options/option.h"
-#include "cli/options/render_settings.h"
-#include "cli/options/words.h"
+#include "cli/options/job_options.h"
 #include "cli/print.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/plan.h"
+#include "core/json_text.h"
 #include "core/labels/time_ticks.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -31,7 +30,7 @@ std::string as_text(const FieldSource& source, const Plan& plan) {
     };
     line("format", fmt::format("{}, {}", info.container, info.codec));
     line("size", text_of(info.size));
-    line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames a second", info.rate)));
+    line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames per second", info.rate)));
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (info.created) line("recorded", format_clock(*info.created) + " UTC");
@@ -66,25 +65,38 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
           {"bricks", plan.bricks},
           {"memory_bytes", plan.bytes}}},
     };
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json_text(json, 2) + "\n";
 }
+
+constexpr Setting json_option{"json", "", "for programs: null where the container does not say"};
+
+class Info final : public Command {
+  public:
+    void add_options(CommandLine& line) override {
+        line.flag(Group::output, json_, json_option);
+        add_input_options(line, job_.input);
+        add_picture_options(line, job_);
+    }
+
+    ExitStatus run(const CommandLine& line, const Environment&) override {
+        if (job_.input.names.size() < 2) only_input(job_.input);
+        finish(line, job_);
+        validate(job_);
+        const OpenedFields fields = open_fields(job_);
+        const Plan plan = make_plan(job_, {}, *fields.source);
+        print(json_ ? as_json(*fields.source, plan) : as_text(*fields.source, plan));
+        return ExitStatus::done;
+    }
+
+  private:
+    RenderJob job_;
+    bool json_ = false;
+};
 
 }  // namespace
 
-ExitStatus run_info(const Command& command, Arguments arguments, const Environment& environment) {
-    RenderSettings settings;
-    bool json = false;
-    CommandLine line(command.name, command.help);
-    line.app().add_flag("--json", json, "for programs: null where the container does not say")->group(group::output);
-    add_options(line.app(), settings);
-    if (!line.parse(arguments)) return ExitStatus::done;
-    apply(settings.run, environment.log);
-    check(settings);
-
-    const auto source = open_fields(settings, line).source;
-    const Plan plan = make_plan(job_for(settings), *source);
-    print(json ? as_json(*source, plan) : as_text(*source, plan));
-    return ExitStatus::done;
+std::unique_ptr<Command> make_info() {
+    return std::make_unique<Info>();
 }
 
 }  // namespace vvr

@@ -1,58 +1,62 @@
 #include "cli/options/archive.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "cli/options/option.h"
+#include "cli/options/parse_value.h"
 #include "core/archive/clip_names.h"
 #include "core/archive/names.h"
+#include "core/error.h"
 
 namespace vvr {
 
 namespace {
 
-void add_flag(CLI::App& app, const char* group, bool& target, const std::string& name, const std::string& help) {
-    app.add_flag(name, target, help)->group(group);
-}
+namespace text {
+constexpr Setting output{"output", "DIR", "folder for pictures, pages and their "};
+constexpr Setting match{"match", "GLOB",
+                        "which files are clips: *.avi, or with folders cam?/*.avi; can be given several times; if not "
+                        "given, those that end in "};
+constexpr Setting settle{"settle", "TIME", "leave files that changed less than this ago: they are still being written"};
+constexpr Setting tries{"tries", "COUNT", "in how many runs a clip that fails is tried", {1, 1000}};
+constexpr Setting shard{"shard", "I/N", "only this share of the clips, 1/N to N/N"};
+constexpr Setting dry_run{"dry-run", "", "print what would be done, and why, and do nothing"};
+constexpr Setting prune{"prune", "", "remove the pictures of clips that are gone"};
+constexpr Setting index_only{"index-only", "", "write the index and draw nothing"};
+constexpr Setting no_index{"no-index", "", "write no index"};
+constexpr Setting no_pages{"no-pages", "", "pictures only, which is faster"};
+constexpr Setting jobs{
+    "jobs", "COUNT", "clips at a time, a process each", {1, 1024}, "as many as cores and memory allow"};
+constexpr Setting timeout{"timeout", "TIME", "the longest time for a clip; 0 = no limit"};
+constexpr Setting max_memory{
+    "max-memory", "BYTES", "the most memory for a clip, for example 2G", {}, "its share of the machine's"};
+}  // namespace text
 
 }  // namespace
 
-void add_options(CLI::App& app, ArchiveOptions& options) {
-    constexpr const char* clips = group::archive;
-    add_option(app, clips, options.out,
-               {"-o,--output", "DIR", "",
-                fmt::format("where pictures, pages and their {} go; made if it isn't there", index_name)},
-               [](const std::string& given) { return std::filesystem::path(given); });
-    app.add_option(
-           "--match", options.match,
-           fmt::format("which files are clips: *.avi, or with folders cam?/*.avi; can be given several times; if "
-                       "not given, those that end in {}",
-                       fmt::join(video_endings(), " ")))
-        ->type_name("GLOB")
-        ->group(clips)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_option(app, clips, options.settle,
-               {"--settle", "TIME", "60s", "files that changed less than this ago are still being written, and left"},
-               parse_duration);
-    add_integer(app, clips, options.tries, 1, 1000,
-                {"--tries", "COUNT", "", "how often, run after run, a clip that fails is tried"});
-    add_option(app, clips, options.shard, {"--shard", "I/N", "", "only this share of the clips, 1/N to N/N"},
-               [](const std::string& given) {
-                   const auto [share, count] = parse_share(given);
-                   return Shard{static_cast<std::uint64_t>(share - 1), static_cast<std::uint64_t>(count)};
-               });
-    add_flag(app, clips, options.dry_run, "--dry-run", "print what would be done, and why, and do nothing");
-    add_flag(app, clips, options.prune, "--prune", "remove the pictures of clips that have gone");
-    add_flag(app, clips, options.index_only, "--index-only", "write the index and draw nothing");
-    add_flag(app, clips, options.no_index, "--no-index", "write no index");
-    add_flag(app, clips, options.no_pages, "--no-pages", "pictures only, which is quicker");
-    add_integer(app, group::workers, options.jobs, 1, 1024,
-                {"--jobs", "COUNT", "as many as cores and memory allow", "clips at a time, a process each"});
-    add_option(app, group::workers, options.timeout,
-               {"--timeout", "TIME", "2h", "the longest that a clip may take; 0 = any"}, parse_duration);
-    add_option(app, group::workers, options.max_memory,
-               {"--max-memory", "BYTES", "its share of the machine's", "the most memory that a clip may take, 2G say"},
-               parse_bytes);
+void add_archive_options(CommandLine& line, ArchiveOptions& options) {
+    constexpr Group archive = Group::archive;
+    constexpr Group workers = Group::workers;
+    line.path(archive, options.out, text::output,
+              {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", index_name)});
+    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video_endings(), " "))});
+    line.value(archive, text::settle, "60s",
+               [&options](const std::string& given) { options.settle = parse_duration(given); });
+    line.number(archive, options.tries, text::tries);
+    line.value(archive, text::shard, "", [&options](const std::string& given) {
+        const auto [share, count] = parse_share(given);
+        options.shard = {static_cast<std::uint64_t>(share - 1), static_cast<std::uint64_t>(count)};
+    });
+    line.flag(archive, options.dry_run, text::dry_run);
+    line.flag(archive, options.prune, text::prune);
+    line.flag(archive, options.index_only, text::index_only);
+    line.flag(archive, options.no_index, text::no_index);
+    line.flag(archive, options.no_pages, text::no_pages);
+    line.number(workers, options.jobs, text::jobs);
+    line.value(workers, text::timeout, "2h",
+               [&options](const std::string& given) { options.timeout = parse_duration(given); });
+    line.value(workers, text::max_memory, std::string(text::max_memory.otherwise),
+               [&options](const std::string& given) { options.max_memory = parse_bytes(given); });
 }
 
 void check(const ArchiveOptions& options) {

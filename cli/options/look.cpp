@@ -1,24 +1,31 @@
 #include "cli/options/look.h"
 
-#include <algorithm>
 #include <charconv>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
 
-#include <fmt/format.h>
-
-#include "cli/jobs/render_clip.h"
-#include "cli/options/option.h"
+#include "cli/render/settings.h"
+#include "core/error.h"
+#include "core/scene/transfer_file.h"
 
 namespace vvr {
 
 namespace {
 
-std::vector<std::string> parse_parts(const std::string& text) {
-    std::vector<std::string> shown;
-    for (const std::string& word : CLI::detail::split(text, ',')) shown.push_back(parse_name(word, show_words()));
+Parts parse_parts(const std::string& text) {
+    Parts shown;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) shown.add(choose(setting::show.name, word, parts()).part);
     return shown;
+}
+
+std::string text_of(const Parts& shown) {
+    std::string text;
+    for (const PartRow& row : parts()) {
+        if (shown.has(row.part)) text += fmt::format("{}{}", text.empty() ? "" : ",", row.name);
+    }
+    return text;
 }
 
 /// A colour multiplied by its opacity.
@@ -50,74 +57,31 @@ StartTime parse_start(const std::string& text) {
 
 }  // namespace
 
-WallClock clock_of(const StartTime& start, const VideoInfo& info) {
-    if (!start.as_recorded) return start.clock;
-    if (info.created) return info.created;
-    throw Error(ErrorKind::usage, fmt::format("--start-time recorded: '{}' does not say when it was recorded; give the "
-                                              "date and time",
-                                              info.name));
-}
-
-glm::vec4 LookOptions::background_colour() const {
-    return background.empty() ? glm::vec4(find_theme(theme).background, 1) : parse_colour(background);
-}
-
-bool LookOptions::shows(const std::string& part) const {
-    return std::ranges::count(show, part) > 0;
-}
-
-VolumeColour LookOptions::volume_colour() const {
-    return std::ranges::find(volume_colours(), colour, &VolumeColourRow::name)->colour;
-}
-
-VolumeShading LookOptions::volume_shading() const {
-    return std::ranges::find(volume_shadings(), shading, &VolumeShadingRow::name)->shading;
-}
-
-void add_options(CLI::App& app, LookOptions& options) {
-    add_option(app, group::look, options.show,
-               {"--show", "LIST", fmt::format("{}", fmt::join(options.show, ",")),
-                fmt::format("what is drawn, of {}", fmt::join(show_words(), ", "))},
-               parse_parts);
-    add_integer(app, group::look, options.keyframes, 0, 32,
-                {"--keyframes", "COUNT", "", "frames that stand in the volume between the first and the last"});
-    add_choice(app, group::look, options.theme, themes(),
-               {"--theme", "NAME", "", "colours of all that isn't the video's"});
-    add_option(app, group::look, options.background,
-               {"--background", "COLOR", "", "#rrggbb, or none for a transparent picture; the theme's if not given"},
-               [](const std::string& given) {
-                   parse_colour(given);
-                   return given;
-               });
-    add_text(app, group::look, options.title,
-             {"--title", "TEXT", "", "above the picture; the clip's name if not given"});
-    add_option(
-        app, group::look, options.start_time,
-        {"--start-time", "DATETIME", "",
-         "when the clip began, 2026-11-21 08:00:00, or recorded as the container says: the ruler shows a clock's time"},
-        parse_start);
-    add_option(app, group::look, options.transfer,
-               {"--transfer", "NAME", "the theme's",
-                fmt::format("colour and opacity of the volume's values: {}, or a file of points",
-                            fmt::join(names_of(transfer_functions()), ", "))},
-               [](const std::string& given) {
-                   find_transfer(given);  // now, not when the clip has been read
-                   return given;
-               });
-    add_name(app, group::look, options.colour, names_of(volume_colours()),
-             {"--color", "NAME", "", "the volume's colour, the transfer function's or the video's own"});
-    add_choice(app, group::look, options.shading, volume_shadings(), {"--shading", "NAME", "", "light on the volume"});
-    add_number(app, group::look, options.opacity, {0, 1000},
-               {"--opacity", "FACTOR", "", "factor on the volume's opacity"});
-    add_number(app, group::look, options.glyph_scale, {0.01, 100},
-               {"--glyph-scale", "FACTOR", "", "factor on the arrows' size"});
-    add_integer(app, group::look, options.traces.steps, 1, 100'000,
-                {"--trace-steps", "COUNT", "", "steps of a traceline"});
-    add_number(app, group::look, options.traces.dt, {1e-3, 1000},
-               {"--trace-dt", "FRAMES", "", "length of a traceline's step in time"});
-    add_number(app, group::look, options.traces.time_velocity, {-1000, 1000},
-               {"--time-velocity", "NUMBER", "",
-                "frames along the arc that flow takes a frame; 0 = arrows and tracelines stay in their frame"});
+void add_look_options(CommandLine& line, RenderJob& job) {
+    constexpr Group group = Group::look;
+    LookOptions& look = job.look;
+    line.explain(setting::show, parts());
+    line.value(group, setting::show, text_of(look.show),
+               [&look](const std::string& given) { look.show = parse_parts(given); }, {.help = list_of(parts())});
+    line.number(group, look.keyframes, setting::keyframes);
+    line.choice(group, themes(), look.theme.name, setting::theme, [&look](const Theme& row) { look.theme = row; });
+    line.value(group, setting::background, "",
+               [&look](const std::string& given) { look.background = parse_colour(given); });
+    line.text(group, look.title, setting::title);
+    line.value(group, setting::start_time, "",
+               [&look](const std::string& given) { look.start_time = parse_start(given); });
+    line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
+               [&look](const std::string& given) { look.transfer = find_transfer(given); },
+               {.help = list_of(transfer_functions()) + ", or a file of points"});
+    line.choice(group, volume_colours(), volume_colours().front().name, setting::colour,
+                [&job](const VolumeColourRow& row) { job.picture.colour = row.colour; });
+    line.choice(group, volume_shadings(), volume_shadings().front().name, setting::shading,
+                [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });
+    line.number(group, look.opacity, setting::opacity);
+    line.number(group, look.glyph_scale, setting::glyph_scale);
+    line.number(group, look.traces.steps, setting::trace_steps);
+    line.number(group, look.traces.dt, setting::trace_dt);
+    line.number(group, look.traces.time_velocity, setting::time_velocity);
 }
 
 }  // namespace vvr

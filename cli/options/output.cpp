@@ -1,15 +1,19 @@
 #include "cli/options/output.h"
 
-#include <algorithm>
-#include <cctype>
+#include <set>
 #include <span>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "cli/options/option.h"
+#include "cli/render/settings.h"
+#include "core/choice.h"
+#include "core/error.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
@@ -18,9 +22,28 @@ namespace vvr {
 
 namespace {
 
-constexpr int standard_animation = 24;
+namespace text {
+constexpr Setting output{"output", "FILE", "the picture"};
+constexpr Setting plain_name{"plain-name", "", "FILE has no field, whatever is in its name"};
+constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
+constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
+constexpr Setting report{"report", "FILE",
+                         "a JSON file of the input, the settings, the events and the run; needs no -o"};
+constexpr Setting golden{"golden", "FILE",
+                         "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
+constexpr Setting bless{"bless", "", "make the picture the golden one instead of comparing"};
+constexpr Setting diff{"diff", "FILE",
+                       "a picture of the differences: yellow = small, red = larger, black = all of the range"};
+}  // namespace text
 
-constexpr std::string_view page_ending = ".html";
+std::set<EventKind> parse_kinds(const std::string& text) {
+    std::set<EventKind> kinds;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+        kinds.insert(choose(setting::events.name, word, event_kinds()).kind);
+    }
+    return kinds;
+}
 
 /// Whether both name one file, be it there or not.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -31,13 +54,7 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return !a.empty() && !b.empty() && whole(a) == whole(b);
 }
 
-bool ends_as_page(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == page_ending || ending == ".htm";
-}
-
-/// The outputs that an option of their own names.
+/// An output, and the option that names it.
 struct Named {
     const char* option;
     const std::filesystem::path& path;
@@ -60,13 +77,12 @@ void check_names(const OutputOptions& options) {
     }
 }
 
-/// The page and the thumbnail that come beside a picture.
+/// The page and the thumbnail beside a picture.
 void check_companions(const OutputOptions& options) {
-    if (!options.page.empty() && !ends_as_page(options.page)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("--page '{}': a page's name ends in {}", options.page.string(), page_ending));
+    if (!options.page.empty() && !is_page(options.page)) {
+        throw Error(ErrorKind::usage, fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
     }
-    if (!options.page.empty() && is_page(options)) {
+    if (!options.page.empty() && is_page(options.path)) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
                                 options.path.string()));
@@ -76,49 +92,69 @@ void check_companions(const OutputOptions& options) {
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
         if (options.path.empty() || pictures_of(options) > 1 || is_series(options)) {
-            throw Error(ErrorKind::usage,
-                        fmt::format("{} goes with one picture; {}", option,
-                                    options.path.empty() ? "say where that goes with -o FILE" : "make those apart"));
+            throw Error(ErrorKind::usage, fmt::format("{} goes with one picture; {}", option,
+                                                      options.path.empty() ? "say where that goes with -o FILE"
+                                                                           : "make those separately"));
         }
         check_file_path(path);
     }
     if (!options.thumbnail.empty()) check_picture_ending(options.thumbnail);
 }
 
+void check_golden(const GoldenOptions& options) {
+    check(options.comparison);
+    if (!options.path.empty()) {
+        if (options.bless && !options.comparison.diff.empty()) {
+            throw Error(ErrorKind::usage, "--bless compares nothing, so there is nothing for --diff to show");
+        }
+        // A folder that can only be read is good enough to compare with.
+        return options.bless ? check_picture_path(options.path) : check_picture_ending(options.path);
+    }
+    if (options.bless) throw Error(ErrorKind::usage, "--bless: add --golden FILE to say which picture is blessed");
+    if (!options.comparison.diff.empty()) {
+        throw Error(ErrorKind::usage, "--diff: add --golden FILE to say what the picture is compared with");
+    }
+}
+
 }  // namespace
 
-void add_options(CLI::App& app, OutputOptions& options) {
-    add_option(app, group::output, options.path,
-               {"-o,--output", "FILE", "",
-                fmt::format("the picture: {}; a page to watch the clip from it: {}; or animated: {}; a series, one "
-                            "picture for each brick, has a field in its "
-                            "name: {{brick:4}}, #### or %04d",
-                            fmt::join(picture_endings(), " "), page_ending, fmt::join(animation_endings(), " "))},
-               [](const std::string& given) { return std::filesystem::path(given); });
-    app.add_flag("--plain-name", options.plain_name, "FILE has no field, whatever stands in its name")
-        ->group(group::output);
-    add_option(
-        app, group::output, options.animate,
-        {"--animate", "COUNT", "",
-         fmt::format("so many pictures in which stripes run along the tracelines, 2..10000; FILE is animated ({} "
-                     "if not given) or has a field: {{frame:4}}, #### or %04d",
-                     standard_animation)},
-        [](const std::string& given) { return static_cast<int>(parse_integer(given, 2, 10'000)); });
-    add_option(app, group::output, options.page,
-               {"--page", "FILE", "", "a page to watch the clip from it, beside the picture: .html"},
-               [](const std::string& given) { return std::filesystem::path(given); });
-    add_option(app, group::output, options.thumbnail,
-               {"--thumbnail", "FILE", "", "the picture once more, small: .jpg .png"},
-               [](const std::string& given) { return std::filesystem::path(given); });
-    add_option(app, group::output, options.report,
-               {"--report", "FILE", "", "a JSON file of the input, the settings, the events and the run; needs no -o"},
-               [](const std::string& given) { return std::filesystem::path(given); });
-    add_options(app, options.events);
-    add_options(app, options.golden);
+void add_comparison_options(CommandLine& line, ComparisonOptions& options) {
+    line.number(Group::comparison, options.tolerance.level, setting::tolerance);
+    line.number(Group::comparison, options.tolerance.percent, setting::tolerance_percent);
+    line.number(Group::comparison, options.tolerance.patch, setting::tolerance_patch);
+    line.path(Group::comparison, options.diff, text::diff);
+}
+
+void add_output_options(CommandLine& line, OutputOptions& options) {
+    constexpr Group output = Group::output;
+    line.path(output, options.path, text::output,
+              {.letter = 'o',
+               .help = fmt::format(": {}; a page to watch the clip from: .html; or animated: {}; a series, one picture "
+                                   "per brick, has a field in its name: {{brick:4}}, #### or %04d",
+                                   fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " "))});
+    line.flag(output, options.plain_name, text::plain_name);
+    line.number(output, options.animate, setting::animate,
+                {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
+                                     default_animation)});
+    line.path(output, options.page, text::page);
+    line.path(output, options.thumbnail, text::thumbnail);
+    line.path(output, options.report, text::report);
+    line.explain(setting::events, event_kinds());
+    line.value(output, setting::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
+               [&options](const std::string& given) { options.events.kinds = parse_kinds(given); },
+               {.help = list_of(event_kinds())});
+    line.number(output, options.events.least, setting::event_min_seconds);
+    line.path(Group::comparison, options.golden.path, text::golden);
+    line.flag(Group::comparison, options.golden.bless, text::bless);
+    add_comparison_options(line, options.golden.comparison);
+}
+
+void check(const ComparisonOptions& options) {
+    if (!options.diff.empty()) check_picture_path(options.diff);
 }
 
 void check(const OutputOptions& options) {
-    check(options.golden);
+    check_golden(options.golden);
     if (!options.report.empty()) check_file_path(options.report);
     check_names(options);
     check_companions(options);
@@ -134,7 +170,7 @@ void check(const OutputOptions& options) {
     if (options.path.empty()) return;
     const NamePattern name = name_of(options);
     const std::string text = options.path.string();
-    if (is_page(options)) {
+    if (is_page(options.path)) {
         if (!name.has_field() && !options.animate) return;
         throw Error(ErrorKind::usage,
                     fmt::format("'{}': a page holds one picture; {}", text,
@@ -165,34 +201,19 @@ void check(const OutputOptions& options) {
     }
 }
 
-void check_report(const OutputOptions& options, const std::vector<std::string>& inputs) {
-    for (const std::string& input : inputs) {
-        if (!same_file(options.report, input)) continue;
+void check_outputs(const RenderJob& job) {
+    const OutputOptions& output = job.output;
+    for (const std::string& input : job.input.names) {
+        if (!same_file(output.report, input)) continue;
         throw Error(ErrorKind::usage, fmt::format("--report '{}' would replace the input; give the report a name of "
                                                   "its own, such as report.json",
-                                                  options.report.string()));
+                                                  output.report.string()));
     }
-}
-
-NamePattern name_of(const OutputOptions& options) {
-    return options.plain_name ? NamePattern::literal(options.path) : NamePattern(options.path);
-}
-
-bool is_series(const OutputOptions& options) {
-    return !options.animate && name_of(options).has_field();
-}
-
-bool is_page(const OutputOptions& options) {
-    return ends_as_page(options.path);
-}
-
-const std::filesystem::path& page_of(const OutputOptions& options) {
-    return is_page(options) ? options.path : options.page;
-}
-
-int pictures_of(const OutputOptions& options) {
-    if (options.path.empty() && options.golden.path.empty()) return 0;
-    return options.animate.value_or(is_animation(options.path) ? standard_animation : 1);
+    if (pictures_of(output) > 1 && !job.look.show.has(Part::tracelines)) {
+        throw Error(ErrorKind::usage,
+                    "an animation moves the stripes of tracelines, and none are shown: add them with "
+                    "--show volume,tracelines,outline,frames");
+    }
 }
 
 }  // namespace vvr

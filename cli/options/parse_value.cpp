@@ -7,14 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/render/settings.h"
 #include "core/error.h"
-#include "core/suggest.h"
 
 namespace vvr {
 
 namespace {
 
-constexpr int largest_side = 16384;  // what OpenGL 4 guarantees for a texture or a viewport
 constexpr double longest_clip = 1e9;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view wanted) {
@@ -66,8 +65,9 @@ Size parse_size(std::string_view text) {
     const auto height = sides.size() == 2 ? number<std::int64_t>(sides[1]) : std::nullopt;
     if (!width || !height) refuse(text, "a size like 1280x800");
     for (const std::int64_t side : {*width, *height}) {
-        if (side < 1 || side > largest_side) {
-            refuse(text, fmt::format("a size from 1x1 to {0}x{0}", largest_side));
+        const auto [least, most] = setting::size.range;
+        if (static_cast<double>(side) < least || static_cast<double>(side) > most) {
+            refuse(text, fmt::format("a size from {0}x{0} to {1}x{1}", least, most));
         }
     }
     return {static_cast<int>(*width), static_cast<int>(*height)};
@@ -83,13 +83,6 @@ std::pair<double, double> parse_pair(std::string_view text, char separator, Rang
                            separator, first.low, first.high, second.low, second.high));
     }
     return {*a, *b};
-}
-
-std::string parse_name(std::string_view text, std::span<const std::string> names) {
-    for (const std::string& name : names) {
-        if (name == text) return name;
-    }
-    refuse(text, fmt::format("one of {}{}", fmt::join(names, ", "), did_you_mean(text, names)));
 }
 
 std::pair<int, int> parse_share(std::string_view text) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/options/option.h"
-
 namespace vvr {
 
 namespace {

@@ -5,7 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/setting.h"
+
 namespace vvr {
+
+namespace setting {
+inline constexpr Setting preset{"preset", "NAME", "a set of options for a purpose; options given beside it win"};
+}
 
 /// One row of the table of presets: options for a purpose.
 struct Preset {

@@ -1,75 +1,44 @@
 #include "cli/options/view.h"
 
-#include <fmt/format.h>
+#include <tuple>
 
-#include "cli/options/option.h"
+#include "cli/options/parse_value.h"
+#include "cli/render/settings.h"
 
 namespace vvr {
 
 namespace {
 
-std::pair<double, double> parse_radii(const std::string& text) {
-    constexpr Range range{0.01, 100};
-    const auto radii = parse_pair(text, ':', range, range);
-    if (radii.first >= radii.second) {
-        throw Error(ErrorKind::usage, fmt::format("'{}': the outer radius has to be larger than the inner one", text));
-    }
-    return radii;
-}
-
-std::pair<double, double> parse_camera(const std::string& text) {
-    return parse_pair(text, ',', {-360, 360}, {-90, 90});
-}
-
-std::string join(const std::pair<double, double>& pair, char separator) {
-    return fmt::format("{}{}{}", pair.first, separator, pair.second);
+void set_direction(View& view, const std::string& text) {
+    std::tie(view.azimuth, view.elevation) = parse_pair(text, ',', {-360, 360}, {-90, 90});
 }
 
 }  // namespace
 
-void add_options(CLI::App& app, ViewOptions& options) {
-    add_choice(app, group::view, options.layout, layouts(), {"--layout", "NAME", "", "how the volume stands"});
-    add_option(app, group::view, options.radii,
-               {"--radius", "IN:OUT", join(options.radii, ':'), "radii of the horseshoe"}, parse_radii);
-    add_option(app, group::view, options.height,
-               {"--height", "UNITS", "", "height of a frame, 0.001..100; square pixels if not given"},
-               [](const std::string& given) {
-                   return parse_number(given, {0.001, 100});
+void add_view_options(CommandLine& line, RenderJob& job) {
+    constexpr Group view = Group::view;
+    RenderOptions& picture = job.picture;
+    line.choice(view, layouts(), job.layout, setting::layout);
+    line.value(view, setting::radius, fmt::format("{}:{}", job.shape.r_min, job.shape.r_max),
+               [&shape = job.shape](const std::string& given) {
+                   std::tie(shape.r_min, shape.r_max) =
+                       parse_pair(given, ':', setting::radius.range, setting::radius.range);
+                   validate(shape);
                });
-    add_option(app, group::view, options.size,
-               {"--size", "WxH", fmt::format("{}x{}", options.size.width, options.size.height),
-                "pixels of the picture, each side 1..16384"},
-               parse_size);
-    add_option(app, group::view, options.camera,
-               {"--camera", "AZIMUTH,ELEVATION", join(options.camera, ','),
-                "where the viewer stands, degrees to the right and above the floor"},
-               parse_camera);
-    add_option(app, group::view, options.slice_camera,
-               {"--slice-view", "AZIMUTH,ELEVATION", "",
-                "whose slices --show slices draws; those of the picture's own camera if not given"},
-               parse_camera);
-    add_number(app, group::view, options.fov, {0, 150},
-               {"--fov", "DEGREES", "", "vertical field of view; 0 = orthographic"});
-    add_integer(app, group::view, options.slices, 0, 16384,
-                {"--slices", "COUNT", "auto", "slices of the volume; 0 = one for every two voxels"});
-    add_integer(app, group::view, options.samples, 1, 64,
-                {"--samples", "COUNT", "", "samples a pixel, for smooth edges, as far as OpenGL has so many"});
-}
-
-View view_of(const ViewOptions& options) {
-    View view;
-    view.azimuth = options.camera.first;
-    view.elevation = options.camera.second;
-    view.fov = options.fov;
-    return view;
-}
-
-std::optional<View> slice_view_of(const ViewOptions& options) {
-    if (!options.slice_camera) return std::nullopt;
-    View view = view_of(options);
-    view.azimuth = options.slice_camera->first;
-    view.elevation = options.slice_camera->second;
-    return view;
+    line.value(view, setting::height, "", [&shape = job.shape](const std::string& given) {
+        shape.height = parse_number(given, setting::height.range);
+    });
+    line.value(view, setting::size, fmt::format("{}x{}", picture.size.width, picture.size.height),
+               [&picture](const std::string& given) { picture.size = parse_size(given); });
+    line.value(view, setting::camera, fmt::format("{},{}", picture.view.azimuth, picture.view.elevation),
+               [&picture](const std::string& given) { set_direction(picture.view, given); });
+    line.value(view, setting::slice_view, "", [&look = job.look](const std::string& given) {
+        look.slice_view.emplace();
+        set_direction(*look.slice_view, given);
+    });
+    line.number(view, picture.view.fov, setting::fov);
+    line.number(view, picture.slices, setting::slices);
+    line.number(view, picture.samples, setting::samples);
 }
 
 }  // namespace vvr

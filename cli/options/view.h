@@ -1,35 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-
-#include <CLI/CLI.hpp>
-
-#include "core/plane.h"
-#include "core/space/camera.h"
-#include "core/space/layout.h"
+#include "cli/options/command_line.h"
+#include "cli/render/job.h"
 
 namespace vvr {
 
 /// Layout, camera and size of the picture.
-struct ViewOptions {
-    std::string layout = layouts().front().name;
-    std::pair<double, double> radii{0.45, 1};  ///< inner, outer
-    std::optional<double> height;              ///< none = square pixels
-    Size size{1280, 800};
-    std::pair<double, double> camera{View{}.azimuth, View{}.elevation};  ///< degrees
-    std::optional<std::pair<double, double>> slice_camera;
-    double fov = View{}.fov;
-    int slices = 0;
-    int samples = 4;
-};
-
-void add_options(CLI::App& app, ViewOptions& options);
-
-View view_of(const ViewOptions& options);
-
-/// The view whose slices are drawn, if not the picture's own.
-std::optional<View> slice_view_of(const ViewOptions& options);
+void add_view_options(CommandLine& line, RenderJob& job);
 
 }  // namespace vvr

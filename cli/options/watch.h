@@ -1,27 +1,16 @@
 #pragma once
 
-#include <optional>
-
-#include <CLI/CLI.hpp>
-
-#include "cli/options/output.h"
-#include "cli/options/render_settings.h"
+#include "cli/options/command_line.h"
+#include "cli/render/watch.h"
 
 namespace vvr {
 
-/// How long a stream is watched, and how patiently.
-struct WatchOptions {
-    std::optional<double> duration;  ///< seconds; none = for ever
-    double lag = 1;                  ///< seconds that a frame may wait
-    double patience = 5;             ///< seconds without a frame
-};
-
-void add_options(CLI::App& app, WatchOptions& options);
+void add_stream_options(CommandLine& line, StreamOptions& options);
 
 /// The one option of an output that a stream has.
-void add_stream_output(CLI::App& app, OutputOptions& output);
+void add_stream_output(CommandLine& line, OutputOptions& options);
 
 /// \throws Error usage for what only a clip with an end can have
-void check_stream(const RenderSettings& settings, const OutputOptions& output);
+void check_stream(const CommandLine& line, const RenderJob& job);
 
 }  // namespace vvr

@@ -5,13 +5,14 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "core/archive/plain_name.h"
 #include "core/error.h"
+#include "core/file_lock.h"
 #include "core/fnv.h"
 
 namespace vvr {
@@ -23,12 +24,18 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = ".vvr-";
 constexpr std::string_view ending = ".lock";
 
-/// A hash, as the name itself may be as long as a name can be.
+/// With a hash, because the name itself may have the greatest length that a file system allows.
 fs::path file_for(const fs::path& folder, const std::string& name) {
     return folder / fmt::format("{}{:016x}{}", prefix, fnv1a(name), ending);
 }
 
 [[noreturn]] void refuse(const fs::path& path, int error) {
+    std::error_code none;
+    const fs::file_status there = fs::symlink_status(path, none);
+    if (fs::exists(there) && !fs::is_regular_file(there)) {
+        throw Error(ErrorKind::io, fmt::format("cannot lock '{}': it is {}; remove it", path.string(),
+                                               fs::is_symlink(there) ? "a link" : "not a regular file"));
+    }
     const bool full = error == ENOSPC || error == EDQUOT;
     const char* next = full ? "free some space or choose another folder"
                             : "choose a folder that can be written to, on a file system with locks";
@@ -36,18 +43,14 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
-bool is_still(int file, const fs::path& path) {
-    struct stat ours {
-    }, there{};
-    return ::fstat(file, &ours) == 0 && ::stat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
-           ours.st_dev == there.st_dev;
-}
-
-int lock(int file, bool wait) {
-    int result = 0;
-    do result = ::flock(file, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
-    while (result != 0 && errno == EINTR);
-    return result;
+/// The name that a claim's file holds. Nothing when vvr did not write it: then the file's own name is not made from it.
+std::optional<std::string> name_in(int file, const fs::path& path) {
+    std::array<char, longest_name + 1> bytes{};  // one more than is possible, to notice longer ones
+    const ssize_t length = ::pread(file, bytes.data(), bytes.size(), 0);
+    if (length <= 0) return std::nullopt;
+    std::string name(bytes.data(), static_cast<std::size_t>(length));
+    if (!is_plain_name(name) || file_for(path.parent_path(), name) != path) return std::nullopt;
+    return name;
 }
 
 }  // namespace
@@ -66,21 +69,20 @@ Claim::~Claim() {
 
 std::optional<Claim> Claim::take(const fs::path& path, const std::string& name, bool wait) {
     for (;;) {
-        const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        const int file = open_file_itself(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
-        if (lock(file, wait) != 0) {
-            const int error = errno;
+        if (const int error = lock_file(file, wait); error != 0) {
             ::close(file);
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);
         }
-        // Who had it removes the file, so what is locked now may be no file any more.
+        // The program that had it removes the file, so the file that is locked now may be deleted.
         if (!is_still(file, path)) {
             ::close(file);
             continue;
         }
         struct stat status {};
-        // Who takes a claim writes its name in before anything else.
+        // A program that takes a claim writes the name into it first.
         const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
         Claim claim(path, file, left_behind);
         if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
@@ -104,16 +106,16 @@ bool Claim::is_claim(const fs::path& file) {
 }
 
 std::optional<std::pair<Claim, std::string>> Claim::take_over(const fs::path& file) {
-    const int open = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+    const int open = open_file_itself(file, O_RDWR);
     if (open < 0) return std::nullopt;
-    if (lock(open, false) != 0 || !is_still(open, file)) {
+    std::optional<std::string> name;
+    if (lock_file(open, false) == 0 && is_still(open, file)) name = name_in(open, file);
+    // A file that is not ours stays as it is, so there must be no claim yet that would remove it.
+    if (!name) {
         ::close(open);
         return std::nullopt;
     }
-    Claim claim(file, open, true);
-    std::array<char, 4096> name{};
-    const ssize_t length = ::pread(open, name.data(), name.size(), 0);
-    return std::pair(std::move(claim), std::string(name.data(), length > 0 ? static_cast<std::size_t>(length) : 0));
+    return std::pair(Claim(file, open, true), std::move(*name));
 }
 
 }  // namespace vvr

@@ -7,9 +7,9 @@
 
 namespace vvr {
 
-/// The right to write the files of one name in a folder, until this is gone. It is a lock (`flock`) on a hidden file,
-/// so the kernel lets go of it whatever ends the program, and it holds between machines where the file system's locks
-/// do.
+/// The right to write the files of one name in a folder, as long as this object lives. It is a lock (`flock`) on a
+/// hidden file: the kernel releases it however the program ends, and it holds between machines if the file system's
+/// locks do.
 class Claim {
   public:
     /// Nothing when another program has it.
@@ -20,20 +20,22 @@ class Claim {
     /// \throws Error io
     static Claim wait_for(const std::filesystem::path& folder, const std::string& name);
 
-    /// What a claim that was left behind is about, taken over; nothing where the file is none, or somebody has it.
+    /// Takes over the claim of a killed program, and says the name that it is for. Nothing when another program has
+    /// it, or when the file is not a claim: not a regular file, or without the plain name from which its own name is
+    /// made. Such a file is left alone.
     static std::optional<std::pair<Claim, std::string>> take_over(const std::filesystem::path& file);
 
-    /// Whether `file` is the hidden file of a claim, by its name.
+    /// Whether `file` has the name of a claim's hidden file.
     static bool is_claim(const std::filesystem::path& file);
 
     Claim(Claim&& other) noexcept;
     Claim& operator=(Claim&&) = delete;
     ~Claim();
 
-    /// Whether the last one who had it was killed. Then what it was writing may lie about.
+    /// Whether the program that had it before was killed. Then there may be files that it was writing.
     bool was_left_behind() const { return left_behind_; }
 
-    /// A child that inherits it keeps the claim from others as long as it lives.
+    /// A child process that inherits it holds the claim as long as it lives.
     int descriptor() const { return file_; }
 
   private:

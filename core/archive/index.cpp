@@ -8,8 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.h"
 #include "core/page/text.h"
-#include "page_files.h"
+#include "index_files.h"
 
 namespace vvr {
 
@@ -67,14 +68,13 @@ std::string make_index(const std::vector<Sidecar>& sidecars) {
     Json json{{"cameras", Json::array()}, {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
     for (const Sidecar& sidecar : sidecars) json["clips"].push_back(row_of(sidecar, cameras));
-    return fill(page_files::index_html,
-                {
-                    {"script policy", policy_hash(page_files::index_js)},
-                    {"style policy", policy_hash(page_files::index_css)},
-                    {"style", std::string(page_files::index_css)},
-                    {"script", std::string(page_files::index_js)},
-                    {"data", script_json(json.dump(-1, ' ', true, Json::error_handler_t::replace))},
-                });
+    return fill(index_files::index_html, {
+                                             {"script policy", policy_hash(index_files::index_js)},
+                                             {"style policy", policy_hash(index_files::index_css)},
+                                             {"style", std::string(index_files::index_css)},
+                                             {"script", std::string(index_files::index_js)},
+                                             {"data", script_json(json_text(json, -1, true))},
+                                         });
 }
 
 }  // namespace vvr

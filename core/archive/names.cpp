@@ -16,7 +16,7 @@ bool continues(std::string_view text, std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
 }
 
-/// The bytes of the UTF-8 character at the front; 0 where there is none.
+/// Length in bytes of the UTF-8 character at the front; 0 if there is none.
 std::size_t character_length(std::string_view text) {
     const auto first = static_cast<unsigned char>(text[0]);
     if (first < 0x80) return 1;
@@ -26,7 +26,7 @@ std::size_t character_length(std::string_view text) {
         if (!continues(text, k)) return 0;
     }
     const auto second = static_cast<unsigned char>(text[1]);
-    // Longer than needed, halves of UTF-16 pairs, beyond the last character.
+    // Overlong forms, halves of UTF-16 pairs, and values beyond the last character.
     const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
                        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
     return wrong ? 0 : length;
@@ -36,7 +36,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// 2026, 2026-11, 20261121, 2026_11_21: what begins with a year and goes on with nothing but numbers.
+/// 2026, 2026-11, 20261121, 2026_11_21: a year, then only numbers.
 bool is_date(std::string_view folder) {
     const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
                       std::ranges::all_of(folder.substr(0, 4), is_digit);

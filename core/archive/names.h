@@ -5,16 +5,16 @@
 #include <string>
 #include <string_view>
 
-// An archive's clips are known by their path below its folder, in bytes: file systems know no encoding.
+// A clip is identified by its path below the archive's folder, in bytes: file systems have no encoding.
 namespace vvr {
 
-/// The path as text that is valid UTF-8, and from which `path_of` makes the same bytes again: what is no UTF-8, control
+/// The path as valid UTF-8, from which `path_of_text` makes the same bytes again: bytes that are not UTF-8, control
 /// characters and `%` become `%FF`.
 std::string text_of_path(std::string_view path);
 
 std::string path_of_text(std::string_view text);
 
-/// What an archive writes of a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
+/// The files that an archive writes for a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
 enum class OutputKind { picture, page, thumbnail, report };
 
 struct OutputRow {
@@ -36,7 +36,7 @@ inline constexpr std::string_view index_name = "index.html";
 std::filesystem::path output_path(const std::filesystem::path& out, const std::string& clip, OutputKind kind);
 std::filesystem::path sidecar_path(const std::filesystem::path& out, const std::string& clip);
 
-/// The folder that stands for the camera: the clip's folders up to the first that is a date, `cam1` for
+/// The folder of the camera: the clip's folders before the first that is a date, `cam1` for
 /// `cam1/2026/11/21/x.avi` and for `cam1/2026-11-21/x.avi`. Empty for a clip at the top.
 std::string camera_of(std::string_view clip);
 

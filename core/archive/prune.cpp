@@ -20,18 +20,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether it is certain that there is no such file: one that can't be looked at may well be there.
+/// Whether it is certain that there is no such file. Without permission to look, it is not.
 bool is_gone(const fs::path& path) {
     struct stat status {};
     return ::lstat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR);
 }
 
-/// The nearest folder around a clip that is there.
+/// The nearest folder above a clip that exists.
 std::string folder_left(const fs::path& in, const std::string& clip) {
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
     while (!folder.empty() && !fs::is_directory(in / folder, none)) folder = folder.parent_path();
     return folder.string();
+}
+
+/// The files in use: the index, and those of clips that have a sidecar.
+std::set<fs::path> files_with_owners(const fs::path& out, const Outputs& outputs) {
+    std::set<fs::path> files{out / index_name};
+    for (const Sidecar& sidecar : outputs.sidecars) {
+        files.insert(sidecar_path(out, sidecar.clip.path));
+        for (const OutputKind kind : sidecar.files) files.insert(output_path(out, sidecar.clip.path, kind));
+    }
+    return files;
 }
 
 }  // namespace
@@ -67,7 +77,9 @@ std::vector<std::string> written_names(const std::string& file_name) {
     return names;
 }
 
-void tidy(const Outputs& outputs) {
+void tidy(const fs::path& out, const Outputs& outputs) {
+    if (outputs.claims.empty()) return;
+    const std::set<fs::path> owned = files_with_owners(out, outputs);
     for (const fs::path& file : outputs.claims) {
         const auto left = Claim::take_over(file);
         if (!left) continue;
@@ -76,15 +88,20 @@ void tidy(const Outputs& outputs) {
         remove_leftovers(folder, written_names(name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
-        // Nobody came back to finish it, and no sidecar will ever name what is there.
-        for (const OutputRow& row : output_rows) fs::remove(output_path(folder, name, row.kind), none);
+        // No run came back to finish it, and no sidecar will ever name these files.
+        for (const OutputRow& row : output_rows) {
+            const fs::path path = output_path(folder, name, row.kind);
+            // `x` has its report where `x.report` has its sidecar, and a clip `index` its page where the index is.
+            if (owned.contains(path) || !fs::is_regular_file(fs::symlink_status(path, none))) continue;
+            fs::remove(path, none);
+        }
     }
 }
 
 Gone find_gone(const fs::path& in, const std::vector<Sidecar>& sidecars, std::size_t clips_there) {
     if (clips_there == 0 && !sidecars.empty()) {
-        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so --prune removes nothing; if its disk is "
-                                               "mounted and they are gone for good, remove the pictures yourself",
+        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
+                                               "and they are gone for good, remove the pictures yourself",
                                                in.string()));
     }
     Gone gone;

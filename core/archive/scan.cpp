@@ -13,7 +13,9 @@
 #include <fmt/format.h>
 
 #include "core/archive/names.h"
+#include "core/archive/plain_name.h"
 #include "core/error.h"
+#include "core/video/playlist.h"
 
 namespace vvr {
 
@@ -29,7 +31,7 @@ Clip clip_of(const std::string& path, const struct stat& status) {
     return {path, status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-/// Goes through folders, those that only links lead to after all others.
+/// Reads folders; those that only links lead to come after all others.
 class Walk {
   public:
     Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
@@ -62,7 +64,6 @@ class Walk {
             enter(folder);
         }
         std::ranges::sort(scan_.clips, {}, &Clip::path);
-        std::ranges::sort(scan_.problems, {}, &ScanProblem::path);
         return std::move(scan_);
     }
 
@@ -85,7 +86,7 @@ class Walk {
             std::error_code none;
             if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
         }
-        std::ranges::sort(entries);  // so that of several links to a folder the same one is taken each time
+        std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
         for (const auto& [name, type] : entries) add(folder.empty() ? name : folder + '/' + name, type);
         if (error) scan_.problems.push_back({folder, error.message()});
     }
@@ -98,6 +99,10 @@ class Walk {
         const bool clip = names_.matches(path);
         const bool link = type == fs::file_type::symlink;
         if (!clip && !link) return;
+        if (clip && is_playlist_name(path)) {
+            scan_.problems.push_back({path, "it is a playlist, and an archive draws only video files; name those"});
+            return;
+        }
         struct stat status {};
         if (::stat((in_ / path).c_str(), &status) != 0) {
             if (clip) scan_.problems.push_back({path, reason_of(errno)});
@@ -116,7 +121,24 @@ class Walk {
     Scan scan_;
 };
 
-/// Takes out clips of whose files others would be written over.
+/// Drops clips for which the name of an output file would be too long. All kinds of output files count, asked for or
+/// not, so that the options do not change which clips there are.
+void take_out_long_names(Scan& scan) {
+    std::erase_if(scan.clips, [&](const Clip& clip) {
+        std::string longest = sidecar_path("", clip.path).filename().string();
+        for (const OutputRow& row : output_rows) {
+            const std::string file = output_path("", clip.path, row.kind).filename().string();
+            if (file.size() > longest.size()) longest = file;
+        }
+        if (longest.size() <= longest_name) return false;
+        scan.problems.push_back(
+            {clip.path, fmt::format("its '{}' would be too long a name ({} bytes, {} are possible); rename the clip",
+                                    text_of_path(longest), longest.size(), longest_name)});
+        return true;
+    });
+}
+
+/// Drops clips whose output files would replace those of others.
 void take_out_clashes(Scan& scan) {
     std::unordered_set<std::string> taken{std::string(index_name)};
     std::unordered_set<std::string> folders;
@@ -144,7 +166,9 @@ void take_out_clashes(Scan& scan) {
 
 Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& names) {
     Scan scan = Walk(in, out, names).run();
+    take_out_long_names(scan);
     take_out_clashes(scan);
+    std::ranges::sort(scan.problems, {}, &ScanProblem::path);
     return scan;
 }
 

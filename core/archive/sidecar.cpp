@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/archive/plain_name.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
+#include "core/json_text.h"
 
 namespace vvr {
 
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Raised when older versions would misread a sidecar; they then take the clip for a new one.
+/// Raised when older versions would misread a sidecar; they then treat the clip as new.
 constexpr int format_version = 1;
 constexpr const char* mark = "vvr-archive";
 
@@ -28,7 +30,7 @@ std::string file_name(const std::string& clip) {
     return clip.substr(clip.rfind('/') + 1);
 }
 
-/// All of a file, if it begins as it should: reports of other things are large, and there are many.
+/// All of a file, if it begins with `beginning`. Other JSON files are not read: they may be large and many.
 std::optional<std::string> text_of_file(const fs::path& path, std::string_view beginning) {
     std::ifstream file(path, std::ios::binary);
     std::string text(beginning.size(), 0);
@@ -51,9 +53,9 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
     for (const OutputRow& row : output_rows) {
         const auto found = files.find(std::string(row.name));
         if (found == files.end()) continue;
-        // Whatever else it may be, a file of another name is none of ours to touch.
-        if (path_of_text(found->get<std::string>()) == file_name(clip) + std::string(row.ending))
-            kinds.push_back(row.kind);
+        const std::string name = path_of_text(found->get<std::string>());
+        // A file of another name is not ours, and is not touched.
+        if (is_plain_name(name) && name == file_name(clip) + std::string(row.ending)) kinds.push_back(row.kind);
     }
     return kinds;
 }
@@ -65,6 +67,7 @@ std::optional<Sidecar> parse(const std::string& text) {
     const Json& clip = json.at("clip");
     sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), clip.at("bytes").get<std::int64_t>(),
                     clip.at("modified_ns").get<std::int64_t>()};
+    if (!is_plain_path(sidecar.clip.path)) return std::nullopt;
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
     sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;
@@ -110,7 +113,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
         const auto row = std::ranges::find(output_rows, kind, &OutputRow::kind);
         json["files"][std::string(row->name)] = text_of_path(file_name(sidecar.clip.path)) + std::string(row->ending);
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 void write_sidecar(const fs::path& out, const Sidecar& sidecar) {

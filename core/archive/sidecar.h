@@ -11,12 +11,12 @@
 
 namespace vvr {
 
-/// What an archive knows of a clip: the file beside its picture, and all that there is of a database.
+/// What an archive knows about a clip, as a file beside its picture. Sidecars are the only database.
 struct Sidecar {
     enum class State { done, failed };
 
-    Clip clip;             ///< as it was when it was read
-    std::string settings;  ///< digest of what makes its files what they are
+    Clip clip;             ///< when it was read
+    std::string settings;  ///< digest of all settings that change its files
     std::string version;   ///< of the vvr that made them
     State state = State::done;
     int tries = 1;
@@ -25,33 +25,33 @@ struct Sidecar {
     std::vector<OutputKind> files;
     double took = 0;  ///< seconds that the last try took
 
-    // Of what is done.
+    // Once it is done.
     std::int64_t frames = 0;
     std::int64_t damaged = 0;
     double seconds = 0;
-    std::optional<std::int64_t> events;   ///< where they were looked for
-    std::optional<std::string> recorded;  ///< UTC, where the container tells
+    std::optional<std::int64_t> events;   ///< if they were searched for
+    std::optional<std::string> recorded;  ///< UTC, if the container says it
 };
 
-/// Written whole or not at all, once everything it speaks of is there.
+/// Writes it whole or not at all. Call it once all files that it names exist.
 /// \throws Error io
 void write_sidecar(const std::filesystem::path& out, const Sidecar& sidecar);
 
-/// Nothing where there is none, or what is there was not written for this clip by `write_sidecar`.
+/// Nothing when there is none, or when `write_sidecar` did not write it for this clip.
 std::optional<Sidecar> read_sidecar(const std::filesystem::path& out, const std::string& clip);
 
-/// The sidecar in a file, if it is one and stands where its clip's belongs.
+/// The sidecar in a file, if it is one and has the path of its clip's sidecar.
 /// \param file below `out`
 std::optional<Sidecar> read_sidecar_file(const std::filesystem::path& out, const std::string& file);
 
 /// What `write_sidecar` writes.
 std::string format_sidecar(const Sidecar& sidecar);
 
-/// Frames, length, events and time of recording, out of what `vvr render --report` wrote.
+/// Takes frames, length, events and time of recording from a report of `vvr render --report`.
 /// \throws Error io
 void take_report(Sidecar& sidecar, const std::filesystem::path& report);
 
-/// Removes what a sidecar names, itself last.
+/// Removes the files that a sidecar names, then the sidecar.
 /// \throws Error io
 void remove_outputs(const std::filesystem::path& out, const Sidecar& sidecar);
 

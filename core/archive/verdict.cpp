@@ -41,7 +41,7 @@ Need need_by_sidecar(const Clip& clip, const std::optional<Sidecar>& sidecar, co
     if (sidecar->state == Sidecar::State::done) {
         return files_there(*sidecar, out, rules) ? Need::nothing : Need::missing;
     }
-    // Another version may know better.
+    // Another version may succeed.
     return sidecar->tries < rules.tries || sidecar->version != rules.version ? Need::retry : Need::given_up;
 }
 

@@ -11,19 +11,19 @@
 
 namespace vvr {
 
-/// What is to become of a clip.
+/// Why a clip has to be drawn, or why not.
 enum class Need {
     nothing,       ///< done
     added,         ///< new
-    changed,       ///< its file is another one
+    changed,       ///< its file has changed
     settings,      ///< it was done with other settings
-    missing,       ///< of what was done files have gone
-    retry,         ///< it failed, and may not the next time
+    missing,       ///< some of its output files no longer exist
+    retry,         ///< it failed, and is tried again
     given_up,      ///< it failed too often
     still_written  ///< it changed a moment ago
 };
 
-/// What to go by.
+/// What the decision depends on.
 struct ArchiveRules {
     std::string settings;           ///< digest
     std::string version;            ///< vvr's
@@ -35,10 +35,10 @@ struct ArchiveRules {
 Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
              const ArchiveRules& rules, std::chrono::system_clock::time_point now);
 
-/// Whether a clip with this need is to be drawn.
+/// Whether a clip with this need has to be drawn.
 bool wants_work(Need need);
 
-/// In a word or two.
+/// One or two words for people.
 std::string_view name_of(Need need);
 
 }  // namespace vvr

@@ -28,16 +28,4 @@ inline constexpr std::int64_t piece_layers = 32;
 /// Those of one brick differ by at most one layer.
 std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks);
 
-/// Names the texture that holds a brick: k textures are reused cyclically as the window moves (§6.1).
-class BrickRing {
-  public:
-    explicit BrickRing(int k) : k_(k) {}
-
-    int size() const { return k_; }
-    int slot(std::int64_t brick) const { return static_cast<int>(brick % k_); }
-
-  private:
-    int k_;
-};
-
 }  // namespace vvr

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <ranges>
 
 namespace vvr {
 
@@ -74,10 +73,12 @@ void BrickLayers::lay_out(std::int64_t first, std::span<ColouredTexel> texels) c
             const auto row = colour.row(size_.height - 1 - y)
                                  .subspan(static_cast<std::size_t>(size_.width - box_.right),
                                           static_cast<std::size_t>(box_.width()));
-            for (const Bgr& bgr : row | std::views::reverse) *into++ = {bgr[2], bgr[1], bgr[0], 0};
+            into = std::transform(row.rbegin(), row.rend(), into, [](const Bgr& bgr) {
+                return ColouredTexel{bgr[2], bgr[1], bgr[0], 0};
+            });
         }
         each_run_in((*layer)->scalar, box_, [&](std::size_t at, std::span<const std::uint8_t> values) {
-            for (const std::uint8_t value : values | std::views::reverse) texels[at++][3] = value;
+            for (std::size_t i = values.size(); i-- > 0;) texels[at++][3] = values[i];
         });
     }
 }

@@ -16,10 +16,10 @@ namespace vvr {
 using ColouredTexel = std::array<std::uint8_t, 4>;
 
 /// What goes into a brick's texture: its layers with one more before and after (the neighbour's layer, or the brick's
-/// own end layer repeated where there is no neighbour), so that interpolation is continuous across bricks. Of the
-/// layers only the box is taken in which something isn't 0, with a border of 0 wherever it doesn't end where the layers
-/// do. Texels are laid out when they are asked for, some layers at a time: all at once they would be most of what a
-/// picture takes of memory.
+/// own end layer repeated where there is no neighbour), so that interpolation is continuous across bricks. It
+/// covers only the box in which something isn't 0, with a border of 0 wherever the box ends before the layers do.
+/// Texels are laid out on demand, some layers at a time: all at once they would be most of the memory that a picture
+/// needs.
 class BrickLayers {
   public:
     /// \param volume outlives this, and doesn't change

@@ -125,7 +125,7 @@ class Strip {
     Reach box_rows_;
     std::size_t width_;
     Reach rows_{0, -1};
-    bool whole_rows_ = true;  ///< the box holds all of the rows that were asked for
+    bool whole_rows_ = true;  ///< the box holds all rows of the strip
     std::vector<std::uint8_t> low_;
     std::vector<std::uint8_t> high_;
 };
@@ -174,16 +174,6 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& l
         }
     }
     return cells;
-}
-
-TextureMap texture_from_c(const PlacedBrick& brick) {
-    const auto layers = static_cast<double>(brick.layers);
-    // The texture has a layer more at each end than the brick.
-    const double t_scale = layers / (layers + 2) / (brick.t_end - brick.t_begin);
-    const double width = brick.box.width();
-    const double height = brick.box.height();
-    return {{brick.size.width / width, brick.size.height / height, t_scale},
-            {-brick.box.left / width, -brick.box.top / height, 1 / (layers + 2) - brick.t_begin * t_scale}};
 }
 
 }  // namespace vvr

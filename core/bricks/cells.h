@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <glm/glm.hpp>
-
 #include "core/bricks/brick_layers.h"
 #include "core/space/layout.h"
 
@@ -25,7 +23,7 @@ struct CellBox {
 };
 
 /// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
-/// Cells with nothing visible in them are passed over when slices are cut (DESIGN: empty space).
+/// Cells with nothing visible in them are left out when slices are cut.
 struct BrickCells {
     std::vector<double> x;  ///< ascending borders in x_C, one more than there are cells
     std::vector<double> y;
@@ -55,25 +53,11 @@ struct BrickCells {
 /// \param t_span the part of the window's t_C that the brick takes
 BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout);
 
-/// A brick's place in the window.
-struct PlacedBrick {
-    std::int64_t number = 0;  ///< counted from the clip's first brick; names its texture
-    std::int64_t layers = 0;
-    double t_begin = 0;  ///< t_C
-    double t_end = 1;
-    Size size;     ///< of its layers
-    PixelBox box;  ///< of their texels those that its texture holds
+/// The cells of a brick, and the part of the window's t_C that the brick takes.
+struct PlacedCells {
     const BrickCells* cells = nullptr;
-    const BrickLayers* made_of = nullptr;  ///< for when its texture isn't there; null where it stays
+    double t_begin = 0;
+    double t_end = 1;
 };
-
-/// Texture coordinates from C-space: scale and offset.
-struct TextureMap {
-    glm::vec3 scale;
-    glm::vec3 offset;
-};
-
-/// Where a brick's texture lies.
-TextureMap texture_from_c(const PlacedBrick& brick);
 
 }  // namespace vvr

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -44,7 +45,15 @@ enum class EventKind {
     taken,  ///< it belonged to the empty scene, and went
 };
 
-/// "moved", "stood", "left" or "taken".
+struct EventKindRow {
+    std::string_view name;
+    std::string_view help;
+    EventKind kind;
+};
+
+/// "moved", "stood", "left", "taken".
+std::span<const EventKindRow> event_kinds();
+
 std::string_view name_of(EventKind kind);
 
 /// One object of the space-time volume, from its first to its last frame.

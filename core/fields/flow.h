@@ -54,6 +54,7 @@ struct FlowRow {
     std::string_view name;
     std::string_view help;
     std::unique_ptr<FlowMethod> (*make)(const FlowOptions& options);
+    bool is_none = false;  ///< computes nothing, so there are no seeds either
 };
 
 /// A kind of derivatives.
@@ -65,21 +66,29 @@ struct DerivativeRow {
 /// "barron" and "cube".
 std::span<const DerivativeRow> derivative_kinds();
 
-/// Every flow method; "none", which makes nothing, among them.
+/// Every flow method, and one that computes nothing.
 std::span<const FlowRow> flow_methods();
 
-/// Where in a frame flow is looked for.
+/// Whether the options ask for a method that computes something.
+/// \throws Error usage when there is no such method
+bool has_flow(const FlowOptions& options);
+
+/// The name of the method that computes nothing.
+std::string no_flow();
+
+/// Where in a frame flow is computed.
 struct FlowArea {
-    const char* name;
-    const char* help;
+    std::string_view name;
+    std::string_view help;
+    std::int64_t whole_up_to;  ///< clips of at most this many frames get flow in the whole frame
 };
 std::span<const FlowArea> flow_areas();
 
-/// What "auto" is for a clip of so many frames, 0 = unknown: all of the frame in a short one, where it costs little and
-/// a sequence without an empty scene, a benchmark's say, comes out whole.
-std::string resolved_area(const std::string& area, std::int64_t frames);
+/// Whether flow is computed in the whole of each frame of a clip.
+/// \param frames of the clip; 0 = unknown
+bool is_whole_frame(const FlowOptions& options, std::int64_t frames);
 
-/// The method that the options ask for; null for "none".
+/// The method that the options ask for; null where they ask for none.
 /// \throws Error usage when there is no such method, or a value is out of its range
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options);
 

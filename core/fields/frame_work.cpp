@@ -5,10 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "core/choice.h"
 #include "core/fields/changes.h"
-#include "core/fields/choice.h"
 #include "core/fields/clean.h"
 #include "core/fields/seeds.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
@@ -56,7 +57,7 @@ Neighbourhood continuous_part(Neighbourhood about, int reach) {
 
 bool needs_reference(const FieldOptions& options) {
     const FilterTraits& traits = find_filter(options.filter).traits;
-    return traits.object || (options.flow.method != "none" && !traits.shows_object);
+    return traits.object || (has_flow(options.flow) && !traits.shows_object);
 }
 
 FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
@@ -64,12 +65,13 @@ FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
       row_(find_filter(options.filter)),
       region_(scene.region),
       filter_(row_.make(options)),
-      flow_(make_flow(options.flow)) {
+      flow_(make_flow(options.flow)),
+      whole_frame_flow_(is_whole_frame(options.flow, scene.frames)) {
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
         object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_);
     }
-    needs_age_ = flow_ != nullptr && choose("--seed-order", options.seeds.order, seed_orders()).needs_age;
+    needs_age_ = flow_ != nullptr && choose(setting::seed_order.name, options.seeds.order, seed_orders()).needs_age;
     remembers_ = row_.traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
@@ -148,7 +150,7 @@ Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& m
     const Shot& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
-    const bool everywhere = options_.flow.area == "all" || row_.traits.flow;
+    const bool everywhere = whole_frame_flow_ || row_.traits.flow;
     const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();

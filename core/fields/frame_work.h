@@ -64,6 +64,7 @@ class FrameWork {
     Plane<std::uint8_t> region_;
     std::unique_ptr<Filter> filter_;
     std::unique_ptr<FlowMethod> flow_;
+    bool whole_frame_flow_;
     std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object
     bool needs_age_ = false;
     bool remembers_ = false;

@@ -1,20 +1,22 @@
 #include "core/fields/object.h"
 
+#include "core/choice.h"
 #include "core/fields/blobs.h"
-#include "core/fields/choice.h"
+#include "core/fields/settings.h"
 #include "core/fields/shadows.h"
 
 namespace vvr {
 
 ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
                            const Plane<std::uint8_t>& region)
-    : illumination_(choose("--illumination", options.illumination, illuminations())),
+    : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
       clean_{.threshold = threshold, .gain = 2},
       min_area_(options.min_area),
       shadows_(options.shadows),
       region_(region),
       reference_(smoothed(reference.grey, reference.colour, options.smooth)) {
-    if (options.reference == "running") running_.emplace(reference_);
+    const ReferenceRow* const row = find_reference(options.reference);
+    if (row != nullptr && row->adapts) running_.emplace(reference_);
 }
 
 Light ObjectFinder::light_of(const Planes& frame, const Reference& reference) const {

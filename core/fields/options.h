@@ -45,7 +45,7 @@ struct FieldOptions {
 };
 
 /// Checks every value and every name; `compute_fields` does so first.
-/// \throws Error usage with the option, what was found and what is allowed
+/// \throws Error usage with the setting, what was found and what is allowed
 void validate(const FieldOptions& options);
 
 }  // namespace vvr

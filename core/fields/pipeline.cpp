@@ -16,6 +16,8 @@
 #include "core/fields/clip_reader.h"
 #include "core/fields/frame_work.h"
 #include "core/fields/region.h"
+#include "core/fields/settings.h"
+#include "core/words.h"
 
 namespace vvr {
 namespace {
@@ -111,14 +113,14 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
 
 FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
     validate(options);
-    EmptyScene scene{.reference = {}, .region = make_region(options, source.field_size(), source.info().size)};
+    EmptyScene scene{.reference = {},
+                     .region = make_region(options, source.field_size(), source.info().size),
+                     .frames = source.info().frames};
     const OneThreadInOpenCv one_thread;
     if (needs_reference(options)) {
         on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
     }
-    FieldOptions resolved = options;
-    resolved.flow.area = resolved_area(options.flow.area, source.info().frames);
-    FrameWork work(scene, resolved);
+    FrameWork work(scene, options);
     ClipReader read(source, options.span, work.reach(), work.remembers());
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);
@@ -127,11 +129,10 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     // A stream may end with nothing but the frames that the reference took.
     if (summary.frames == 0 && options.span != FrameSpan{}) {
         throw Error(ErrorKind::usage,
-                    fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change --start or "
-                                "--end",
-                                source.info().name, text_of(options.span),
-                                read.last_index() == 0 ? "1 frame" : fmt::format("{} frames", read.last_index() + 1),
-                                read.last_pts()));
+                    fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
+                                source.info().name, text_of(options.span), counted(read.last_index() + 1, "frame"),
+                                read.last_pts()),
+                    {setting::start.name, setting::end.name});
     }
     return summary;
 }

@@ -32,6 +32,7 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
 struct EmptyScene {
     Reference reference;         ///< may be empty where `needs_reference` says so
     Plane<std::uint8_t> region;  ///< 0 = not to be looked at; empty = look everywhere
+    std::int64_t frames = 0;     ///< of the clip; 0 = unknown
 };
 
 /// Whether these options lead to a comparison with the empty scene: for the filter, or for where seeds may lie.

@@ -11,9 +11,10 @@
 #include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/choice.h"
 #include "core/cv_view.h"
 #include "core/error.h"
-#include "core/fields/choice.h"
+#include "core/fields/settings.h"
 #include "core/video/scaler.h"
 
 namespace vvr {
@@ -105,14 +106,10 @@ Reference first_seconds(FrameSource& clip, const IlluminationRow& illumination) 
 
 constexpr std::array rows{
     ReferenceRow{"median", "each pixel's median over the clip, or of what was first where things came to stay",
-                 median_of_clip},
+                 median_of_clip, true},
     ReferenceRow{"first", "the first frame", first_frame},
-    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds},
+    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, false, true},
 };
-
-bool is_in_table(const std::string& kind) {
-    return std::ranges::find(rows, kind, &ReferenceRow::name) != rows.end();
-}
 
 // How far the reference moves toward a frame: settled after some four seconds of 25 frames.
 constexpr float pace = 1.F / 32;
@@ -139,19 +136,23 @@ std::span<const ReferenceRow> reference_kinds() {
     return rows;
 }
 
+const ReferenceRow* find_reference(std::string_view name) {
+    const auto row = std::ranges::find(rows, name, &ReferenceRow::name);
+    return row == rows.end() ? nullptr : &*row;
+}
+
 void validate_reference(const std::string& kind) {
     // Whatever could be a file's name is looked for when it is needed.
     if (kind.find_first_of("./") == std::string::npos && !std::filesystem::exists(kind)) {
-        choose("--reference", kind, rows, ", or the name of a picture");
+        choose(setting::reference.name, kind, rows, ", or the name of a picture");
     }
 }
 
 Reference make_reference(FrameSource& clip, const FieldOptions& options) {
     const std::string& kind = options.reference;
     validate_reference(kind);
-    if (is_in_table(kind)) {
-        return choose("--reference", kind, rows)
-            .make(clip, choose("--illumination", options.illumination, illuminations()));
+    if (const ReferenceRow* const row = find_reference(kind)) {
+        return row->make(clip, choose(setting::illumination.name, options.illumination, illuminations()));
     }
     SourceOptions like_clip;
     like_clip.field_size = clip.field_size();

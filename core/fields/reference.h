@@ -22,10 +22,15 @@ struct ReferenceRow {
     std::string_view name;
     std::string_view help;
     Reference (*make)(FrameSource& clip, const IlluminationRow& illumination);
+    bool needs_whole_clip = false;  ///< so a stream can't have it
+    bool adapts = false;            ///< follows slow changes of the scene from frame to frame
 };
 
 /// "median", "first", "running".
 std::span<const ReferenceRow> reference_kinds();
+
+/// The row of that name; null for a picture file.
+const ReferenceRow* find_reference(std::string_view name);
 
 /// The empty scene of a clip, after a row of the table or from a picture file, which is brought to the clip's field
 /// size. Where changes of light are made up for, so they are here. Leaves the clip at its first frame.

@@ -12,6 +12,7 @@
 
 #include "core/cv_view.h"
 #include "core/error.h"
+#include "core/fields/settings.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 
@@ -35,7 +36,7 @@ bool is_polygon_list(std::string_view text) {
 
 class Parser {
   public:
-    Parser(const std::string& option, std::string_view text) : option_(option), text_(text) {}
+    Parser(std::string_view setting, std::string_view text) : setting_(setting), text_(text) {}
 
     std::vector<Polygon> polygons() {
         std::vector<Polygon> result(1);
@@ -74,10 +75,11 @@ class Parser {
         throw Error(ErrorKind::usage,
                     fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
                                 "between polygons, or the name of a picture",
-                                option_, what, at_ + 1, text_));
+                                setting_, what, at_ + 1, text_),
+                    {setting_});
     }
 
-    std::string option_;
+    std::string_view setting_;
     std::string_view text_;
     std::size_t at_ = 0;
 };
@@ -98,10 +100,10 @@ void draw(Plane<std::uint8_t>& plane, const std::vector<Polygon>& polygons, Size
     }
 }
 
-Plane<std::uint8_t> area(const std::string& option, const std::string& text, Size field, Size video) {
+Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size field, Size video) {
     if (is_polygon_list(text)) {
         Plane<std::uint8_t> plane(field);
-        draw(plane, Parser(option, text).polygons(), video);
+        draw(plane, Parser(setting, text).polygons(), video);
         return plane;
     }
     SourceOptions options;
@@ -114,16 +116,16 @@ Plane<std::uint8_t> area(const std::string& option, const std::string& text, Siz
 
 }  // namespace
 
-void validate_region(const std::string& option, const std::string& text) {
-    if (is_polygon_list(text)) Parser(option, text).polygons();
+void validate_region(std::string_view setting, const std::string& text) {
+    if (is_polygon_list(text)) Parser(setting, text).polygons();
 }
 
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {
     if (options.roi.empty() && options.mask.empty()) return {};
     Plane<std::uint8_t> region =
-        options.roi.empty() ? Plane<std::uint8_t>(field, 255) : area("--roi", options.roi, field, video);
+        options.roi.empty() ? Plane<std::uint8_t>(field, 255) : area(setting::roi.name, options.roi, field, video);
     if (!options.mask.empty()) {
-        const Plane<std::uint8_t> mask = area("--mask", options.mask, field, video);
+        const Plane<std::uint8_t> mask = area(setting::mask.name, options.mask, field, video);
         for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
             if (mask.pixels()[i] != 0) region.pixels()[i] = 0;
         }

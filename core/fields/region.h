@@ -19,7 +19,7 @@ namespace vvr {
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video);
 
 /// Checks a polygon list; takes anything else for the name of a picture.
-/// \throws Error usage naming `option`, where the text is wrong, and what it must be
-void validate_region(const std::string& option, const std::string& text);
+/// \throws Error usage naming `setting`, where the text is wrong, and what it must be
+void validate_region(std::string_view setting, const std::string& text);
 
 }  // namespace vvr

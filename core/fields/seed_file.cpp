@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/fields/read_file.h"
+#include "core/read_file.h"
 
 namespace vvr {
 namespace {

@@ -9,8 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "core/choice.h"
 #include "core/error.h"
-#include "core/fields/choice.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
@@ -34,7 +35,7 @@ struct Candidate {
 };
 
 std::vector<Candidate> eligible(const SeedInput& input, const SeedOptions& options) {
-    const SeedOrderRow& order = choose("--seed-order", options.order, orders);
+    const SeedOrderRow& order = choose(setting::seed_order.name, options.order, orders);
     std::vector<Candidate> result;
     for (int j = options.grid / 2; j < input.object.height(); j += options.grid) {
         for (int i = options.grid / 2; i < input.object.width(); i += options.grid) {
@@ -101,7 +102,8 @@ SeedSelection parse_seed_selection(const std::string& text) {
         if (numbered && parse_whole(all.substr(7, colon - 7), result.count)) return result;
     }
     throw Error(ErrorKind::usage,
-                fmt::format("--seed-select: '{}' is not one of: all, first:N, random:N, random:N:NUMBER", text));
+                fmt::format("seed-select: '{}' is not one of: all, first:N, random:N, random:N:NUMBER", text),
+                {setting::seed_select.name});
 }
 
 std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options) {

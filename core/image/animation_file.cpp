@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/ending.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 
@@ -15,7 +15,7 @@ namespace vvr {
 
 namespace {
 
-/// One kind of animated file. Of its encoders the first that the installed libav has is taken.
+/// One kind of animated file. The first of its encoders that the installed libav has is used.
 struct Format {
     std::string_view ending;
     const char* muxer;
@@ -30,15 +30,9 @@ constexpr std::array formats{
     Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
 };
 
-std::string lower_ending(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
 /// \throws Error io when libav has none of the encoders
 FilmFormat film_format(const std::filesystem::path& path) {
-    const Format& format = *std::ranges::find(formats, lower_ending(path), &Format::ending);
+    const Format& format = *std::ranges::find(formats, ending_of(path), &Format::ending);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
     throw Error(ErrorKind::io,
@@ -56,7 +50,7 @@ std::vector<std::string> animation_endings() {
 }
 
 bool is_animation(const std::filesystem::path& path) {
-    return std::ranges::find(formats, lower_ending(path), &Format::ending) != formats.end();
+    return std::ranges::find(formats, ending_of(path), &Format::ending) != formats.end();
 }
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {

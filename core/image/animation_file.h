@@ -17,12 +17,12 @@ std::vector<std::string> animation_endings();
 /// Whether a name ends like an animated file.
 bool is_animation(const std::filesystem::path& path);
 
-/// Pictures of one size as an animated file. The encoded file is held in memory and written as a whole, as a picture
-/// is: `path` holds all of it, or what it held before. GIFs run in an endless loop, with a palette made from the first
-/// picture; videos have even sides, a last row or column is left off. Same pictures, same bytes.
+/// Pictures of one size as an animated file. The encoded file is held in memory and replaces `path` as a whole, as a
+/// picture does. GIFs run in an endless loop, with a palette made from the first picture. Videos have even sides: an
+/// odd last row or column is dropped. Same pictures, same bytes.
 class AnimationFile {
   public:
-    /// \param rate pictures a second
+    /// \param rate pictures per second
     /// \throws Error usage for another ending, io when libav has no encoder for it
     AnimationFile(std::filesystem::path path, int rate);
     ~AnimationFile();
@@ -32,7 +32,7 @@ class AnimationFile {
     /// \throws Error io when it can't be encoded
     void add(const Picture& picture);
 
-    /// Writes the file; without it there is none.
+    /// Writes the file. Without this call there is none.
     /// \throws Error io
     void close();
 

@@ -1,19 +1,25 @@
 #include "core/image/atomic_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
+#include <ctime>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/file_lock.h"
 #include "core/fnv.h"
 
 namespace vvr {
@@ -30,28 +36,65 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// How the hidden files of a target begin. A hash, as the target's name may be as long as a name can be.
+/// How the names of a target's hidden files begin: with a hash, because the target's own name may have the greatest
+/// length that a file system allows.
 std::string hidden_prefix(const std::string& name) {
     return fmt::format(".vvr-{:016x}-", fnv1a(name));
 }
 
 constexpr std::string_view hidden_ending = ".part";
 
-/// A new file with a hidden name, gone again unless it was renamed.
+/// Whether no other machine can have the file open, so that its lock covers all programs that write it.
+bool is_on_this_machine(int file) {
+    constexpr std::int64_t zfs = 0x2fc12fc1;
+    constexpr std::array<std::int64_t, 8> systems{
+        EXT4_SUPER_MAGIC, XFS_SUPER_MAGIC, BTRFS_SUPER_MAGIC,     F2FS_SUPER_MAGIC,
+        TMPFS_MAGIC,      RAMFS_MAGIC,     OVERLAYFS_SUPER_MAGIC, zfs};
+    struct statfs system {};
+    return ::fstatfs(file, &system) == 0 && std::ranges::count(systems, std::int64_t{system.f_type}) > 0;
+}
+
+/// Whether a file was last written so long ago that no program can still be writing it.
+bool is_old(int file) {
+    constexpr std::time_t long_enough = 3600;
+    struct stat status {};
+    return ::fstat(file, &status) == 0 && status.st_mtim.tv_sec < std::time(nullptr) - long_enough;
+}
+
+/// Removes the hidden file of a killed program. A locked file stays, and so does anything but a regular file. Without
+/// locks that reach all machines, a file that may still be written stays too.
+/// \param abandoned whether it is certain that no program is writing it
+void remove_if_left(const fs::path& path, bool abandoned) {
+    const int file = open_file_itself(path, O_WRONLY);
+    if (file < 0) return;
+    const int error = lock_file(file, false);
+    const bool sure = abandoned || is_old(file) || (error == 0 && is_on_this_machine(file));
+    if (error != EWOULDBLOCK && sure && is_still(file, path)) ::unlink(path.c_str());
+    ::close(file);
+}
+
+/// A new file with a hidden name, which is removed unless it was renamed. It is locked as long as it is written, and
+/// every run uses the same names: so a run finds the files of older ones, and whether they are still being written.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) {
-        const fs::path folder = folder_of(target);
-        for (int i = 0; file_ < 0; ++i) {
-            path_ = folder /
-                    fmt::format("{}{}-{}{}", hidden_prefix(target.filename().string()), ::getpid(), i, hidden_ending);
-            file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file_ < 0 && errno != EEXIST) throw_error("make a file in", folder, errno);
+        const std::string prefix = hidden_prefix(target.filename().string());
+        const auto numbered = [&](int i) {
+            return folder_of(target) / fmt::format("{}{}{}", prefix, i, hidden_ending);
+        };
+        int number = 0;
+        while (file_ < 0) {
+            path_ = numbered(number);
+            remove_if_left(path_, false);
+            if (!create()) ++number;
         }
+        // If two programs wrote at once, the second may have been killed.
+        remove_if_left(numbered(number + 1), false);
     }
     ~TemporaryFile() {
-        if (file_ >= 0) ::close(file_);
-        if (!path_.empty()) ::unlink(path_.c_str());
+        // Closed last: once it is unlocked, another run may take the name.
+        if (!path_.empty() && is_still(file_, path_)) ::unlink(path_.c_str());
+        ::close(file_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -68,14 +111,30 @@ class TemporaryFile {
     }
 
     void rename_to(const fs::path& target) {
-        if (::fsync(file_) != 0 || ::close(std::exchange(file_, -1)) != 0 ||
-            ::rename(path_.c_str(), target.c_str()) != 0) {
-            throw_error("write", target, errno);
-        }
+        // Closed after that, for the same reason. Errors of the disk come from fsync.
+        if (::fsync(file_) != 0) throw_error("write", target, errno);
+        if (!is_still(file_, path_)) throw_error("write", target, ENOENT);
+        if (::rename(path_.c_str(), target.c_str()) != 0) throw_error("write", target, errno);
         path_.clear();
     }
 
   private:
+    /// \returns whether the file is new
+    bool create() {
+        const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file < 0 && errno == EEXIST) return false;
+        if (file < 0) throw_error("make a file in", std::exchange(path_, {}).parent_path(), errno);
+        // Before it was locked, another run may have taken it for the file of a killed one. Without locks, its age
+        // protects it.
+        lock_file(file, true);
+        if (is_still(file, path_)) {
+            file_ = file;
+        } else {
+            ::close(file);
+        }
+        return true;
+    }
+
     [[noreturn]] static void throw_error(const char* what, const fs::path& path, int error) {
         const bool full = error == ENOSPC || error == EFBIG || error == EDQUOT;
         throw Error(ErrorKind::io, fmt::format("cannot {} '{}': {}; {}", what, path.string(), reason(error),
@@ -89,8 +148,17 @@ class TemporaryFile {
 
 /// Where the bytes go when `path` is a link to another file.
 fs::path target_of(const fs::path& path) {
-    std::error_code none;
-    return fs::is_symlink(path, none) ? fs::weakly_canonical(path) : path;
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return path;
+    fs::path target = fs::weakly_canonical(path, error);
+    if (error) {
+        throw Error(
+            ErrorKind::io,
+            fmt::format("cannot write '{}': it is a link that can't be followed: {}; remove it, or choose another "
+                        "name",
+                        path.string(), error.message()));
+    }
+    return target;
 }
 
 }  // namespace
@@ -122,7 +190,7 @@ void check_file_path(const fs::path& path) {
         throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; remove it, or choose another name",
                                                path.string(), reason(errno)));
     }
-    // Asking for permissions is not enough: a server or a full disk has its own opinion. So try.
+    // Permissions do not say everything: a server or a full disk may still refuse. So try.
     const TemporaryFile probe(target);
 }
 
@@ -146,7 +214,7 @@ void remove_leftovers(const fs::path& folder, std::span<const std::string> names
             std::ranges::any_of(prefixes, [&](const std::string& prefix) { return name.starts_with(prefix); });
         if (ours) left.push_back(entry->path());
     }
-    for (const fs::path& path : left) fs::remove(path, none);
+    for (const fs::path& path : left) remove_if_left(path, true);
 }
 
 }  // namespace vvr

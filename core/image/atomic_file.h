@@ -7,18 +7,20 @@
 
 namespace vvr {
 
-/// Says whether `replace_file` could write to `path`: its folder is there and takes new files, and nothing but a
-/// file that may be overwritten stands in the way.
+/// Checks that `replace_file` can write to `path`: its folder exists and takes new files, and at `path` there is
+/// nothing, or a file that may be overwritten.
 /// \throws Error io with the next step
 void check_file_path(const std::filesystem::path& path);
 
 /// Writes `bytes` to a hidden file beside `path` and renames it once it is safely on the disk: `path` holds all of
-/// them, or what it held before. A link is followed, so that it stays a link.
+/// them, or what it held before. A link is followed, so that it stays a link. Hidden files that killed programs left
+/// for the same `path` are removed once it is certain that no program is writing them: their lock is free, and if other
+/// machines may be writing, they are an hour old.
 /// \throws Error io
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. Only for who
-/// knows that nobody is replacing them now.
+/// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. The caller
+/// has to make sure that no program is replacing them now.
 void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);
 
 }  // namespace vvr

@@ -10,12 +10,13 @@ namespace vvr {
 namespace {
 
 const PictureCodec& load() {
-    // Never closed: libraries among those that come with it don't bear that.
+    // Never closed: some of the libraries that come with it crash when they are.
     void* const library = dlopen(VVR_PICTURE_CODEC, RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
     void* const codec = library ? dlsym(library, picture_codec_symbol) : nullptr;
     if (codec) return *reinterpret_cast<const PictureCodec* (*)()>(codec)();
-    throw Error(ErrorKind::io,
-                fmt::format("cannot load what reads and writes pictures: {}; install vvr again", dlerror()));
+    throw Error(
+        ErrorKind::io,
+        fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", dlerror()));
 }
 
 }  // namespace

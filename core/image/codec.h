@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image/picture.h"
@@ -11,38 +14,51 @@
 
 namespace vvr {
 
-/// How a channel's values stand in a file.
+/// The type of a file's colour values.
 enum class Stored { uint8, uint16, half };
 
-/// A picture file that is to be encoded.
+/// Names and values of an encoder's options, in OpenImageIO's words.
+using EncoderOptions = std::vector<std::pair<std::string, int>>;
+
+/// libpng's numbers of the filters that prepare a row for compression.
+namespace png_filter {
+inline constexpr int none = 0x08;  ///< for what is mostly of one value
+inline constexpr int sub = 0x10;   ///< differences from the left neighbour: for pictures nearly as small as the best of
+                                   ///< all, chosen row by row, in half the time
+}  // namespace png_filter
+
+/// A picture file to encode.
 struct PictureFile {
     std::string format;  ///< its ending, without the dot
-    std::string name;    ///< for what the library says of it
+    std::string name;    ///< for error messages
     Size size;
-    int colours = 3;  ///< channels
+    int colours = 3;  ///< channels: 1 grey, 3 colour, 4 colour and alpha
     Stored stored = Stored::uint8;
-    std::vector<std::string> layers{};  ///< names of further channels of floats
+    std::vector<std::string> pixel_data{};  ///< names of further channels, of floats
     Metadata attributes{};
-    std::span<const float> values{};
+    EncoderOptions options{};
+    /// Pixel by pixel, rows from the top. 8-bit files take 8-bit values, with colours not multiplied by alpha; others
+    /// take floats.
+    std::span<const std::byte> values{};
 };
 
-/// What we use of OpenImageIO: all formats but PNG and JPEG, and all that is read. Together with the 250 libraries that
-/// it depends on it takes longer to load than a short clip to be read, so it stands in a library of our own,
-/// core/image/oiio.cpp, that is loaded when it is first needed.
+/// What vvr uses of OpenImageIO. With the 250 libraries it depends on, it takes 0.2 s to load. So it is in a library of
+/// our own, made of core/image/oiio.cpp, which is loaded while a clip is read.
 struct PictureCodec {
-    std::vector<unsigned char> (*encode)(const PictureFile& file);
-    Samples (*read)(const std::filesystem::path& path);
-    Samples (*decode)(const std::filesystem::path& name, std::span<const unsigned char> bytes);
-    Metadata (*attributes)(const std::filesystem::path& path);
-    /// 8-bit values of a file that has to have this size and so many channels.
+    /// The bytes of a picture file; same picture, same bytes.
+    /// \throws Error io when OpenImageIO refuses
+    std::vector<std::byte> (*encode)(const PictureFile& file);
+    /// Reads a file, or its bytes where they are given. \throws Error io
+    Samples (*read)(const std::filesystem::path& path, std::optional<std::span<const std::byte>> bytes);
+    /// Reads 8-bit values of a file of this size and number of channels. \throws Error io for any other
     void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);
 };
 
-/// Loads it at the first call; from any thread.
-/// \throws Error io where it isn't beside the program, or a library that it depends on is missing
+/// Loads the library at the first call; from any thread.
+/// \throws Error io when it can't be loaded
 const PictureCodec& picture_codec();
 
-/// The one name that the library gives away, that of a function that returns a pointer to the codec.
+/// The one name that the library exports, of a function that returns a pointer to the codec.
 inline constexpr const char* picture_codec_symbol = "vvr_picture_codec";
 
 }  // namespace vvr

@@ -19,7 +19,7 @@ std::string size_text(Size size) {
     return fmt::format("{}x{}", size.width, size.height);
 }
 
-/// What stands in the way of a comparison of values.
+/// The answer for pictures whose values can't be compared.
 std::optional<Comparison> refusal(const Samples& a, const Samples& b) {
     const auto refuse = [](Verdict verdict, std::string reason) {
         Comparison comparison;

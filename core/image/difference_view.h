@@ -7,9 +7,9 @@
 
 namespace vvr {
 
-/// Where two pictures differ, over the first of them in pale grey: yellow for a little, by way of red to black for
-/// all of the range. Weak differences are lifted, so that none goes unseen.
-/// \param comparison one with numbers
+/// The differences of two pictures over the first of them in pale grey: from yellow for the smallest, through red, to
+/// black for all of the range. Weak differences are amplified, so that all are visible.
+/// \param comparison with numbers
 Picture difference_picture(const Samples& a, const Comparison& comparison);
 
 /// The same in letters for a terminal, at most `columns` wide, framed: the strongest difference of each cell, from

@@ -37,7 +37,7 @@ struct Free {
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;
 
-/// A file in memory, as libav's muxers want one.
+/// A file in memory, for libav's muxers.
 struct MemoryFile {
     std::vector<std::byte> bytes;
     std::size_t at = 0;
@@ -88,9 +88,9 @@ struct FilmEncoder::Parts {
         context->time_base = {1, ticks};
         context->framerate = {rate, 1};
         context->gop_size = key_frames;
-        context->thread_count = 1;  // encoders give other bytes with other counts
+        context->thread_count = 1;  // the bytes depend on the number of threads
         context->flags |= AV_CODEC_FLAG_BITEXACT;
-        context->log_level_offset = 1000;  // what encoders tell is not for our stderr
+        context->log_level_offset = 1000;  // keep encoders' messages off stderr
         if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
         AVDictionary* options = nullptr;
         av_dict_parse_string(&options, format.options.c_str(), "=", ",", 0);
@@ -112,7 +112,7 @@ struct FilmEncoder::Parts {
         check(av_frame_get_buffer(frame.get(), 0));
     }
 
-    /// Muxers let go of their last packet only with the trailer, also where nobody wants the film any more.
+    /// Muxers free their last packet only with the trailer, so it is written even if the film is not wanted.
     ~Parts() {
         if (unfinished) av_write_trailer(container.get());
     }
@@ -185,7 +185,7 @@ struct FilmEncoder::Parts {
         Plane<Bgr> bgr(size);
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
-                // One row or column of less than two pixels stands twice.
+                // A single row or column is repeated.
                 bgr.at(i, j) = picture.at(std::min(i, picture.width() - 1), std::min(j, picture.height() - 1));
             }
         }
@@ -200,7 +200,7 @@ struct FilmEncoder::Parts {
         sws_scale(scaler.get(), from.data(), stride.data(), 0, size.height, frame->data, frame->linesize);
     }
 
-    /// Passes on what the encoder has ready.
+    /// Takes the packets that the encoder has ready to the container.
     void drain() {
         for (;;) {
             const int result = avcodec_receive_packet(context.get(), packet.get());
@@ -225,7 +225,7 @@ struct FilmEncoder::Parts {
     Ptr<AVFrame> frame;
     Ptr<SwsContext> scaler;
     std::optional<Palette> palette;
-    std::int64_t duration = 1;  ///< ticks, of the picture before the last; taken for the last one
+    std::int64_t duration = 1;  ///< in ticks, of the picture before the last; used for the last one too
 };
 
 bool has_encoder(const std::string& encoder) {

@@ -10,7 +10,7 @@
 
 namespace vvr {
 
-/// How libav makes a film.
+/// How libav encodes a film.
 struct FilmFormat {
     std::string muxer;
     std::string encoder;
@@ -21,13 +21,14 @@ struct FilmFormat {
 /// Whether the installed libav has an encoder.
 bool has_encoder(const std::string& encoder);
 
-/// Pictures of one size as a film that is held in memory. Those with a palette keep their size, others have even
-/// sides: a last row or column is left off. Same pictures, same bytes.
+/// Pictures of one size as a film in memory. Films with a palette keep the size, others have even sides: an odd last
+/// row or column is dropped. Same pictures, same bytes.
 class FilmEncoder {
   public:
     /// \param name for messages
-    /// \param ticks parts of a second in which times are counted
-    /// \param rate pictures a second, about; there is a key frame each `key_frames` pictures
+    /// \param ticks unit of times, per second
+    /// \param rate pictures per second, about
+    /// \param key_frames pictures from one key frame to the next
     /// \throws Error io when libav can't
     FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
     ~FilmEncoder();
@@ -38,13 +39,13 @@ class FilmEncoder {
     /// \throws Error io when it can't be encoded
     void add(const Picture& picture, std::int64_t time);
 
-    /// The same for one without a palette.
+    /// The same for a film without a palette.
     void add(const Plane<Bgr>& picture, std::int64_t time);
 
-    /// Bytes that are there so far.
+    /// Size so far.
     std::size_t bytes() const;
 
-    /// The whole file. To be called once, after the last picture.
+    /// The whole file. Call it once, after the last picture.
     /// \throws Error io
     std::vector<std::byte> finish();
 

@@ -12,18 +12,18 @@ namespace vvr {
 /// A font file's letters, by FreeType. For one thread at a time.
 class Font {
   public:
-    /// \param file of the font; where there is none, or FreeType can't read it, no text can be written
+    /// \param file of the font; if FreeType can't read it, no text can be drawn
     explicit Font(const std::string& file);
     ~Font();
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
 
-    /// What a line of UTF-8 covers when the line that letters stand on begins at 0,0.
+    /// The box of a line of UTF-8 whose baseline begins at 0,0.
     /// \param size of the letters, in pixels
     std::optional<PixelBox> measure(const std::string& text, int size);
 
-    /// Writes a line of UTF-8 over `pixels`, from `x` on, `y` the line that letters stand on.
-    /// \returns false where it can't; nothing is written then
+    /// Draws a line of UTF-8 over `pixels`, its baseline from `x`,`y` on.
+    /// \returns false if there is no font; nothing is drawn then
     bool draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour);
 
   private:

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <opencv2/imgproc.hpp>
-
-#include "core/cv_view.h"
+#include "core/image/resized.h"
 
 namespace vvr {
 namespace {
@@ -14,10 +12,7 @@ std::vector<Plane<T>> levels_of(const Plane<T>& picture) {
     std::vector<Plane<T>> levels;
     const Plane<T>* before = &picture;
     while (before->width() > 1 || before->height() > 1) {
-        auto level = Plane<T>::for_overwrite({std::max(1, before->width() / 2), std::max(1, before->height() / 2)});
-        cv::Mat out = cv_view(level);
-        cv::resize(cv_view(*before), out, out.size(), 0, 0, cv::INTER_AREA);
-        levels.push_back(std::move(level));
+        levels.push_back(resized(*before, {std::max(1, before->width() / 2), std::max(1, before->height() / 2)}));
         before = &levels.back();
     }
     return levels;

@@ -18,7 +18,7 @@ const std::vector<std::string>& counted_things() {
     return names;
 }
 
-// {word:digits} of any kind, so that a wrong one is found; a run of #; %d.
+// {word:digits} with any word, so that a wrong one is noticed; a run of #; %d.
 const std::regex& field() {
     static const std::regex expression(R"(\{([^{}:]*)(?::([^{}]*))?\}|(##+)|%(?:0([1-9]))?d)");
     return expression;

@@ -6,9 +6,9 @@
 
 namespace vvr {
 
-/// The name of an output file, with at most one field that numbers fill in. A field stands in the last part of the
-/// path and is `{frame:4}`, `{brick:4}` (the number is the least count of digits; without `:4`, as many as it takes),
-/// `####` (two or more, as many digits) or `%04d`.
+/// The name of an output file, with at most one field for a number. A field is in the last part of the path:
+/// `{frame:4}` or `{brick:4}` (at least 4 digits; without `:4`, as many as needed), `####` (two or more, one per digit)
+/// or `%04d`.
 class NamePattern {
   public:
     NamePattern() = default;
@@ -16,15 +16,15 @@ class NamePattern {
     /// \throws Error usage when there are two fields, or braces around anything else
     explicit NamePattern(const std::filesystem::path& path);
 
-    /// A name that is none but itself, whatever stands in it.
+    /// A name without a field, even if it looks like one.
     static NamePattern literal(const std::filesystem::path& path);
 
     bool has_field() const { return has_field_; }
 
-    /// What the numbers count: "frame", "brick", or nothing where the field doesn't say.
+    /// What the numbers count: "frame", "brick", or empty if the field doesn't say.
     const std::string& counts() const { return counts_; }
 
-    /// The file for a number; the name as it stands where there is no field.
+    /// The file for a number; without a field, the name itself.
     std::filesystem::path at(std::int64_t number) const;
 
     const std::filesystem::path& path() const { return path_; }

@@ -1,4 +1,4 @@
-// All that is OpenImageIO's. The library that is made of this file alone is loaded by core/image/codec.cpp.
+// All that vvr uses of OpenImageIO: a library of this one file, which core/image/codec.cpp loads.
 #include <memory>
 
 #include <OpenImageIO/filesystem.h>
@@ -23,8 +23,8 @@ OIIO::TypeDesc type_of(Stored stored) {
     return OIIO::TypeDesc::UNKNOWN;
 }
 
-/// Colours stay in the format's own type; half floats would round times and frame numbers.
-void add_layer_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& names) {
+/// Colours keep the format's own type; half floats would round times and frame numbers.
+void add_pixel_data_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& names) {
     spec.channelformats.assign(static_cast<std::size_t>(spec.nchannels), spec.format);
     for (const std::string& name : names) {
         spec.channelnames.push_back(name);
@@ -34,57 +34,48 @@ void add_layer_channels(OIIO::ImageSpec& spec, const std::vector<std::string>& n
     spec.nchannels += static_cast<int>(names.size());
 }
 
-std::vector<unsigned char> encode(const PictureFile& file) {
+std::vector<std::byte> encode(const PictureFile& file) {
     OIIO::ImageSpec spec(file.size.width, file.size.height, file.colours, type_of(file.stored));
-    if (!file.layers.empty()) add_layer_channels(spec, file.layers);
+    if (!file.pixel_data.empty()) add_pixel_data_channels(spec, file.pixel_data);
     for (const auto& [name, value] : file.attributes) spec.attribute(name, value);
+    for (const auto& [name, value] : file.options) spec.attribute(name, value);
+    // Without a date of its own OpenImageIO writes the current time: same input, other bytes.
+    spec.attribute("DateTime", "");
+    const bool bytes = file.stored == Stored::uint8;
+    if (bytes) spec.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::Filesystem::IOVecOutput encoded;
     const auto output = OIIO::ImageOutput::create(file.format);
     const bool done = output && output->set_ioproxy(&encoded) && output->open(file.name, spec) &&
-                      output->write_image(OIIO::TypeDesc::FLOAT, file.values.data()) && output->close();
+                      output->write_image(bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT, file.values.data()) &&
+                      output->close();
     if (!done) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot encode '{}': {}", file.name, output ? output->geterror() : OIIO::geterror()));
     }
-    return std::move(encoded.buffer());
+    const auto whole = std::as_bytes(std::span(encoded.buffer()));
+    return {whole.begin(), whole.end()};
 }
 
 [[noreturn]] void throw_unreadable(const std::filesystem::path& name, const std::string& why) {
     throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", name.string(), why));
 }
 
-Samples read_from(OIIO::ImageInput& input, const std::filesystem::path& name) {
-    const OIIO::ImageSpec& spec = input.spec();
-    Samples samples{{spec.width, spec.height}, spec.channelnames, {}, Encoding::srgb};
+Samples read(const std::filesystem::path& path, std::optional<std::span<const std::byte>> bytes) {
+    std::optional<OIIO::Filesystem::IOMemReader> memory;
+    if (bytes) memory.emplace(bytes->data(), bytes->size());
+    const auto input = OIIO::ImageInput::open(path.string(), nullptr, memory ? &*memory : nullptr);
+    if (!input) throw_unreadable(path, OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    Samples samples{{spec.width, spec.height}, spec.channelnames, {}, Encoding::srgb, {}};
     if (spec.get_string_attribute("oiio:ColorSpace") == "Linear") samples.encoding = Encoding::linear;
+    for (const auto& attribute : spec.extra_attribs) {
+        samples.attributes.emplace_back(attribute.name().string(), attribute.get_string());
+    }
     samples.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data())) {
-        throw_unreadable(name, input.geterror());
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data())) {
+        throw_unreadable(path, input->geterror());
     }
     return samples;
-}
-
-Samples read(const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) throw_unreadable(path, OIIO::geterror());
-    return read_from(*input, path);
-}
-
-Samples decode(const std::filesystem::path& name, std::span<const unsigned char> bytes) {
-    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    const auto input = OIIO::ImageInput::open(name.string(), nullptr, &memory);
-    if (!input) throw_unreadable(name, OIIO::geterror());
-    return read_from(*input, name);
-}
-
-Metadata attributes(const std::filesystem::path& path) {
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) throw_unreadable(path, OIIO::geterror());
-    Metadata found;
-    for (const auto& attribute : input->spec().extra_attribs) {
-        found.emplace_back(attribute.name().string(), attribute.get_string());
-    }
-    return found;
 }
 
 void read_bytes(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values) {
@@ -107,6 +98,6 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
 }  // namespace vvr
 
 extern "C" __attribute__((visibility("default"))) const vvr::PictureCodec* vvr_picture_codec() {
-    static constexpr vvr::PictureCodec codec{vvr::encode, vvr::read, vvr::decode, vvr::attributes, vvr::read_bytes};
+    static constexpr vvr::PictureCodec codec{vvr::encode, vvr::read, vvr::read_bytes};
     return &codec;
 }

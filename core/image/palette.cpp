@@ -10,7 +10,7 @@ namespace vvr {
 namespace {
 
 constexpr std::size_t most_colours = 256;
-// Colours that agree in so many bits of each channel are taken for one.
+// Colours with these upper bits of each channel in common are treated as one.
 constexpr int bits = 6;
 
 int level(float value) {
@@ -47,7 +47,7 @@ std::vector<Entry> histogram(const Picture& picture) {
     return bins;
 }
 
-/// Colours that one of the palette is to stand for.
+/// Colours that one colour of the palette will represent.
 struct Box {
     std::span<Entry> entries;
     std::array<double, 3> mean{};
@@ -58,7 +58,7 @@ struct Box {
         double pixels = 0;
         std::array<double, 3> squares{};
         for (const Entry& entry : entries) {
-            // The root: a large plain background is not to take the colours from small things before it.
+            // The root, so that a large plain background leaves colours for small things in front of it.
             const double weight = std::sqrt(entry.pixels);
             pixels += weight;
             for (std::size_t c = 0; c < 3; ++c) {

@@ -19,12 +19,12 @@ enum class Encoding {
     linear,  ///< proportional to light
 };
 
-/// What each pixel of a picture shows, of one size with it; empty where nobody asked.
-struct PictureLayers {
+/// What each pixel of a picture shows, as planes of the picture's size; empty unless asked for.
+struct PixelData {
     Plane<float> depth;  ///< along the view direction, from the eye or from the plane that parallel rays start on, in
-                         ///< units of the layout's radii; NaN where nothing is seen
-    Plane<float> time;   ///< seconds of the clip; NaN where nothing with a time is seen
-    Plane<float> frame;  ///< index in the clip; -1 where nothing with a time is seen
+                         ///< units of the layout's radii; NaN where there is nothing
+    Plane<float> time;   ///< seconds of the clip; NaN where nothing has a time
+    Plane<float> frame;  ///< index in the clip; -1 where nothing has a time
 
     bool empty() const { return frame.empty(); }
 };
@@ -33,14 +33,13 @@ struct PictureLayers {
 struct Picture {
     Plane<Rgba> pixels;
     Encoding encoding = Encoding::srgb;
-    PictureLayers layers{};
+    PixelData pixel_data{};
 };
 
 /// A drawn picture as it goes to a file, its values as a display wants them.
 Picture to_picture(Plane<Rgba> drawn);
 
-/// Settings that stand in a picture file: name and value, in the order given. Names carry no prefix here,
-/// `vvr:` in the file.
+/// Settings of a picture: name and value, in the order given. In a file their names begin with `vvr:`.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace vvr

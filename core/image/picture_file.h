@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/image/picture.h"
+#include "core/image/samples.h"
 
 namespace vvr {
 
@@ -20,27 +22,26 @@ void check_picture_ending(const std::filesystem::path& path);
 ///         can't be written to
 void check_picture_path(const std::filesystem::path& path);
 
-/// Whether the format of `path` holds a picture's layers.
-bool holds_layers(const std::filesystem::path& path);
+/// Whether the format of `path` holds a picture's pixel data.
+bool holds_pixel_data(const std::filesystem::path& path);
 
-/// The bytes of a picture file, of the format that the ending of `path` names.
+/// The bytes of a picture file in the format that the ending of `path` names, with its settings, and its pixel data
+/// where the format holds it: channels `Z`, `time` and `frame`. Same picture and settings, same bytes: no date goes
+/// into the file. Formats of integers hold sRGB, so linear values are converted.
 /// \param jpeg_quality 1..100
-/// \throws Error usage for an ending that is not in the table of formats
-std::vector<unsigned char> encode_picture(const std::filesystem::path& path, const Picture& picture,
-                                          const Metadata& metadata = {}, int jpeg_quality = 95);
+/// \throws Error usage for an ending that is not in the table of formats, io for a picture too large for the format
+std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Picture& picture,
+                                      const Metadata& metadata = {}, int jpeg_quality = 95);
 
-/// Writes `picture` with its settings, and its layers where the format holds them: channels `Z`, `time` and `frame`.
-/// Same picture and settings, same bytes: no date goes into the file. The target
-/// is replaced as a whole or not touched at all. Linear values are encoded as sRGB in the formats of integers.
+/// The same for a frame, in a format of 8-bit values.
+std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Plane<Bgr>& picture,
+                                      int jpeg_quality = 95);
+
+/// Writes what `encode_picture` makes. The target is replaced as a whole or not touched at all.
 /// \throws Error usage or io, as `check_picture_path` does, and io when the disk is full
 void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata = {});
 
-/// Reads any picture file that OpenImageIO knows, with those layers that it has.
-/// \throws Error io
-Picture read_picture(const std::filesystem::path& path);
-
 /// The settings that `write_picture` left in a file.
-/// \throws Error io
-Metadata read_metadata(const std::filesystem::path& path);
+Metadata settings_of(const Samples& file);
 
 }  // namespace vvr

@@ -4,29 +4,29 @@
 #include <utility>
 
 #include "core/image/codec.h"
-#include "core/image/layer_channels.h"
+#include "core/image/pixel_data_channels.h"
 
 namespace vvr {
 
 Samples read_samples(const std::filesystem::path& path) {
-    return picture_codec().read(path);
+    return picture_codec().read(path, std::nullopt);
 }
 
-Samples decode_samples(const std::filesystem::path& name, std::span<const unsigned char> bytes) {
-    return picture_codec().decode(name, bytes);
+Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes) {
+    return picture_codec().read(name, bytes);
 }
 
-Samples without_layers(Samples samples) {
-    const auto is_layer = [](const std::string& channel) {
-        return std::ranges::find(layer_channels, channel, &LayerChannel::name) != layer_channels.end();
+Samples without_pixel_data(Samples samples) {
+    const auto is_pixel_data = [](const std::string& channel) {
+        return std::ranges::find(pixel_data_channels, channel, &PixelDataChannel::name) != pixel_data_channels.end();
     };
-    if (std::ranges::none_of(samples.channels, is_layer)) return samples;
+    if (std::ranges::none_of(samples.channels, is_pixel_data)) return samples;
     std::vector<float> kept;
     for (std::size_t i = 0; i < samples.values.size(); ++i) {
-        if (!is_layer(samples.channels[i % samples.channels.size()])) kept.push_back(samples.values[i]);
+        if (!is_pixel_data(samples.channels[i % samples.channels.size()])) kept.push_back(samples.values[i]);
     }
     samples.values = std::move(kept);
-    std::erase_if(samples.channels, is_layer);
+    std::erase_if(samples.channels, is_pixel_data);
     return samples;
 }
 

@@ -9,12 +9,13 @@
 
 namespace vvr {
 
-/// The values of a picture file as they stand in it: any number of channels, pixel by pixel, rows from the top.
+/// The values of a picture file: any number of channels, pixel by pixel, rows from the top.
 struct Samples {
     Size size;
-    std::vector<std::string> channels;  ///< "R", "G", "B", "A", or what the file calls them
+    std::vector<std::string> channels;  ///< "R", "G", "B", "A", or the file's own names
     std::vector<float> values;          ///< integers of a file as 0..1
     Encoding encoding = Encoding::srgb;
+    Metadata attributes{};  ///< all that the file holds, as text
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {
@@ -24,17 +25,16 @@ struct Samples {
     }
 };
 
-/// Reads any picture file that OpenImageIO knows; of several pictures in a file, the first.
+/// Reads any picture file that OpenImageIO knows. Of several pictures in a file it reads the first.
 /// \throws Error io
 Samples read_samples(const std::filesystem::path& path);
 
-/// The same for the bytes of a file that is not on the disk.
-/// \param name gives the format by its ending
+/// Reads a picture from the bytes of a file.
+/// \param name its ending gives the format
 /// \throws Error io
-Samples decode_samples(const std::filesystem::path& name, std::span<const unsigned char> bytes);
+Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes);
 
-/// The same without the channels of layers: what a person sees of a picture. Layers have no numbers where nothing is
-/// seen, and frames and seconds where colours have shares.
-Samples without_layers(Samples samples);
+/// The same without the channels of pixel data, which are indices and seconds, or NaN, and not intensities.
+Samples without_pixel_data(Samples samples);
 
 }  // namespace vvr

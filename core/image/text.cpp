@@ -13,7 +13,7 @@ namespace vvr {
 
 namespace {
 
-/// The file of the font that fontconfig takes for sans serif, empty when there is none.
+/// The file of fontconfig's sans serif font, empty when there is none.
 std::string find_font() {
     const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
     const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(
@@ -38,7 +38,7 @@ auto with_font(const Use& use) {
     return use(font);
 }
 
-/// How many bytes the UTF-8 sequence at `at` takes; 0 when it is none.
+/// Length in bytes of the UTF-8 sequence at `at`; 0 if it is not one.
 std::size_t sequence_length(const std::string& text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t first = byte(at);

@@ -7,6 +7,7 @@
 #include "core/labels/sheet.h"
 #include "core/labels/time_ticks.h"
 #include "core/scene/scene.h"
+#include "core/space/camera.h"
 #include "core/space/layout.h"
 
 namespace vvr {

@@ -25,7 +25,7 @@ Sheet arrange_sheet(Size picture, const SheetParts& parts) {
     Sheet sheet;
     sheet.picture = picture;
     sheet.between = {0, 0, picture.width, picture.height};
-    sheet.volume = {0, 0, picture};
+    sheet.volume = sheet.between;
     sheet.text = parts.title || parts.ruler || parts.legend ? text_size(picture) : 0;
     if (sheet.text == 0) return sheet;
 
@@ -37,13 +37,13 @@ Sheet arrange_sheet(Size picture, const SheetParts& parts) {
     if (parts.legend) sheet.legend = {inside.left, inside.bottom - band, inside.right, inside.bottom};
     sheet.between = {inside.left, parts.title ? sheet.title.bottom : inside.top, inside.right,
                      parts.legend ? sheet.legend.top : inside.bottom};
-    PixelBox volume = sheet.between;
+    sheet.volume = sheet.between;
     if (parts.ruler) {
         const auto widest = measure_text("00:00:00", text);
         const int beside = widest ? widest->width() + text / 2 : 0;
-        volume = {volume.left + beside, volume.top + text, volume.right - beside, volume.bottom - text / 2};
+        sheet.volume = {sheet.between.left + beside, sheet.between.top + text, sheet.between.right - beside,
+                        sheet.between.bottom - text / 2};
     }
-    sheet.volume = {volume.left, volume.top, {volume.width(), volume.height()}};
     return sheet;
 }
 

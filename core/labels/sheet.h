@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image/text.h"
-#include "core/space/camera.h"
+#include "core/pixel_box.h"
 
 namespace vvr {
 
@@ -21,7 +21,7 @@ struct Sheet {
     PixelBox title;  ///< the bands; empty where there is none
     PixelBox legend;
     PixelBox between;  ///< what is left: labels of the ruler stay in it
-    Tile volume;       ///< the part of the picture that the camera's own picture fills
+    PixelBox volume;   ///< the part of the picture that the camera's own picture fills
 };
 
 Sheet arrange_sheet(Size picture, const SheetParts& parts);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -14,8 +13,7 @@ namespace vvr {
 
 std::string make_live_page(const LivePageContent& content) {
     const Size size = content.picture.pixels.size();
-    const auto png =
-        encode_picture("page.png", {content.picture.pixels, content.picture.encoding, {}}, content.settings);
+    const auto png = encode_picture("page.png", content.picture, content.settings);
     const auto refresh = std::clamp(std::lround(content.brick_seconds / 2), 1L, 60L);
     return fill(page_files::live_html, {
                                            {"script policy", policy_hash(page_files::live_js)},
@@ -28,7 +26,7 @@ std::string make_live_page(const LivePageContent& content) {
                                            {"brick", fmt::format("{:.0f}", std::ceil(content.brick_seconds))},
                                            {"style", std::string(page_files::live_css)},
                                            {"script", std::string(page_files::live_js)},
-                                           {"picture", data_url("image/png", std::as_bytes(std::span(png)))},
+                                           {"picture", data_url("image/png", png)},
                                            {"width", fmt::to_string(size.width)},
                                            {"height", fmt::to_string(size.height)},
                                        });

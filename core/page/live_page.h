@@ -7,18 +7,18 @@
 
 namespace vvr {
 
-/// What stands in the page of a stream.
+/// What the page of a stream shows.
 struct LivePageContent {
-    std::string name;   ///< of the stream, as people are to read it
-    std::string state;  ///< how it goes, in a line
-    std::string span;   ///< how much time the picture shows, "80 s" say
+    std::string name;   ///< of the stream, for people
+    std::string state;  ///< of the connection, in a line for people
+    std::string span;   ///< length of time in the picture, e.g. "80 s"
     Picture picture;
-    Metadata settings;          ///< that made it
+    Metadata settings;          ///< of the picture
     std::int64_t written = 0;   ///< seconds since 1970
     double brick_seconds = 10;  ///< from one picture to the next
 };
 
-/// A page that shows the newest picture, loads itself again for the next one, and says when none has come for long. It
+/// A page that shows the newest picture, reloads itself for the next one, and says when none has come for long. It
 /// needs no other file.
 std::string make_live_page(const LivePageContent& content);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/image/picture_file.h"
+#include "core/json_text.h"
 #include "core/page/text.h"
 #include "page_files.h"
 
@@ -19,30 +19,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr int still_quality = 78;
 
-std::string picture_url(const std::string& ending, const Picture& picture, const Metadata& metadata = {}) {
-    const bool jpeg = ending == ".jpg";
-    const auto bytes = encode_picture("page" + ending, picture, metadata, still_quality);
-    return data_url(jpeg ? "image/jpeg" : "image/png", std::as_bytes(std::span(bytes)));
-}
-
-/// Times and rates are told as exactly as a container does.
+/// Times and rates as exact as a container's.
 double rounded(double value) {
     return std::round(value * 1e6) / 1e6;
 }
 
-/// The frames that a picture's pixels show, as a picture: 0 = none, else one more than the frame counted from `first`,
-/// as three bytes. Browsers decode PNG everywhere, and nothing else is as small without a decoder of our own.
-Json json_of_layers(const PictureLayers& layers, std::int64_t first) {
+/// The frame of each pixel, as a picture: 0 = none, else one more than the frame counted from `first`, in three bytes.
+/// All browsers decode PNG, and nothing else is as small without a decoder of our own.
+Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
     constexpr std::int64_t most = 0xFF'FF'FF;
-    Picture picture{Plane<Rgba>(layers.frame.size()), Encoding::srgb};
+    Plane<Bgr> picture(frames.size());
     std::int64_t sum = 0;
-    std::ranges::transform(layers.frame.pixels(), picture.pixels.pixels().begin(), [&](float frame) {
+    std::ranges::transform(frames.pixels(), picture.pixels().begin(), [&](float frame) {
         const auto value = frame < 0 ? 0 : std::clamp<std::int64_t>(std::llround(frame) - first + 1, 1, most);
         sum += value;
-        const auto byte = [&](int shift) { return static_cast<float>(value >> shift & 0xFF) / 255; };
-        return Rgba{byte(16), byte(8), byte(0), 1};
+        const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
+        return Bgr{byte(0), byte(8), byte(16)};
     });
-    return {{"src", picture_url(".png", picture)}, {"first", first}, {"sum", sum}};
+    return {{"src", data_url("image/png", encode_picture("frames.png", picture))}, {"first", first}, {"sum", sum}};
 }
 
 Json json_of(const std::vector<SteadyFrames>& times) {
@@ -57,7 +51,7 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place) : Json();
 }
 
-/// Where it was and when, as shares of the picture's width and height, so that nobody needs to know the field's size.
+/// Where an object was and when, as fractions of the picture's width and height: so the page needs no field size.
 Json json_of(const std::vector<PathPoint>& path, Size field) {
     const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
     Json json = Json::array();
@@ -75,12 +69,8 @@ Json json_of(const Event& event, Size field) {
 }
 
 Json json_of(const Still& still) {
-    Picture picture{Plane<Rgba>(still.picture.size()), Encoding::srgb};
-    std::ranges::transform(still.picture.pixels(), picture.pixels.pixels().begin(), [](const Bgr& pixel) {
-        const auto share = [&](std::size_t c) { return static_cast<float>(pixel[c]) / 255; };
-        return Rgba{share(2), share(1), share(0), 1};
-    });
-    return {{"frame", still.frame}, {"src", picture_url(".jpg", picture)}};
+    return {{"frame", still.frame},
+            {"src", data_url("image/jpeg", encode_picture("still.jpg", still.picture, still_quality))}};
 }
 
 Json json_of(const Film& film) {
@@ -93,7 +83,7 @@ Json json_of(const PageContent& content) {
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
-              {"layers", json_of_layers(content.picture.layers, moments.times.front().first)}};
+              {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)}};
     json["events"] = Json();
     if (content.events) {
         json["events"] = Json::array();
@@ -105,7 +95,7 @@ Json json_of(const PageContent& content) {
     return json;
 }
 
-/// How time runs in the picture, in words.
+/// In which direction time runs in the picture, for people.
 std::string way_of_time(const Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &Metadata::value_type::first);
     const bool bent = layout == settings.end() || layout->second == "horseshoe";
@@ -117,22 +107,21 @@ std::string way_of_time(const Metadata& settings) {
 std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
-    // Bytes that are no UTF-8 become a mark; the address of the clip has escaped them before.
-    const std::string name = Json::parse(Json(content.name).dump(-1, ' ', false, Json::error_handler_t::replace));
-    return fill(
-        page_files::page_html,
-        {
-            {"script policy", policy_hash(page_files::page_js)},
-            {"style policy", policy_hash(page_files::page_css)},
-            {"name", html_text(name)},
-            {"way", way_of_time(content.settings)},
-            {"style", std::string(page_files::page_css)},
-            {"script", std::string(page_files::page_js)},
-            {"picture", picture_url(".png", {content.picture.pixels, content.picture.encoding, {}}, content.settings)},
-            {"width", fmt::to_string(size.width)},
-            {"height", fmt::to_string(size.height)},
-            {"data", script_json(data.dump(-1, ' ', true, Json::error_handler_t::replace))},
-        });
+    // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
+    const std::string name = Json::parse(json_text(content.name));
+    return fill(page_files::page_html,
+                {
+                    {"script policy", policy_hash(page_files::page_js)},
+                    {"style policy", policy_hash(page_files::page_css)},
+                    {"name", html_text(name)},
+                    {"way", way_of_time(content.settings)},
+                    {"style", std::string(page_files::page_css)},
+                    {"script", std::string(page_files::page_js)},
+                    {"picture", data_url("image/png", encode_picture("page.png", content.picture, content.settings))},
+                    {"width", fmt::to_string(size.width)},
+                    {"height", fmt::to_string(size.height)},
+                    {"data", script_json(json_text(data, -1, true))},
+                });
 }
 
 }  // namespace vvr

@@ -10,20 +10,20 @@
 
 namespace vvr {
 
-/// What stands in a page.
+/// What a page shows.
 struct PageContent {
-    std::string name;      ///< of the clip, as people are to read it
-    std::string clip_url;  ///< where it is from the page; empty = there is no file to play
+    std::string name;      ///< of the clip, for people
+    std::string clip_url;  ///< of the clip, relative to the page; empty = there is no file to play
     Size shown;            ///< size of the clip's picture
-    Size field;            ///< in whose pixels the events are
-    Picture picture;       ///< with its layers
-    Metadata settings;     ///< that made it
+    Size field;            ///< size of the field, whose pixels are the unit of events
+    Picture picture;       ///< with its pixel data
+    Metadata settings;     ///< of the picture
     Moments moments;
-    std::optional<std::vector<Event>> events;  ///< where they were looked for
+    std::optional<std::vector<Event>> events;  ///< if they were searched for
 };
 
-/// A page that needs nothing but a browser, and no other file but the clip: the picture, the moments that each of its
-/// pixels shows, stills and a preview to look at them. Same content, same text.
+/// A page that needs only a browser, and no file but the clip: the picture, the moment that each of its pixels shows,
+/// and stills and a preview of these moments. Same content, same text.
 std::string make_page(const PageContent& content);
 
 }  // namespace vvr

@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "core/page/stills.h"
+#include "core/image/resized.h"
 
 namespace vvr {
 
 namespace {
 
-constexpr int ticks = 1000;  // a second; what WebM counts in
+constexpr int ticks = 1000;  // per second; WebM's unit
 
-/// Without frames that refer to later ones: their order is that of their times in every player.
+/// A container and its encoder. Options forbid frames that refer to later ones, so every player shows them in order.
 struct Kind {
     const char* type;
     const char* muxer;
@@ -23,7 +23,7 @@ struct Kind {
     const char* quality;
 };
 
-/// The first that there is an encoder for is taken.
+/// The first whose encoder is installed is taken.
 constexpr std::array kinds{
     Kind{"video/mp4", "mp4", "libx264", "crf=27,preset=veryfast,bf=0,x264-params=log=-1"},
     Kind{"video/webm", "webm", "libvpx-vp9", "crf=34,cpu-used=6,deadline=realtime"},
@@ -48,7 +48,7 @@ void Preview::begin() {
         given_up_ = true;
         return;
     }
-    // The encoder is held to a rate that fills most of the budget; where it takes more nevertheless, `add` sees it.
+    // The encoder gets a bit rate that fills most of the budget; if it takes more, `add` notices.
     constexpr double highest = 1'500'000;
     const double seconds = std::max(1.0, expected_.seconds);
     const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
@@ -73,7 +73,7 @@ void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture)
     }
     if ((frame - first_frame_) % film_.step != 0) return;
     std::int64_t tick = std::llround((seconds - film_.begin) * ticks);
-    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames at one time
+    if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames have the same time
     last_tick_ = tick;
     encoder_->add(resized(picture, size_), tick);
     ++taken_;

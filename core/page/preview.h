@@ -16,21 +16,21 @@ struct Film {
     std::string type;  ///< "video/mp4"
     std::vector<std::byte> bytes;
     double begin = 0;       ///< seconds of the clip at its beginning
-    std::int64_t step = 1;  ///< it shows every so many-th frame
+    std::int64_t step = 1;  ///< it shows every `step`-th frame
 };
 
-/// What the header says of the length of what becomes a preview; 0 = unknown.
+/// The length of a clip as its header says; 0 = unknown.
 struct ExpectedLength {
     std::int64_t frames = 0;
     double seconds = 0;
 };
 
-/// Makes the preview of a clip frame by frame, and gives it up where it can't be both small and of use.
+/// Makes the preview of a clip frame by frame. Gives up if it can't be both small and useful.
 class Preview {
   public:
     static constexpr std::size_t most_bytes = 8'000'000;
-    static constexpr std::int64_t most_frames = 6000;  ///< of longer clips not every frame is taken
-    static constexpr double least_rate = 2;            ///< below so many pictures a second stills tell as much
+    static constexpr std::int64_t most_frames = 6000;  ///< of longer clips only every n-th frame is taken
+    static constexpr double least_rate = 2;            ///< pictures per second; with fewer, stills show as much
     static constexpr int long_side = 384;
 
     /// \param size of the film
@@ -38,7 +38,7 @@ class Preview {
 
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
 
-    /// Nothing where the clip is too long, or libav has no encoder that browsers have a decoder for. To be called once.
+    /// Nothing if the clip is too long, or if libav has no encoder for a format that browsers play. Call it once.
     std::optional<Film> finish();
 
   private:

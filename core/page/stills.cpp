@@ -1,29 +1,10 @@
 #include "core/page/stills.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <opencv2/imgproc.hpp>
-
-#include "core/cv_view.h"
+#include "core/image/resized.h"
 
 namespace vvr {
-
-Size fit_into(Size shown, int side) {
-    const double scale = std::min(1.0, static_cast<double>(side) / std::max(shown.width, shown.height));
-    return {std::max(1, static_cast<int>(std::lround(shown.width * scale))),
-            std::max(1, static_cast<int>(std::lround(shown.height * scale)))};
-}
-
-Plane<Bgr> resized(const Plane<Bgr>& picture, Size size) {
-    if (picture.size() == size) return picture;
-    Plane<Bgr> result(size);
-    cv::Mat to = cv_view(result);
-    const bool smaller = size.width <= picture.width() && size.height <= picture.height();
-    cv::resize(cv_view(picture), to, to.size(), 0, 0, smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
-    return result;
-}
 
 void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
     if (kept_.empty() || in_last_ == stretch_) {

@@ -14,26 +14,21 @@ struct Still {
     Plane<Bgr> picture;
 };
 
-/// The size of what is `shown`, made smaller to a long side of `side` at most.
-Size fit_into(Size shown, int side);
-
-/// A frame at another size, by area averaging.
-Plane<Bgr> resized(const Plane<Bgr>& picture, Size size);
-
-/// Keeps stills spread evenly over a stream of frames whose length nobody knows: the stream is cut into stretches of
-/// equal length, and each keeps the frame in which most goes on. When there are too many, neighbours become one.
+/// Keeps stills spread evenly over a stream of frames of unknown length: the stream is cut into stretches of equal
+/// length, and each keeps the frame with most activity. When there are too many stretches, neighbours are joined in
+/// pairs.
 class Stills {
   public:
-    /// More than half as many are kept where there are as many frames.
+    /// Of at least as many frames, more than half as many stills are kept.
     static constexpr std::size_t most = 160;
 
     /// \param size of the stills
     explicit Stills(Size size) : size_(size) {}
 
-    /// \param activity how much goes on in it
+    /// \param activity pixels that are not quiet, or any other measure
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity);
 
-    /// In order of time. To be called once.
+    /// In order of time. Call it once.
     std::vector<Still> take();
 
   private:
@@ -46,7 +41,7 @@ class Stills {
 
     Size size_;
     std::int64_t stretch_ = 1;  ///< frames
-    std::int64_t in_last_ = 0;  ///< frames that the last one stands for
+    std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
     std::vector<Kept> kept_;
 };
 

@@ -61,7 +61,7 @@ std::string html_text(std::string_view text) {
 }
 
 std::string script_json(std::string json) {
-    // In JSON these three stand in strings only, where an escape means the same.
+    // In JSON these three occur only in strings, where an escape means the same.
     return replaced(json, [](char c) -> std::string_view {
         switch (c) {
             case '<':
@@ -77,7 +77,7 @@ std::string script_json(std::string json) {
 }
 
 std::string base64(std::span<const std::byte> bytes) {
-    // libav's encoder counts in int and wants room for a zero at the end; threes make fours without a remainder.
+    // libav's encoder counts in int and needs space for a zero at the end. A multiple of three bytes needs no padding.
     constexpr std::size_t part = 3 << 20;
     std::string text;
     text.reserve(bytes.size() / 3 * 4 + 8);
@@ -99,7 +99,7 @@ std::string policy_hash(std::string_view text) {
 }
 
 std::string url_of_path(std::string_view path) {
-    // A first part with a colon in it would read as a scheme.
+    // Without it, a first part with a colon would be a scheme.
     std::string url = "./";
     for (const char c : path) {
         const auto byte = static_cast<unsigned char>(c);
@@ -109,7 +109,7 @@ std::string url_of_path(std::string_view path) {
 }
 
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file) {
-    // Browsers take `..` off the text of an address, so links on the way are not followed here either.
+    // Browsers resolve `..` in the URL's text, so links are not followed here either.
     const auto whole = [](const std::filesystem::path& path) {
         return std::filesystem::absolute(path).lexically_normal();
     };

@@ -8,31 +8,31 @@
 #include <utility>
 #include <vector>
 
-// What texts and bytes become where they stand in a page. Names come from the world: nothing in them may do anything.
+// How texts and bytes are written in a page. Names come from outside: nothing in them may act as HTML or script.
 namespace vvr {
 
-/// Text as it stands between tags, or in an attribute in quotes.
+/// Text for use between tags, or in a quoted attribute.
 std::string html_text(std::string_view text);
 
-/// JSON as it stands in a <script>: no `<` in it, so it can't end the element.
+/// JSON for use in a <script>: it has no `<`, so it can't end the element.
 std::string script_json(std::string json);
 
 std::string base64(std::span<const std::byte> bytes);
 
-/// `data:` with the bytes in it.
+/// A `data:` URL with the bytes in it.
 std::string data_url(const std::string& type, std::span<const std::byte> bytes);
 
-/// The text's SHA-256, as a Content-Security-Policy names a script or a style that may stand in the page.
+/// The text's SHA-256 in the form in which a Content-Security-Policy allows a script or a style.
 std::string policy_hash(std::string_view text);
 
-/// The way from a page to a file as a relative URL: it holds as long as both are moved together. Bytes of the name that
-/// mean something in a URL are escaped, whatever encoding they are of.
+/// The relative URL from a page to a file: it stays valid when both are moved together. Bytes of the name with a
+/// meaning in URLs are escaped, in any encoding.
 std::string relative_url(const std::filesystem::path& page, const std::filesystem::path& file);
 
 /// A path below the folder of the page as a relative URL.
 std::string url_of_path(std::string_view path);
 
-/// Puts values in the places `{{name}}` of a text. What a value holds is not looked at again.
+/// Puts values in the places `{{name}}` of a text. Places inside values are not filled.
 /// \throws std::out_of_range for a name that has no value
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values);
 

@@ -15,14 +15,14 @@ struct SteadyFrames {
     double at(std::int64_t frame) const { return begin + static_cast<double>(frame - first) * step; }
 };
 
-/// The times of a clip's frames in few numbers: a clip at a steady rate is one stretch, however long it is and however
-/// its container rounds; memory grows with the rate's changes alone.
+/// The times of a clip's frames in few numbers: a clip at a steady rate is one stretch, of any length and with any
+/// rounding by its container. Memory grows only with the changes of the rate.
 class TimeLine {
   public:
-    /// No frame's time is off by more, in seconds: less than the shortest time for which a screen shows one.
+    /// The greatest error of a frame's time, in seconds: less than the shortest time that a screen shows a frame.
     static constexpr double tolerance = 0.001;
 
-    /// \param frame above the one before, and so is its time, unless the clip says otherwise
+    /// \param frame greater than the one before; so is its time in most clips
     void add(std::int64_t frame, double seconds);
 
     std::vector<SteadyFrames> stretches() const;
@@ -38,7 +38,7 @@ class TimeLine {
     std::int64_t first_ = 0;
     std::int64_t count_ = 0;
     double begin_ = 0;
-    double least_ = 0;  ///< steps from here to `most_` keep all frames of the stretch within the tolerance
+    double least_ = 0;  ///< any step from this to `most_` keeps all frames of the stretch within the tolerance
     double most_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/fit_into.h"
+
 namespace vvr {
 
 namespace {
@@ -36,7 +38,7 @@ void WatchedFields::begin() {
     times_ = {};
     stills_.emplace(fit_into(info().size, still_side));
     preview_.reset();
-    // A film of the two frames that have pictures tells nothing.
+    // With pictures of only two frames, a film is of no use.
     if (has_pictures()) preview_.emplace(fit_into(info().size, Preview::long_side), expected);
 }
 

@@ -4,21 +4,21 @@
 #include <optional>
 #include <vector>
 
+#include "core/fields/field_source.h"
 #include "core/page/preview.h"
 #include "core/page/stills.h"
 #include "core/page/time_line.h"
-#include "core/store/field_source.h"
 
 namespace vvr {
 
-/// What a page has to know of the moments of a clip.
+/// What a page needs to know about the moments of a clip.
 struct Moments {
     std::vector<SteadyFrames> times;
     std::vector<Still> stills;
     std::optional<Film> preview;
 };
 
-/// Fields that are kept an eye on as they are read: a page comes out of the same pass over the clip as its picture.
+/// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
 class WatchedFields final : public FieldSource {
   public:
     explicit WatchedFields(std::unique_ptr<FieldSource> fields);
@@ -30,7 +30,7 @@ class WatchedFields final : public FieldSource {
     bool has_pictures() const override { return fields_->has_pictures(); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
-    /// Those of the last reading. To be called once.
+    /// The moments of the last `read`. Call it once.
     Moments take();
 
   private:

@@ -27,14 +27,14 @@ struct GlyphMesh {
 struct Glyph {
     glm::vec3 from;    ///< P-space
     glm::vec3 vector;  ///< P-space, from the tail to the tip
-    float speed;       ///< pixels a frame, for the colour
+    float speed;       ///< pixels per frame, for the colour
     float frame = 0;   ///< of its seed, counted from the volume's first
 };
 
 struct GlyphOptions {
-    double frames = 8;         ///< the arrow shows the way gone in so many frames
+    double frames = 8;         ///< the arrow shows the motion over this many frames
     double cap = 0.075;        ///< longest arrow in P-space units
-    double time_velocity = 0;  ///< v_t, frames a frame (§5.2)
+    double time_velocity = 0;  ///< v_t, frames moved along time per frame (§5.2)
 };
 
 /// Frustum and cone with `sides` sides.

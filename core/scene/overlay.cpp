@@ -49,10 +49,10 @@ AxisBox layout_box(const Layout& layout) {
     return box;
 }
 
-AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, const TransferFunction& transfer) {
+AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, const TransferFunction& transfer) {
     AxisBox box;
     const bool zero_is_empty = !transfer.visible({0, 0});
-    for (const PlacedBrick& brick : bricks) {
+    for (const PlacedCells& brick : bricks) {
         const BrickCells& cells = *brick.cells;
         for (int it = 0; it < cells.nt(); ++it) {
             for (int iy = 0; iy < cells.ny(); ++iy) {

@@ -31,7 +31,7 @@ struct AxisBox {
 AxisBox layout_box(const Layout& layout);
 
 /// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
-AxisBox visible_box(std::span<const PlacedBrick> bricks, const Layout& layout, const TransferFunction& transfer);
+AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const AxisBox& box);
 
@@ -39,7 +39,7 @@ std::vector<glm::dvec3> corners(const AxisBox& box);
 std::vector<Segment> box_edges(const AxisBox& box, const glm::vec4& colour);
 
 /// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
-/// each so many-th, about `shown` of them.
+/// every n-th, about `shown` of them.
 std::vector<Segment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
                                     const glm::vec4& colour);
 

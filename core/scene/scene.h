@@ -26,7 +26,7 @@ struct StandingFrame {
     double frame = 0;  ///< counted from the volume's first
 };
 
-/// What moved, seen from above: it lies under the volume and tells where in the scene a trail runs.
+/// What moved, seen from above: it lies under the volume and shows where in the scene a trail runs.
 struct FloorShadow {
     Plane<std::uint8_t> darkness;  ///< columns as in a frame, a row for each layer of time
     double t_end = 1;              ///< t_C to which the rows reach

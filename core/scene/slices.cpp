@@ -12,22 +12,6 @@ namespace vvr {
 
 namespace {
 
-// The edges around each corner's neighbours by face: which faces (x low, x high, y low …) an edge borders on.
-constexpr std::array<std::array<int, 2>, 12> faces_of_edge = {{
-    {2, 4},
-    {3, 4},
-    {2, 5},
-    {3, 5},
-    {0, 4},
-    {1, 4},
-    {0, 5},
-    {1, 5},
-    {0, 2},
-    {1, 2},
-    {0, 3},
-    {1, 3},
-}};
-
 struct Piece {
     std::uint32_t first_vertex = 0;
     std::uint32_t vertices = 0;
@@ -68,11 +52,11 @@ struct Corner {
 };
 
 bool borders_on(std::size_t edge, int face) {
-    return faces_of_edge[edge][0] == face || faces_of_edge[edge][1] == face;
+    return hexahedron_edge_faces[edge][0] == face || hexahedron_edge_faces[edge][1] == face;
 }
 
 int other_face(std::size_t edge, int face) {
-    return faces_of_edge[edge][faces_of_edge[edge][0] == face ? 1 : 0];
+    return hexahedron_edge_faces[edge][hexahedron_edge_faces[edge][0] == face ? 1 : 0];
 }
 
 /// The polygon in which slice `slice` meets the proxy, its corners in order around it. Walks from edge to edge over the
@@ -86,7 +70,7 @@ void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
         if (crossed[e]) edge = e;
     }
     if (edge == hexahedron_edges.size()) return;
-    for (int face = faces_of_edge[edge][0];; face = other_face(edge, face)) {
+    for (int face = hexahedron_edge_faces[edge][0];; face = other_face(edge, face)) {
         polygon.push_back({proxy.crossing(edge, slice), face});
         crossed[edge] = false;
         std::size_t next = 0;
@@ -146,7 +130,7 @@ struct Cutting {
 /// The cells of a brick between two of its borders in time.
 using Sheet = std::vector<Proxy>;
 
-Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int iy, int it) {
+Proxy make_proxy(const Cutting& cutting, const PlacedCells& brick, int ix, int iy, int it) {
     const BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
@@ -171,7 +155,7 @@ Proxy make_proxy(const Cutting& cutting, const PlacedBrick& brick, int ix, int i
     return proxy;
 }
 
-Sheet make_sheet(const Cutting& cutting, const PlacedBrick& brick, int it) {
+Sheet make_sheet(const Cutting& cutting, const PlacedCells& brick, int it) {
     Sheet sheet;
     for (int iy = 0; iy < brick.cells->ny(); ++iy) {
         for (int ix = 0; ix < brick.cells->nx(); ++ix) sheet.push_back(make_proxy(cutting, brick, ix, iy, it));
@@ -207,10 +191,10 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     return stack;
 }
 
-SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
                      const TransferFunction& transfer, const Camera& camera, const SliceStack& stack) {
     const Cutting cutting{&layout, &transfer, &camera, &stack, camera.clip_from_p(), !transfer.visible({0, 0})};
-    const PlacedBrick& brick = bricks[number];
+    const PlacedCells& brick = bricks[number];
     const int nx = brick.cells->nx();
     const int ny = brick.cells->ny();
     const int nt = brick.cells->nt();

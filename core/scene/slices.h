@@ -31,16 +31,17 @@ struct SliceVertex {
 struct SliceMesh {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that there is something of
+    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that has triangles
 };
 
-/// `count` slices through the volume as seen by `camera`; 0 = as many as bring the spacing to `spacing` P-space units.
+/// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space
+/// units apart.
 SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
 
 /// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:
 /// plane ∩ cell polygons, farthest first. Polygons that meet have the corners on their common side in common, across
 /// bricks too, so that each pixel belongs to one of them.
-SliceMesh cut_slices(std::span<const PlacedBrick> bricks, std::size_t number, const Layout& layout,
+SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
                      const TransferFunction& transfer, const Camera& camera, const SliceStack& stack);
 
 /// Points of P-space whose hull holds the whole volume: what a camera has to show.

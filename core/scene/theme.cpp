@@ -1,14 +1,8 @@
 #include "core/scene/theme.h"
 
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "core/error.h"
-#include "core/suggest.h"
+#include "core/choice.h"
 
 namespace vvr {
 
@@ -54,12 +48,7 @@ std::span<const Theme> themes() {
 }
 
 const Theme& find_theme(std::string_view name) {
-    const auto found = std::ranges::find(table, name, &Theme::name);
-    if (found != table.end()) return *found;
-    std::vector<std::string> names;
-    for (const Theme& theme : table) names.emplace_back(theme.name);
-    throw Error(ErrorKind::usage, fmt::format("there is no theme '{}'{}; there are {}", name, did_you_mean(name, names),
-                                              fmt::join(names, ", ")));
+    return choose("theme", name, table);
 }
 
 }  // namespace vvr

@@ -16,7 +16,7 @@ struct Theme {
     glm::vec3 pale_ink;         ///< other text
     glm::vec3 lines;            ///< the volume's outline, the ruler's marks
     glm::vec4 shadow;           ///< on the floor
-    std::string_view transfer;  ///< the transfer function that is seen well on it
+    std::string_view transfer;  ///< the transfer function that shows well on it
     glm::vec3 slow;             ///< arrows and tracelines
     glm::vec3 fast;
 };

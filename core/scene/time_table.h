@@ -13,7 +13,7 @@ struct FrameTime {
     double seconds = 0;
 };
 
-/// Tells which frame of the clip a frame of a volume is, and when it was.
+/// Which frame of the clip a frame of a volume is, and when it was.
 class TimeTable {
   public:
     explicit TimeTable(const Volume& volume);
@@ -22,7 +22,7 @@ class TimeTable {
     /// Between the first and the last frame of a layer times are linear, as only those two are known.
     FrameTime at(double frame) const;
 
-    std::int64_t frames_a_layer() const { return step_; }
+    std::int64_t frames_per_layer() const { return step_; }
     bool empty() const { return layers_.empty(); }
 
   private:

@@ -9,12 +9,12 @@
 
 namespace vvr {
 
-/// A point of a traceline as it stands in the vertex buffer.
+/// A point of a traceline, as in the vertex buffer.
 struct TraceVertex {
     glm::vec3 p;      ///< P-space
     float along;      ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
     float length;     ///< of the whole line, P-space units
-    float speed;      ///< pixels a frame
+    float speed;      ///< pixels per frame
     float frame = 0;  ///< counted from the volume's first
 };
 
@@ -24,8 +24,8 @@ using Tracelines = std::vector<TraceVertex>;
 struct TraceOptions {
     double dt = 1;             ///< Δt of Eq. (2), frames
     int steps = 60;            ///< Euler steps at most
-    double time_velocity = 0;  ///< v_t, frames a frame: 0 keeps a trace within its frame (§5.2)
-    double rest = 0.1;         ///< pixels a frame; slower flow ends the trace: its particle has left what moves
+    double time_velocity = 0;  ///< v_t, frames moved along time per frame: 0 keeps a trace within its frame (§5.2)
+    double rest = 0.1;         ///< pixels per frame; slower flow ends the trace: its particle has left what moves
     double spacing = 0.004;    ///< P-space units; nearer points are not stored
 };
 

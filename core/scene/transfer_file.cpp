@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "core/choice.h"
 #include "core/error.h"
-#include "core/suggest.h"
 
 namespace vvr {
 
@@ -140,18 +140,12 @@ TransferFunction parse_transfer(const std::string& text, const std::string& name
 }
 
 TransferFunction find_transfer(const std::string& name_or_file) {
-    std::vector<std::string> names;
-    for (const TransferRow& row : transfer_functions()) {
-        if (row.name == name_or_file) return TransferFunction(row.points);
-        names.push_back(row.name);
-    }
     std::error_code none;
-    if (!std::filesystem::exists(name_or_file, none)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}' is neither a transfer function nor a file; there are {}{}", name_or_file,
-                                fmt::join(names, ", "), did_you_mean(name_or_file, names)));
+    const bool named = std::ranges::count(transfer_functions(), name_or_file, &TransferRow::name) > 0;
+    if (!named && std::filesystem::exists(name_or_file, none)) {
+        return parse_transfer(read_text(name_or_file), name_or_file);
     }
-    return parse_transfer(read_text(name_or_file), name_or_file);
+    return TransferFunction(choose("transfer", name_or_file, transfer_functions(), ", or the name of a file").points);
 }
 
 }  // namespace vvr

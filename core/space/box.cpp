@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <numbers>
 
 #include "core/space/layout.h"
@@ -14,8 +13,6 @@ class Box final : public Layout {
     explicit Box(const LayoutShape& shape)
         : Layout(shape), length_(std::numbers::pi * (shape.r_min + shape.r_max) / 2) {}
 
-    std::string_view name() const override { return "box"; }
-
     glm::dvec3 p_from_c(const glm::dvec3& c) const override {
         return {length_ * (c.z - 0.5), shape().y_s * c.y, depth() * c.x};
     }
@@ -26,18 +23,17 @@ class Box final : public Layout {
 
     Basis basis(const glm::dvec3&) const override { return {{0, 0, depth()}, {0, shape().y_s, 0}, {length_, 0, 0}}; }
 
+    std::string_view shader() const override { return "layout_box.glsl"; }
+
+    std::vector<LayoutUniform> uniforms() const override {
+        return {{"layout_depth", depth()}, {"layout_height", shape().y_s}, {"layout_length", length_}};
+    }
+
     double straight_t() const override { return 1; }
     double sagitta_x(double) const override { return 0; }
 
     std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const override {
-        const int n = static_cast<int>(borders.size()) - 1;
-        const double t = c_from_p(eye).z;
-        int split = 0;
-        while (split < n - 1 && borders[static_cast<std::size_t>(split) + 1] <= t) ++split;
-        std::vector<int> order;
-        for (int i = 0; i < split; ++i) order.push_back(i);
-        for (int i = n - 1; i >= split; --i) order.push_back(i);
-        return order;
+        return sections_towards(c_from_p(eye).z, borders);
     }
 
   private:

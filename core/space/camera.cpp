@@ -10,7 +10,7 @@ namespace vvr {
 
 namespace {
 
-/// The centre and half size of a window that holds one coordinate of all points, on a plane `distance` before them.
+/// The least interval that holds all that was added.
 struct Bounds {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -30,11 +30,11 @@ glm::dvec2 Camera::pixel(const glm::dvec3& p, Size picture) const {
     return {(clip.x / clip.w + 1) / 2 * picture.width, (1 - clip.y / clip.w) / 2 * picture.height};
 }
 
-Camera Camera::cropped(const Tile& tile, Size picture) const {
-    const glm::dvec2 scale = {static_cast<double>(picture.width) / tile.size.width,
-                              static_cast<double>(picture.height) / tile.size.height};
-    const glm::dvec2 middle = {(2.0 * tile.column + tile.size.width) / picture.width - 1,
-                               1 - (2.0 * tile.row + tile.size.height) / picture.height};
+Camera Camera::cropped(const PixelBox& part, Size picture) const {
+    const glm::dvec2 scale = {static_cast<double>(picture.width) / part.width(),
+                              static_cast<double>(picture.height) / part.height()};
+    const glm::dvec2 middle = {(part.left + part.right) / static_cast<double>(picture.width) - 1,
+                               1 - (part.top + part.bottom) / static_cast<double>(picture.height)};
     glm::dmat4 crop(1);
     crop[0][0] = scale.x;
     crop[1][1] = scale.y;
@@ -45,30 +45,17 @@ Camera Camera::cropped(const Tile& tile, Size picture) const {
     return camera;
 }
 
-Camera Camera::within(const Tile& tile, Size picture) const {
-    const glm::dvec2 scale = {static_cast<double>(tile.size.width) / picture.width,
-                              static_cast<double>(tile.size.height) / picture.height};
+Camera Camera::within(const PixelBox& part, Size picture) const {
+    const glm::dvec2 scale = {static_cast<double>(part.width()) / picture.width,
+                              static_cast<double>(part.height()) / picture.height};
     glm::dmat4 place(1);
     place[0][0] = scale.x;
     place[1][1] = scale.y;
-    place[3][0] = (2.0 * tile.column + tile.size.width) / picture.width - 1;
-    place[3][1] = 1 - (2.0 * tile.row + tile.size.height) / picture.height;
+    place[3][0] = (part.left + part.right) / static_cast<double>(picture.width) - 1;
+    place[3][1] = 1 - (part.top + part.bottom) / static_cast<double>(picture.height);
     Camera camera = *this;
     camera.projection = place * projection;
     return camera;
-}
-
-std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels) {
-    const int width = static_cast<int>(std::clamp<std::int64_t>(pixels, 1, picture.width));
-    const int height = static_cast<int>(std::clamp<std::int64_t>(pixels / width, 1, picture.height));
-    std::vector<Tile> tiles;
-    for (int row = 0; row < picture.height; row += height) {
-        for (int column = 0; column < picture.width; column += width) {
-            tiles.push_back(
-                {column, row, {std::min(width, picture.width - column), std::min(height, picture.height - row)}});
-        }
-    }
-    return tiles;
 }
 
 Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size picture) {

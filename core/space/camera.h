@@ -1,32 +1,21 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include <glm/glm.hpp>
 
+#include "core/pixel_box.h"
 #include "core/plane.h"
 
 namespace vvr {
 
-/// Where the viewer stands. At azimuth 0 before the open side; positive azimuth walks to the viewer's right.
+/// Where the viewer is: at azimuth 0 in front of the open side, at positive azimuth further to the right.
 struct View {
     double azimuth = 0;     ///< degrees
     double elevation = 46;  ///< degrees above the floor
     double fov = 30;        ///< vertical field of view in degrees; 0 = orthographic
     double margin = 0.04;   ///< part of the picture left free on each side
 };
-
-/// A part of a picture, in pixels from its top left corner.
-struct Tile {
-    int column = 0;
-    int row = 0;
-    Size size;
-};
-
-/// Cuts a picture into tiles of at most `pixels` pixels: bands as long as that lets them be whole.
-std::vector<Tile> cut_tiles(Size picture, std::int64_t pixels);
 
 /// A camera in P-space (left-handed).
 struct Camera {
@@ -38,11 +27,11 @@ struct Camera {
 
     glm::dmat4 clip_from_p() const { return projection * view; }
 
-    /// The same view of only the part `tile` of a picture of size `picture`.
-    Camera cropped(const Tile& tile, Size picture) const;
+    /// The same view of only a part of a picture of size `picture`.
+    Camera cropped(const PixelBox& part, Size picture) const;
 
-    /// The camera whose picture of size `picture` shows this one's in its part `tile`, and more around it.
-    Camera within(const Tile& tile, Size picture) const;
+    /// The camera whose picture of size `picture` shows this one's in `part`, and more around it.
+    Camera within(const PixelBox& part, Size picture) const;
 
     /// Pixel position (column, row from the top; pixel centres at .5) of a point of P-space.
     glm::dvec2 pixel(const glm::dvec3& p, Size picture) const;

@@ -15,8 +15,6 @@ class Horseshoe final : public Layout {
   public:
     explicit Horseshoe(const LayoutShape& shape) : Layout(shape) {}
 
-    std::string_view name() const override { return "horseshoe"; }
-
     glm::dvec3 p_from_c(const glm::dvec3& c) const override {
         const double r = radius(c.x);
         return {-r * std::cos(pi * c.z), shape().y_s * c.y, r * std::sin(pi * c.z)};
@@ -27,41 +25,41 @@ class Horseshoe final : public Layout {
         double t = std::atan2(p.z, -p.x) / pi;
         // The cut of atan2 goes to the open side, half way between the two ends.
         if (t < -0.5) t += 2;
-        return {(r - shape().r_min) / (shape().r_max - shape().r_min), p.y / shape().y_s, t};
+        return {(r - shape().r_min) / depth(), p.y / shape().y_s, t};
     }
 
     Basis basis(const glm::dvec3& c) const override {
-        const double dr = shape().r_max - shape().r_min;
+        const double dr = depth();
         const double r = radius(c.x);
         const double cosine = std::cos(pi * c.z);
         const double sine = std::sin(pi * c.z);
         return {{-dr * cosine, 0, dr * sine}, {0, shape().y_s, 0}, {pi * r * sine, 0, pi * r * cosine}};
     }
 
+    std::string_view shader() const override { return "layout_horseshoe.glsl"; }
+
+    std::vector<LayoutUniform> uniforms() const override {
+        return {{"layout_r_min", shape().r_min}, {"layout_depth", depth()}, {"layout_height", shape().y_s}};
+    }
+
     double straight_t() const override { return 0.064 / pi; }
 
     double sagitta_x(double t_length) const override {
-        return shape().r_max * (1 - std::cos(pi * t_length / 2)) / (shape().r_max - shape().r_min);
+        return shape().r_max * (1 - std::cos(pi * t_length / 2)) / depth();
     }
 
     std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const override {
-        const int n = static_cast<int>(borders.size()) - 1;
         const double angle = std::atan2(eye.z, -eye.x);
         const bool before_open_side = angle < 0;
         // Behind the open side the opposite direction decides, and far and near change places.
-        const double t = (before_open_side ? angle + pi : angle) / pi;
-        int split = 0;
-        while (split < n - 1 && borders[static_cast<std::size_t>(split) + 1] <= t) ++split;
-
-        std::vector<int> order;  // from the ends towards the section `split` that faces the eye
-        for (int i = 0; i < split; ++i) order.push_back(i);
-        for (int i = n - 1; i >= split; --i) order.push_back(i);
+        std::vector<int> order = sections_towards((before_open_side ? angle + pi : angle) / pi, borders);
         if (before_open_side) std::ranges::reverse(order);
         return order;
     }
 
   private:
-    double radius(double x) const { return shape().r_min + (shape().r_max - shape().r_min) * x; }
+    double depth() const { return shape().r_max - shape().r_min; }
+    double radius(double x) const { return shape().r_min + depth() * x; }
 };
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "core/space/layout.h"
 
-#include <fmt/format.h>
-
-#include "core/error.h"
+#include "core/choice.h"
 
 namespace vvr {
 
@@ -15,16 +13,22 @@ const std::vector<LayoutRow>& layouts() {
 }
 
 std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape) {
-    std::string names;
-    for (const LayoutRow& row : layouts()) {
-        if (row.name == name) return row.make(shape);
-        names += names.empty() ? row.name : ", " + row.name;
-    }
-    throw Error(ErrorKind::usage, fmt::format("no layout is called '{}'; there are {}", name, names));
+    return choose("layout", name, layouts()).make(shape);
 }
 
-LayoutShape shape_for(Size field, double r_min, double r_max) {
-    return {r_min, r_max, (r_max - r_min) * field.height / field.width};
+LayoutShape shape_for(Size field, const LayoutOptions& options) {
+    const double square = (options.r_max - options.r_min) * field.height / field.width;
+    return {options.r_min, options.r_max, options.height > 0 ? options.height : square};
+}
+
+std::vector<int> sections_towards(double t, std::span<const double> borders) {
+    const int n = static_cast<int>(borders.size()) - 1;
+    int split = 0;
+    while (split < n - 1 && borders[static_cast<std::size_t>(split) + 1] <= t) ++split;
+    std::vector<int> order;
+    for (int i = 0; i < split; ++i) order.push_back(i);
+    for (int i = n - 1; i >= split; --i) order.push_back(i);
+    return order;
 }
 
 }  // namespace vvr

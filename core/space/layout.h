@@ -12,12 +12,22 @@
 
 namespace vvr {
 
+/// What can be chosen of a layout's shape, in P-space units.
+struct LayoutOptions {
+    double r_min = 0.45;  ///< inner radius of the horseshoe
+    double r_max = 1;     ///< outer radius
+    double height = 0;    ///< of a frame; 0 = pixels are square
+};
+
 /// The measures of a layout in P-space units.
 struct LayoutShape {
-    double r_min = 0.45;  ///< inner radius of the horseshoe
-    double r_max = 1.0;   ///< outer radius
-    double y_s = 0.4;     ///< height of a frame
+    double r_min = 0;
+    double r_max = 0;
+    double y_s = 0;  ///< height of a frame
 };
+
+/// The shape for frames of size `field`. With square pixels y_s = Δr · H / W.
+LayoutShape shape_for(Size field, const LayoutOptions& options = {});
 
 /// The vectors ∂P/∂x_C, ∂P/∂y_C, ∂P/∂t_C at a point (§5.2). The paper's e_t has Δr where differentiation gives r.
 struct Basis {
@@ -29,8 +39,14 @@ struct Basis {
     glm::dvec3 transform(const glm::dvec3& v) const { return v.x * x + v.y * y + v.z * t; }
 };
 
+/// A float uniform of a layout's shader.
+struct LayoutUniform {
+    const char* name;
+    double value;
+};
+
 /// The map between C-space, (x_C, y_C, t_C) in [0,1]³, and P-space, which is left-handed: x right, y up, z away
-/// from the default viewer. The same map stands in glsl/layout_NAME.glsl for the fragment shader.
+/// from the default viewer.
 class Layout {
   public:
     explicit Layout(const LayoutShape& shape) : shape_(shape) {}
@@ -40,10 +56,17 @@ class Layout {
 
     const LayoutShape& shape() const { return shape_; }
 
-    virtual std::string_view name() const = 0;
     virtual glm::dvec3 p_from_c(const glm::dvec3& c) const = 0;
     virtual glm::dvec3 c_from_p(const glm::dvec3& p) const = 0;
     virtual Basis basis(const glm::dvec3& c) const = 0;
+
+    /// The file in glsl/ that holds `c_from_p` for a fragment shader, in two steps. `local_from_p(p, t_reference)` is
+    /// affine, so that it can be interpolated between vertices; `c_from_local(local, t_reference)` is exact to a float
+    /// for t_C as near to t_reference as within a cell.
+    virtual std::string_view shader() const = 0;
+
+    /// The uniforms that the shader declares.
+    virtual std::vector<LayoutUniform> uniforms() const = 0;
 
     /// The longest piece of t_C that is straight enough to be cut as a hexahedron with flat faces.
     virtual double straight_t() const = 0;
@@ -51,14 +74,19 @@ class Layout {
     /// How far a point at x_C on such a hexahedron's outer face lies inside the curved volume, in x_C.
     virtual double sagitta_x(double t_length) const = 0;
 
-    /// Numbers of the sections between the ascending t_C `borders` (n + 1 of them), farthest from `eye` first. Planes
-    /// t_C = const separate the sections, so each can be drawn whole before the next (DESIGN: visibility order).
+    /// Numbers of the sections between the ascending t_C `borders` (n + 1 of them), farthest from `eye` first.
+    ///
+    /// A section may be drawn whole before the next: no ray from the eye enters one section, then another, then the
+    /// first again. This needs a layout in which a plane separates each two sections. The box and the horseshoe, which
+    /// is half a turn, are such layouts. With more than one turn, or turns above each other, there need not be an
+    /// order.
     virtual std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const = 0;
 
   private:
     LayoutShape shape_;
 };
 
+/// A layout that can be chosen. All else is in its class: its map, its shader and its uniforms.
 struct LayoutRow {
     std::string name;
     std::string help;
@@ -71,10 +99,11 @@ const std::vector<LayoutRow>& layouts();
 /// \throws Error usage when no layout has that name
 std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape);
 
-/// The shape with square pixels for frames of size `field`: y_s = Δr · H / W.
-LayoutShape shape_for(Size field, double r_min = 0.45, double r_max = 1.0);
-
 std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape);
 std::unique_ptr<Layout> make_box(const LayoutShape& shape);
+
+/// The sections between `borders` from both ends towards the one that holds `t`: back to front, where that one faces
+/// the eye.
+std::vector<int> sections_towards(double t, std::span<const double> borders);
 
 }  // namespace vvr

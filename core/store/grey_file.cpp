@@ -5,14 +5,18 @@
 #include <utility>
 
 #include "core/image/codec.h"
-#include "core/image/png_encoder.h"
 
 namespace vvr {
 namespace {
 
-std::vector<unsigned char> encode(Size size, int channels, std::span<const std::uint8_t> values) {
-    // Differences are mostly empty: the fastest level already leaves little of them.
-    return encode_png({.size = size, .channels = channels, .values = values, .level = 1, .filter = PngFilter::none});
+std::vector<std::byte> encode(Size size, int channels, std::span<const std::uint8_t> values) {
+    // Differences are mostly empty: the fastest level without a filter already leaves little of them.
+    return picture_codec().encode({.format = "png",
+                                   .name = "a plane.png",
+                                   .size = size,
+                                   .colours = channels,
+                                   .options = {{"png:compressionLevel", 1}, {"png:filter", png_filter::none}},
+                                   .values = std::as_bytes(values)});
 }
 
 void swap_red_and_blue(Plane<Bgr>& plane) {
@@ -21,11 +25,11 @@ void swap_red_and_blue(Plane<Bgr>& plane) {
 
 }  // namespace
 
-std::vector<unsigned char> encode_grey(const Plane<std::uint8_t>& plane) {
+std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
     return encode(plane.size(), 1, plane.pixels());
 }
 
-std::vector<unsigned char> encode_colour(const Plane<Bgr>& plane) {
+std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
     Plane<Bgr> rgb = plane;
     swap_red_and_blue(rgb);
     return encode(plane.size(), 3, {rgb.pixels().front().data(), 3 * rgb.pixels().size()});

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "core/plane.h"
@@ -11,10 +10,10 @@ namespace vvr {
 
 /// A plane of 8-bit values as a PNG picture in grey, lossless; same values, same bytes.
 /// \throws Error io
-std::vector<unsigned char> encode_grey(const Plane<std::uint8_t>& plane);
+std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane);
 
 /// The same in colour.
-std::vector<unsigned char> encode_colour(const Plane<Bgr>& plane);
+std::vector<std::byte> encode_colour(const Plane<Bgr>& plane);
 
 /// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size);

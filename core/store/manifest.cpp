@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/fields/read_file.h"
+#include "core/json_text.h"
+#include "core/read_file.h"
 #include "core/version.h"
 
 namespace vvr {
@@ -182,7 +183,7 @@ std::string format_manifest(const Manifest& manifest) {
                     {"colour", manifest.colour},
                     {"reference", manifest.reference},
                     {"settings", settings}};
-    std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
+    std::string text = json_text(head, 2);
     text.erase(text.rfind('\n'));  // the closing brace
     text += ",\n  \"frames\": [";
     // A line a frame: such a list can be read, and compared, by people.

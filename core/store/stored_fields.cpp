@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/fields/flo_file.h"
-#include "core/fields/read_file.h"
 #include "core/fields/seed_file.h"
+#include "core/read_file.h"
 #include "core/store/grey_file.h"
 
 namespace vvr {
@@ -45,7 +45,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
         for (const auto& [option, value] : *settings) {
             const std::string one = value_of(a.settings, option);
             const std::string other = value_of(b.settings, option);
-            if (!says_where(option) && one != other) return fmt::format("--{} is '{}' and '{}'", option, one, other);
+            if (!says_where(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
     if (b.frames.front().index != a.frames.back().index + 1) {
@@ -145,14 +145,18 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
 
 FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted with --flow none, so there are no arrows or "
-                                                  "tracelines: extract it again, or leave them out of --show",
-                                                  info_.name));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
+                                "again, or don't show them",
+                                info_.name),
+                    {"show"});
     }
     if (needs.colour && !parts_.front().manifest.colour) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' was extracted without the frames' colours: extract it again "
-                                                  "with --with-color, or render the clip itself",
-                                                  info_.name));
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
+                                "render the clip itself",
+                                info_.name),
+                    {"with-color"});
     }
     FieldSummary summary;
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;

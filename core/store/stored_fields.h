@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/store/field_source.h"
+#include "core/fields/field_source.h"
 #include "core/store/manifest.h"
 
 namespace vvr {

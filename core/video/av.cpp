@@ -33,7 +33,7 @@ int never_encode(AVCodecContext*, AVPacket*, int) {
 }
 
 Error out_of_memory() {
-    return {ErrorKind::limit, "out of memory for a video frame: try fewer --threads"};
+    return {ErrorKind::limit, "out of memory for a video frame: try fewer threads", {"threads"}};
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ AvFrame Decoder::next() {
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
         if (code == AVERROR(ENOMEM))
-            throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer --threads");
+            throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer threads", {"threads"});
 
         // Some decoders hide damage and say so only in the log. Threads may log before their turn; to stop too early
         // does no harm.

@@ -16,6 +16,16 @@ constexpr int max_read_errors = 100;  // in a row
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
+    if (words.starts_with("Format not on whitelist"))
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' is a list of other files, not a video; give those files, or, if it is an HLS "
+                                "playlist, a name that ends in .m3u8",
+                                input.name));
+    if (is_playlist_name(input.name) && is_local(input))
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' is not a playlist that can be read: {}; its files have to lie in its folder or "
+                                "below it",
+                                input.name, words));
     if (code == AVERROR(ENOMEM))
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
     if (code == AVERROR_EXIT)
@@ -79,6 +89,7 @@ void set_live(av::Dictionary& options) {
 Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.watchdog) {
     if (input.file) reader_ = std::make_unique<FileReader>(input.file);
     if (input.pipe) pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
+    if (is_local(input) && is_playlist_name(input.name)) playlist_ = std::make_unique<PlaylistFiles>(input.name);
     int code = open(input, rate, "prefer_tcp");
     // Some RTSP servers know no RTP within TCP, and say so in a way that libav takes for a refusal.
     if (code == AVERROR_HTTP_BAD_REQUEST && input.url.starts_with("rtsp")) code = open(input, rate, "");
@@ -93,6 +104,7 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
     log_.attach(*opened, watchdog_.get());
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
+    if (playlist_) playlist_->attach(*opened);
     av::Dictionary options;
     options.set("framerate", fmt::format("{:.6f}", rate));
     options.set("pattern_type", "none");
@@ -104,6 +116,7 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
         options.set("rw_timeout", "30000000");
     } else {
         options.set("protocol_whitelist", "file,crypto,data");
+        if (input.format.empty()) options.set("format_whitelist", allowed_formats(playlist_ != nullptr));
     }
     const AVInputFormat* const format = input.format.empty() ? nullptr : av_find_input_format(input.format.c_str());
     // libav frees the context itself when it can't open it.

@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/fit_into.h"
 #include "core/video/av.h"
 #include "core/video/file_source.h"
 #include "core/video/input.h"
 #include "core/video/picture_list.h"
 #include "core/video/picture_source.h"
 #include "core/video/scaler.h"
+#include "core/video/settings.h"
 #include "core/video/time_sampler.h"
 
 namespace vvr {
@@ -32,22 +34,16 @@ Size field_size_for(Size shown, Size asked) {
     constexpr Size automatic{0, 0};
     constexpr Size source{-1, -1};
     Size size = asked == source ? shown : asked;
-    if (asked == automatic) {
-        const int side = std::max(shown.width, shown.height);
-        const double scale = std::min(1.0, static_cast<double>(default_long_side) / side);
-        size = {static_cast<int>(std::lround(shown.width * scale)),
-                static_cast<int>(std::lround(shown.height * scale))};
-        size = {std::max(1, size.width), std::max(1, size.height)};
-    }
+    if (asked == automatic) size = fit_into(shown, default_long_side);
     if (size.width < 1 || size.height < 1)
         throw Error(ErrorKind::usage,
                     fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
     if (std::int64_t{size.width} * size.height > av::max_pixels)
         throw Error(
             ErrorKind::limit,
-            fmt::format(
-                "a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose a smaller --field-size",
-                size.width, size.height, av::max_pixels / 1'000'000));
+            fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
+                        size.width, size.height, av::max_pixels / 1'000'000),
+            {"field-size"});
     return size;
 }
 
@@ -56,9 +52,7 @@ void FrameSource::seek(double) {
 }
 
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
-    if (!(options.rate > 0) || !(options.rate <= 100'000))
-        throw Error(ErrorKind::usage,
-                    fmt::format("a rate of {} frames a second: it has to be above 0 and at most 100000", options.rate));
+    check(setting::rate, options.rate);
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
     return std::make_unique<FileSource>(open_input(name), options);
 }

@@ -184,8 +184,9 @@ std::unique_ptr<DecodedFrame> LiveSource::next() {
 
 std::vector<Frame> LiveSource::sample(int) {
     throw Error(ErrorKind::usage,
-                fmt::format("'{}': a stream that goes on has no median; take --reference running, first or a picture",
-                            input_.name));
+                fmt::format("'{}': a stream that goes on has no median; take the reference running, first or a picture",
+                            input_.name),
+                {"reference"});
 }
 
 void LiveSource::stop() {

@@ -5,7 +5,8 @@ import os
 import pathlib
 import time
 
-from harness import Skip, check
+import pytest
+from harness import check
 
 PACKAGES = "chromium chromium-driver python3-selenium"
 
@@ -17,10 +18,10 @@ def driver_of(folder, *arguments):
         from selenium.webdriver.chrome.options import Options
         from selenium.webdriver.chrome.service import Service
     except ImportError as error:
-        raise Skip(f"{error}; install with: apt-get install {PACKAGES}") from error
+        pytest.skip(f"{error}; install with: apt-get install {PACKAGES}")
     for path in ("/usr/bin/chromium", "/usr/bin/chromedriver"):
         if not os.path.exists(path):
-            raise Skip(f"there is no {path}; install with: apt-get install {PACKAGES}")
+            pytest.skip(f"there is no {path}; install with: apt-get install {PACKAGES}")
     options = Options()
     options.binary_location = "/usr/bin/chromium"
     # Root may not use the sandbox, containers have little shared memory, and no name is to be looked up.

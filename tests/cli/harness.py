@@ -1,36 +1,34 @@
-"""What the command line's tests share: a registry of cases, and the means to make clips and run vvr."""
+"""What the command line's tests share: the means to make clips, run vvr and check what it did."""
 
 import os
 import pathlib
 import re
 import subprocess
-import tempfile
 from dataclasses import dataclass
 
-CASES = {}
-SLOW = set()  # names of those that ctest labels slow, and runs alone
-
-
-class Skip(Exception):
-    """What a test needs is not on this machine."""
-
-
-def case(function):
-    """Registers a test; its name is the function's."""
-    assert function.__name__ not in CASES, function.__name__
-    CASES[function.__name__] = function
-    return function
-
-
-def slow_case(function):
-    """The same for a test that takes more than seconds, or that measures."""
-    SLOW.add(function.__name__)
-    return case(function)
-
-
 def check(condition, text):
+    """Fails the test with a text where a condition doesn't hold."""
+    __tracebackhide__ = True
     if not condition:
         raise AssertionError(text)
+
+
+def fnv1a(text):
+    """The hash that vvr makes names of hidden files and shares of clips with."""
+    number = 0xcbf29ce484222325
+    for byte in os.fsencode(text):
+        number = (number ^ byte) * 0x100000001b3 % 2**64
+    return number
+
+
+def lock_name(name):
+    """The hidden file of the claim to the files of that name."""
+    return f".vvr-{fnv1a(name):016x}.lock"
+
+
+def part_name(name, number=0):
+    """The hidden file in which a file of that name is written."""
+    return f".vvr-{fnv1a(name):016x}-{number}.part"
 
 
 @dataclass
@@ -41,7 +39,8 @@ class Result:
     err: str
 
     def expect(self, status, *texts, out=""):
-        """The exit status, parts of what stderr says, and all that stdout says (None: whatever)."""
+        """The exit status, parts of what stderr says, and all that stdout says (None: anything)."""
+        __tracebackhide__ = True
         check(self.status == status, f"{self}\nexpected status {status}")
         for text in texts:
             check(text in self.err, f"{self}\nexpected on stderr: {text}")
@@ -53,16 +52,12 @@ class Result:
 
 
 class Bench:
-    """A folder of its own for one case, with ways to fill it and to run vvr in it."""
+    """The folder of one test, with ways to fill it and to run vvr in it."""
 
-    def __init__(self, vvr, source):
+    def __init__(self, vvr, source, folder):
         self.vvr_path = vvr
         self.source = pathlib.Path(source)
-        self._folder = tempfile.TemporaryDirectory(prefix="vvr-cli-")
-        self.folder = pathlib.Path(self._folder.name)
-
-    def close(self):
-        self._folder.cleanup()
+        self.folder = pathlib.Path(folder)
 
     def run(self, command, **options):
         options = {"cwd": self.folder, "stdin": subprocess.DEVNULL, "timeout": 120} | options
@@ -123,3 +118,12 @@ class Bench:
     def expect_picture(self, name="out.png", size=(160, 100)):
         check(os.path.exists(self.path(name)), f"there is no {name}")
         check(self.picture_size(name) == size, f"{name} is {self.picture_size(name)}, not {size}")
+
+
+def moving_clip(t, frames=40, step=1.5):
+    """Makes clip.mkv: a textured square that crosses an empty scene, 10 frames per second."""
+    seconds = frames / 10
+    t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
+             f"testsrc2=size=24x24:rate=10:duration={seconds}", "-filter_complex",
+             f"[0][1]overlay=x='2+{step}*n':y=20", "-c:v", "ffv1", "clip.mkv")
+    return "clip.mkv"

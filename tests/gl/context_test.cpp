@@ -33,7 +33,7 @@ TEST(Context, UnknownBackendIsAUsageError) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
-        EXPECT_STREQ(error.what(), "no backend is called 'vulkan'; there are auto, egl, software, osmesa");
+        EXPECT_STREQ(error.what(), "backend: there is no 'vulkan'; it is one of: auto, egl, software, osmesa");
     }
 }
 
@@ -66,8 +66,8 @@ TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);
         EXPECT_STREQ(error.what(),
-                     "OpenGL ran out of memory while uploading brick 3; try a smaller --size or "
-                     "--field-size, or a larger --step");
+                     "OpenGL ran out of memory while uploading brick 3; try a smaller picture, smaller fields, or more "
+                     "frames per layer");
     }
     gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
     EXPECT_NO_THROW(check_gl(gl, "drawing"));

@@ -213,17 +213,16 @@ class Animated {
   public:
     Animated() : volume_(test::wandering_balls({48, 36}, 32)) {
         options_.size = {320, 240};
-        options_.ring = 1;
-        options_.window_layers = 32;
         renderer_.emplace(*context_, *layout_, options_);
         renderer_->set_transfer(default_transfer_function());
-        renderer_->push_brick(0, BrickLayers(volume_, {0, 32}));
+        window_.emplace(context_->gl(), *layout_, 32, 1);
+        window_->show(volume_, cut_into(32, 1));
         Scene scene;
         scene.tracelines = line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F});
         renderer_->set_scene(std::move(scene));
     }
 
-    Plane<glm::vec4> draw(double phase) { return renderer_->draw(phase); }
+    Plane<glm::vec4> draw(double phase) { return renderer_->draw(*window_, phase); }
     const Camera& camera() const { return renderer_->camera(); }
     Size size() const { return options_.size; }
 
@@ -233,6 +232,7 @@ class Animated {
     std::unique_ptr<Context> context_ = open_context("software");
     RenderOptions options_;
     std::optional<Renderer> renderer_;
+    std::optional<BrickWindow> window_;
 };
 
 TEST(Zebra, MovesWithThePhaseAndComesRound) {
@@ -264,22 +264,19 @@ TEST(Zebra, ChangesNothingButTheLines) {
 TEST(Zebra, MovesInTheDirectionOfTheFlow) {
     // One long line from left to right, wide stripes: where the brightness of the line correlates best after a small
     // step of the phase is a little further on.
-    const Volume volume = test::full_volume({32, 24}, 40);
     Shot shot = before_the_box();
-    shot.transfer = TransferFunction({{0, {}, 0}});
     shot.options.traces.shade = 0;
     shot.options.traces.width = 0.06F;
     shot.options.traces.stripe_length = 0.4F;
-    const auto layout = make_layout("box", shape_for(volume.size()));
+    const auto layout = make_layout("box", shape_for({32, 24}));
     const auto context = open_context("software");
-    shot.options.ring = 1;
-    shot.options.window_layers = 40;
+    BrickWindow empty(context->gl(), *layout, 40, 1);
     Renderer renderer(*context, *layout, shot.options);
     Scene scene;
     scene.tracelines = line({-1, 0.2F, 0.1F}, {1, 0.2F, 0.1F});
     renderer.set_scene(std::move(scene));
-    const Plane<glm::vec4> first = renderer.draw(0);
-    const Plane<glm::vec4> later = renderer.draw(0.25);
+    const Plane<glm::vec4> first = renderer.draw(empty, 0);
+    const Plane<glm::vec4> later = renderer.draw(empty, 0.25);
     const double stripe = 0.4 * (renderer.camera().pixel({1, 0, 0}, shot.options.size).x -
                                  renderer.camera().pixel({0, 0, 0}, shot.options.size).x);
     const auto alike = [&](double shift) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/jobs/render_clip.h"
+#include "cli/render/render_clip.h"
 #include "core/scene/slices.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
@@ -73,15 +73,16 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
 
     RenderJob job;
     job.layout = look.layout;
-    job.show = {"volume"};
-    job.opacity = look.opacity;
-    job.layers = true;
-    job.backend = "software";
+    job.look.show = {Part::volume};
+    job.look.opacity = look.opacity;
+    job.backend.name = "software";
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
-    const RenderedClip clip = render_clip(job, source, {});
-    const PictureLayers& layers = clip.picture.layers;
+    PixelData layers;
+    Observer observer;
+    render_clip(job, {.pixel_data = true}, source, observer,
+                [&](const RenderReport&, int, Picture&& picture) { layers = std::move(picture.pixel_data); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 
     const auto layout = make_layout(look.layout, shape_for(field));
@@ -128,17 +129,18 @@ class Layers : public testing::Test {
         options_.view = {0, 0, 0, 0.04};
     }
 
-    PictureLayers draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
-        const std::vector<Brick> cut = cut_into(volume.layers(), bricks);
+    PixelData draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
         layout_ = make_layout(layout_name_, shape_for(volume.size()));
         Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        renderer.show(volume, cut, 2);
+        BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
+        window.show(volume, cut_into(volume.layers(), bricks));
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
-        picture_ = renderer.draw();
-        PictureLayers layers = renderer.draw_layers(TimeTable(volume));
-        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw().pixels())) << "the picture stays the same";
+        picture_ = renderer.draw(window);
+        PixelData layers = renderer.draw_pixel_data(window, TimeTable(volume));
+        EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels()))
+            << "the picture stays the same";
         return layers;
     }
 
@@ -155,7 +157,7 @@ const TransferFunction thick({{0, {0, 0, 1}, 12}});
 const TransferFunction nothing({{0, {}, 0}});
 
 TEST_F(Layers, OfAnEmptySceneAreEmpty) {
-    const PictureLayers layers = draw(test::full_volume({32, 24}, 40), nothing, {});
+    const PixelData layers = draw(test::full_volume({32, 24}, 40), nothing, {});
     for (std::size_t i = 0; i < layers.frame.pixels().size(); ++i) {
         ASSERT_EQ(layers.frame.pixels()[i], -1);
         ASSERT_TRUE(std::isnan(layers.time.pixels()[i]));
@@ -170,7 +172,7 @@ TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
     const auto middle = [&](const TransferFunction& transfer, float z) {
         Scene scene;
         scene.arrows = {{{-0.25F, 0.2F, z}, {0.5F, 0, 0}, 1, 33}};
-        const PictureLayers layers = draw(volume, transfer, scene);
+        const PixelData layers = draw(volume, transfer, scene);
         const glm::dvec3 front = {0, 0.2, 0};
         const float eye = static_cast<float>(glm::dot(front - camera_.eye, camera_.forward));
         const float time = layers.time.at(50, 38);
@@ -195,7 +197,7 @@ TEST_F(Layers, OfATracelineRunThroughItsFrames) {
     Scene scene;
     scene.tracelines = {{{-0.5F, 0.2F, -0.1F}, 0, 1, 1, 4}, {{0.5F, 0.2F, -0.1F}, 1, 1, 1, 24}};
     options_.traces.width = 0.1F;
-    const PictureLayers layers = draw(volume, thick, scene);
+    const PixelData layers = draw(volume, thick, scene);
     const auto frame_at = [&](double x) {
         const glm::dvec2 pixel = camera_.pixel({x, 0.2, -0.1}, options_.size);
         return layers.frame.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
@@ -230,9 +232,9 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
     options_.view = {10, 40, 30, 0.04};
     options_.size = {1280, 960};
     options_.slices = 200;
-    const PictureLayers whole = draw(volume, default_transfer_function(), {});
+    const PixelData whole = draw(volume, default_transfer_function(), {});
     options_.samples = 4;
-    const PictureLayers tiled = draw(volume, default_transfer_function(), {}, 3);
+    const PixelData tiled = draw(volume, default_transfer_function(), {}, 3);
     int seen = 0;
     int different = 0;
     for (std::size_t i = 0; i < whole.frame.pixels().size(); ++i) {

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -69,7 +70,7 @@ TEST_P(EveryView, AgreesWithTheRayCaster) {
 
 INSTANTIATE_TEST_SUITE_P(
     Views, EveryView,
-    testing::Combine(testing::Values("horseshoe", "box"),
+    testing::Combine(testing::ValuesIn(test::layout_names()),
                      testing::Values(Viewpoint{0, 38, 30}, Viewpoint{0, 0, 30}, Viewpoint{0, 90, 30},
                                      Viewpoint{0, -35, 30}, Viewpoint{45, 20, 30}, Viewpoint{90, 30, 30},
                                      Viewpoint{135, 30, 60}, Viewpoint{180, 25, 30}, Viewpoint{-60, 50, 20},
@@ -126,7 +127,7 @@ TEST_P(FromWithin, AgreesWithTheRayCaster) {
 
 INSTANTIATE_TEST_SUITE_P(
     Eyes, FromWithin,
-    testing::Combine(testing::Values("horseshoe", "box"),
+    testing::Combine(testing::ValuesIn(test::layout_names()),
                      testing::Values(Inside{"hollow", {0, 0.2, 0.05}, {0, 0.2, 1}, 70},
                                      Inside{"hollow_parallel", {0, 0.2, 0.05}, {0.2, 0.2, 1}, 0},
                                      Inside{"towards_the_open_side", {0.1, 0.25, 0.3}, {-1, 0.2, -0.1}, 80},
@@ -137,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Slicer, ManyBricksLookLikeOne) {
     const Volume volume = test::wandering_balls({48, 36}, 96);
-    for (const std::string layout : {"horseshoe", "box"}) {
+    for (const std::string& layout : test::layout_names()) {
         Shot shot = small_shot();
         shot.layout = layout;
         shot.bricks = 1;
@@ -154,7 +155,7 @@ TEST(Slicer, PictureDoesNotDependOnTheNumberOfSlices) {
     // As it comes out of the box: default transfer function and samples. From 200 slices on, two are at most a voxel
     // apart here; farther apart they would step over things, and no correction of opacity could bring these back.
     const Volume volume = test::wandering_balls({96, 72}, 96);
-    for (const std::string layout : {"horseshoe", "box"}) {
+    for (const std::string& layout : test::layout_names()) {
         Shot shot;
         shot.layout = layout;
         shot.options.size = {320, 240};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/renderer.h"
+#include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
 
@@ -30,7 +31,7 @@ Volume part_of(
     return part;
 }
 
-/// A volume in which a brick's own layers, but for the first and the last, look otherwise.
+/// A volume in which the layers of a brick look otherwise, but for the first and the last.
 Volume otherwise(const Volume& volume, const Brick& brick) {
     return part_of(volume, 0, volume.layers(), [&](std::int64_t layer, Plane<std::uint8_t>& scalar) {
         if (layer <= brick.first || layer >= brick.first + brick.count - 1) return;
@@ -41,11 +42,7 @@ Volume otherwise(const Volume& volume, const Brick& brick) {
 
 class MovingWindow : public testing::TestWithParam<std::string> {
   protected:
-    MovingWindow() {
-        options_.size = {160, 120};
-        options_.ring = k;
-        options_.window_layers = k * brick_layers;
-    }
+    MovingWindow() { options_.size = {160, 120}; }
 
     Renderer renderer() {
         Renderer made(*context_, *layout_, options_);
@@ -53,34 +50,33 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         return made;
     }
 
-    /// Bricks `first` to `last` of the clip, drawn by a renderer that has seen nothing else.
+    BrickWindow window(std::int64_t layers, int textures) { return {context_->gl(), *layout_, layers, textures}; }
+
+    /// Bricks `first` to `last` of the clip, in a window that has shown nothing else.
     Plane<glm::vec4> fresh(int first, int last) {
         const Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
-        Renderer drawing = renderer();
-        for (int i = 0; i <= last - first; ++i)
-            drawing.push_brick(i, BrickLayers(part, {i * brick_layers, brick_layers}));
-        return drawing.draw();
+        BrickWindow shown = window(k * brick_layers, k);
+        shown.show(part, cut_by(part.layers(), brick_layers));
+        return renderer().draw(shown);
     }
 
-    /// What of a brick is told when its ends are renewed; the rest is something else.
-    enum class Told { all, ends };
+    /// The bricks before the newest: as they are, or otherwise but for their ends.
+    enum class Older { same, otherwise };
 
-    void expect_fresh_pictures(Told told) {
-        Renderer moving = renderer();
+    void expect_fresh_pictures(Older older) {
+        Renderer drawing = renderer();
+        BrickWindow moving = window(k * brick_layers, k);
         Plane<glm::vec4> before;
         for (int newest = 0; newest < 9; ++newest) {
             const int oldest = std::max(0, newest - k + 1);
-            const Volume window = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
-            const auto brick = [&](int number) { return Brick{(number - oldest) * brick_layers, brick_layers}; };
-            const auto renew = [&](int number) {
-                if (told == Told::all) return moving.renew_ends(number, BrickLayers(window, brick(number)));
-                const Volume other = otherwise(window, brick(number));
-                moving.renew_ends(number, BrickLayers(other, brick(number)));
-            };
-            moving.push_brick(newest, BrickLayers(window, brick(newest)));
-            if (newest > 0) renew(newest - 1);
-            if (oldest > 0) renew(oldest);
-            const Plane<glm::vec4> moved = moving.draw();
+            Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
+            const std::vector<Brick> bricks = cut_by(part.layers(), brick_layers);
+            if (older == Older::otherwise) {
+                for (int i = oldest; i < newest; ++i)
+                    part = otherwise(part, bricks[static_cast<std::size_t>(i - oldest)]);
+            }
+            moving.show(part, bricks, oldest);
+            const Plane<glm::vec4> moved = drawing.draw(moving);
             EXPECT_TRUE(std::ranges::equal(moved.pixels(), fresh(oldest, newest).pixels())) << "brick " << newest;
             if (newest > 0) {
                 EXPECT_GT(test::max_difference(moved, before), 50) << "it moves";
@@ -96,7 +92,7 @@ class MovingWindow : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(MovingWindow, IsAFreshOneByteForByte) {
-    expect_fresh_pictures(Told::all);
+    expect_fresh_pictures(Older::same);
 }
 
 TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
@@ -105,17 +101,16 @@ TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
     const auto count = static_cast<int>(bricks.size());
     for (const VolumeShading shading : {VolumeShading::none, VolumeShading::relief}) {
         options_.shading = shading;
-        Renderer pushing = renderer();
-        pushing.set_window(count, volume.layers());
-        for (int i = 0; i < count; ++i) {
-            pushing.push_brick(i, BrickLayers(volume, bricks[static_cast<std::size_t>(i)]));
-        }
-        const Plane<glm::vec4> expected = pushing.draw();
-        Renderer showing = renderer();
+        Renderer drawing = renderer();
+        BrickWindow ample = window(volume.layers(), 2 * count);
+        ample.show(volume, bricks);
+        const Plane<glm::vec4> expected = drawing.draw(ample);
         for (const int textures : {count, 1, 2, 3}) {
-            showing.show(volume, bricks, textures);
+            BrickWindow shown = window(volume.layers(), textures);
+            shown.show(volume, bricks);
             for (int again = 0; again < 2; ++again) {
-                EXPECT_TRUE(std::ranges::equal(showing.draw().pixels(), expected.pixels())) << textures << " textures";
+                EXPECT_TRUE(std::ranges::equal(drawing.draw(shown).pixels(), expected.pixels()))
+                    << textures << " textures";
             }
         }
     }
@@ -127,10 +122,10 @@ TEST_P(MovingWindow, LooksOnlyAtTheEndsOfABrickThatIsThere) {
         scalar.at(0, 0) = 1;
         scalar.at(field.width - 1, field.height - 1) = 1;
     });
-    expect_fresh_pictures(Told::ends);
+    expect_fresh_pictures(Older::otherwise);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::Values("horseshoe", "box"));
+INSTANTIATE_TEST_SUITE_P(Layouts, MovingWindow, testing::ValuesIn(test::layout_names()));
 
 }  // namespace
 }  // namespace vvr

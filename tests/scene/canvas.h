@@ -87,6 +87,6 @@ class Canvas {
 };
 
 /// A paved hall with a wall, a door, a bench and a bin: detail everywhere, so that flow has something to hold on to.
-Plane<Bgr> paint_hall(Size size, std::uint64_t seed);
+Plane<Bgr> paint_hall(Size size, std::uint64_t seed, double detail);
 
 }  // namespace vvr::scene

@@ -10,9 +10,20 @@ double joint(double value, double width) {
     return std::clamp(off / width, 0.0, 1.0);
 }
 
+/// Plaster and stone seen from near: patches of one, two and four pixels, each of its own brightness, spread 1 in all.
+double plaster(int i, int j, std::uint64_t seed) {
+    double sum = 0;
+    for (unsigned scale = 0; scale < 3; ++scale) {
+        const auto column = static_cast<std::uint64_t>(i >> scale);
+        const auto row = static_cast<std::uint64_t>(j >> scale);
+        sum += unit(hash(hash(seed * 4 + scale) + row) + column) - 0.5;
+    }
+    return 2 * sum;  // each of the three has a spread of 1/sqrt(12)
+}
+
 }  // namespace
 
-Plane<Bgr> paint_hall(Size size, std::uint64_t seed) {
+Plane<Bgr> paint_hall(Size size, std::uint64_t seed, double detail) {
     const Texture coarse(seed * 8 + 1, 40, 300);
     const Texture fine(seed * 8 + 2, 3, 12);
     const double w = size.width;
@@ -34,7 +45,8 @@ Plane<Bgr> paint_hall(Size size, std::uint64_t seed) {
                 const double column = joint((i - w / 2) / w * depth * 6, 0.03);
                 colour = Colour{0.48, 0.52, 0.55} * (grain * (0.82 + 0.18 * row * column));
             }
-            picture.at(i, j) = to_bgr(colour);
+            const double speck = detail > 0 ? detail / 255 * plaster(i, j, seed) : 0;
+            picture.at(i, j) = to_bgr({colour.b + speck, colour.g + speck, colour.r + speck});
         }
 
     Canvas canvas(&picture);

@@ -18,8 +18,9 @@ namespace {
 using namespace vvr;
 
 constexpr const char* usage =
-    "usage: vvr-scene NAME OUT.y4m|-|OUT_%05d.png [--size WxH] [--frames N] [--rate R] [--seed N] [--noise SIGMA]\n"
-    "                 [--drift LEVELS] [--jump LEVELS --jump-at FRAME] [--velocity U,V] [--omega RADIANS]\n"
+    "usage: vvr-scene NAME OUT.y4m|-|OUT_%05d.png [--size WxH] [--frames N] [--rate R] [--seed N]\n"
+    "                 [--detail SIGMA] [--noise SIGMA] [--drift LEVELS] [--jump LEVELS --jump-at FRAME]\n"
+    "                 [--velocity U,V] [--omega RADIANS]\n"
     "NAME: left_bag, fall_on_floor, walkers, two_walkers_cross, spinning_sphere, shifted_texture, still,\n"
     "      one_object_a_second\n";
 
@@ -80,6 +81,8 @@ scene::Options parse(const std::vector<std::string>& words) {
             options.rate = std::stod(value);
         } else if (key == "--seed") {
             options.seed = std::stoull(value);
+        } else if (key == "--detail") {
+            options.detail = std::stod(value);
         } else if (key == "--noise") {
             options.noise = std::stod(value);
         } else if (key == "--drift") {

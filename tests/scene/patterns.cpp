@@ -20,7 +20,7 @@ Options with_frames(Options options, int frames) {
 
 class Still final : public Story {
   public:
-    explicit Still(const Options& options) : hall_(paint_hall(options.size, options.seed)) {}
+    explicit Still(const Options& options) : hall_(paint_hall(options.size, options.seed, options.detail)) {}
 
     Plane<Bgr> paint(int) const override { return hall_; }
     Truth truth(int) const override { return {{}, Plane<float>(hall_.size()), Plane<float>(hall_.size())}; }

@@ -17,9 +17,10 @@ struct Options {
     int frames = 0;  ///< 0 = as many as the scene has by itself; another number runs its story faster or slower
     double rate = 25;
     std::uint64_t seed = 1;
-    double noise = 0;  ///< of the camera: standard deviation in grey levels
-    double drift = 0;  ///< of the light: grey levels from the first frame to the last
-    double jump = 0;   ///< of the light: grey levels, at frame `jump_at` and from there on
+    double detail = 0;  ///< fine texture of the hall, which does not move: standard deviation in grey levels
+    double noise = 0;   ///< of the camera: standard deviation in grey levels
+    double drift = 0;   ///< of the light: grey levels from the first frame to the last
+    double jump = 0;    ///< of the light: grey levels, at frame `jump_at` and from there on
     int jump_at = 0;
     double u = 1.5;       ///< motion of `shifted_texture`, pixels a frame to the right
     double v = 0.75;      ///< and down

@@ -33,7 +33,7 @@ class WalkersStory final : public Story {
           time_scale_(story_frames / options.frames),
           scale_(options.size.height / story_height),
           width_(options.size.width / scale_),
-          hall_(paint_hall(options.size, options.seed)),
+          hall_(paint_hall(options.size, options.seed, options.detail)),
           seed_(options.seed) {}
 
     Plane<Bgr> paint(int frame) const override {

@@ -57,11 +57,12 @@ Plane<std::uint8_t> whole(const SparsePlane& sparse) {
 Drawn draw_volume(const Volume& volume, Shot shot) {
     const auto layout = make_layout(shot.layout, shape_for(volume.size()));
     const auto context = open_context(shot.backend);
-    const std::vector<Brick> bricks = cut_into(volume.layers(), shot.bricks);
     Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
-    renderer.show(volume, bricks, 2);
-    return {renderer.draw(shot.scene), renderer.camera()};
+    renderer.set_scene(std::move(shot.scene));
+    BrickWindow window(context->gl(), *layout, volume.layers(), 2);
+    window.show(volume, cut_into(volume.layers(), shot.bricks));
+    return {renderer.draw(window), renderer.camera()};
 }
 
 }  // namespace vvr::test

@@ -15,7 +15,7 @@ Volume wandering_balls(Size size, int layers);
 /// The same with all that isn't held.
 Plane<std::uint8_t> whole(const SparsePlane& sparse);
 
-/// What `render_volume` needs beyond its volume.
+/// What `draw_volume` needs beyond its volume.
 struct Shot {
     std::string layout = "horseshoe";
     std::string backend = "software";

@@ -1,7 +1,8 @@
 #include <array>
 
-#include "core/fields/choice.h"
+#include "core/choice.h"
 #include "core/fields/filter.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
@@ -46,7 +47,7 @@ std::span<const FilterRow> filters() {
 }
 
 const FilterRow& find_filter(std::string_view name) {
-    return choose("--filter", name, rows);
+    return choose(setting::filter.name, name, rows);
 }
 
 // Seeds lie on the difference object whatever the filter, and that sees more with colour.

@@ -1,6 +1,7 @@
-#include "core/fields/choice.h"
+#include "core/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 class Temporal final : public Filter {
   public:
     explicit Temporal(const FieldOptions& options)
-        : illumination_(choose("--illumination", options.illumination, illuminations())) {}
+        : illumination_(choose(setting::illumination.name, options.illumination, illuminations())) {}
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());

@@ -1,8 +1,9 @@
 #include <array>
 
-#include "core/fields/choice.h"
+#include "core/choice.h"
 #include "core/fields/flow.h"
-#include "core/fields/flows/solvers.h"
+#include "core/fields/settings.h"
+#include "core/fields/solvers.h"
 
 namespace vvr {
 namespace {
@@ -38,12 +39,12 @@ std::span<const SolverRow> flow_solvers() {
 }
 
 std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options) {
-    const SolverRow& row = choose("--solver", options.solver, solvers);
+    const SolverRow& row = choose(setting::solver.name, options.solver, solvers);
     SolverSettings settings = row.defaults;
     if (options.alpha) settings.alpha = *options.alpha;
     if (options.iterations) settings.iterations = *options.iterations;
     if (options.pre_smooth) settings.pre_smooth = *options.pre_smooth;
-    settings.cube = choose("--derivatives", options.derivatives, derivatives).name == "cube";
+    settings.cube = choose(setting::derivatives.name, options.derivatives, derivatives).name == "cube";
     return row.make(settings);
 }
 

@@ -11,8 +11,8 @@
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
 #include "core/fields/flows/median.h"
-#include "core/fields/flows/solvers.h"
 #include "core/fields/flows/warp.h"
+#include "core/fields/solvers.h"
 
 namespace vvr {
 namespace {

@@ -1,22 +1,28 @@
+#include <algorithm>
 #include <array>
+#include <limits>
 
-#include "core/fields/choice.h"
+#include "core/choice.h"
 #include "core/fields/flow.h"
+#include "core/fields/settings.h"
 
 namespace vvr {
 namespace {
 
 constexpr std::array rows{
-    FlowRow{"horn-schunck", "the paper's method; --solver says how its equations are solved", make_horn_schunck},
+    FlowRow{"horn-schunck", "the paper's method; the solver says how its equations are solved", make_horn_schunck},
     FlowRow{"dis", "OpenCV's dense inverse search", make_dis},
     FlowRow{"farneback", "OpenCV's polynomial expansion", make_farneback},
-    FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }},
+    FlowRow{"none", "no flow and no seeds", [](const FlowOptions&) { return std::unique_ptr<FlowMethod>{}; }, true},
 };
 
+// In a short clip the whole frame costs little, and a sequence without an empty scene, as of a benchmark, needs it.
+constexpr std::int64_t few_frames = 64;
+
 constexpr std::array areas{
-    FlowArea{"auto", "all of a clip of up to 64 frames, what moves in a longer one"},
-    FlowArea{"moving", "only about what is shown and changes"},
-    FlowArea{"all", "the whole frame"},
+    FlowArea{"auto", "the whole frame in clips of up to 64 frames, else where something moves", few_frames},
+    FlowArea{"moving", "only near what is shown and changes", 0},
+    FlowArea{"all", "the whole frame", std::numeric_limits<std::int64_t>::max()},
 };
 
 }  // namespace
@@ -25,10 +31,17 @@ std::span<const FlowArea> flow_areas() {
     return areas;
 }
 
-std::string resolved_area(const std::string& area, std::int64_t frames) {
-    constexpr std::int64_t few = 64;
-    if (area != "auto") return area;
-    return frames > 0 && frames <= few ? "all" : "moving";
+bool is_whole_frame(const FlowOptions& options, std::int64_t frames) {
+    const std::int64_t most = choose(setting::flow_area.name, options.area, areas).whole_up_to;
+    return frames > 0 ? frames <= most : most == std::numeric_limits<std::int64_t>::max();
+}
+
+bool has_flow(const FlowOptions& options) {
+    return !choose(setting::flow.name, options.method, rows).is_none;
+}
+
+std::string no_flow() {
+    return std::string(std::ranges::find_if(rows, &FlowRow::is_none)->name);
 }
 
 std::span<const FlowRow> flow_methods() {
@@ -36,7 +49,7 @@ std::span<const FlowRow> flow_methods() {
 }
 
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
-    return choose("--flow", options.method, rows).make(options);
+    return choose(setting::flow.name, options.method, rows).make(options);
 }
 
 }  // namespace vvr

@@ -1,0 +1,130 @@
+#include "cli/options/job_options.h"
+
+#include "cli/options/look.h"
+#include "cli/options/parse_value.h"
+#include "cli/options/presets.h"
+#include "cli/options/view.h"
+#include "cli/render/settings.h"
+#include "core/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/illumination.h"
+#include "core/fields/reference.h"
+#include "core/fields/seeds.h"
+#include "core/fields/solvers.h"
+#include "gl/context.h"
+
+namespace vvr {
+
+namespace {
+
+/// Puts a place in a clip into that member of a span which counts in its unit.
+void set_start(FrameSpan& span, const Time& time) {
+    const bool seconds = time.unit == Time::Unit::seconds;
+    span.start = seconds ? time.value : 0;
+    span.first = seconds ? 0 : static_cast<std::int64_t>(time.value);
+}
+
+void set_end(FrameSpan& span, const Time& time) {
+    span.end.reset();
+    span.stop.reset();
+    if (time.unit == Time::Unit::seconds) {
+        span.end = time.value;
+    } else {
+        span.stop = static_cast<std::int64_t>(time.value);
+    }
+}
+
+void add_brick_options(CommandLine& line, BrickOptions& options) {
+    line.value(Group::bricks, setting::brick, "", [&options](const std::string& given) {
+        const Time length = parse_time(given);
+        if (length.value <= 0) throw Error(ErrorKind::usage, "a brick has to be longer than nothing");
+        options.length = length;
+    });
+    line.number(Group::bricks, options.window, setting::window);
+    line.number(Group::bricks, options.skip_idle, setting::skip_idle);
+}
+
+}  // namespace
+
+void add_input_options(CommandLine& line, InputOptions& options, const std::string& help) {
+    if (!help.empty()) line.arguments(options.names, "INPUT", help);
+    line.value(Group::input, setting::field_size, "", [&options](const std::string& given) {
+        options.field_size = given == "source" ? Size{-1, -1} : parse_size(given);
+    });
+    line.number(Group::input, options.rate, setting::rate);
+}
+
+void add_span_options(CommandLine& line, FrameSpan& span) {
+    line.value(Group::input, setting::start, std::string(setting::start.otherwise),
+               [&span](const std::string& given) { set_start(span, parse_time(given)); });
+    line.value(Group::input, setting::end, "", [&span](const std::string& given) { set_end(span, parse_time(given)); });
+}
+
+void add_field_options(CommandLine& line, FieldOptions& options) {
+    constexpr Group fields = Group::fields;
+    line.choice(fields, filters(), options.filter, setting::filter);
+    line.explain(setting::reference, reference_kinds());
+    line.text(fields, options.reference, setting::reference,
+              {.help = list_of(reference_kinds()) + ", or a picture file"});
+    line.number(fields, options.threshold, setting::threshold);
+    line.number(fields, options.smooth, setting::smooth);
+    line.number(fields, options.min_area, setting::min_area);
+    line.choice(fields, illuminations(), options.illumination, setting::illumination);
+    line.text(fields, options.roi, setting::roi);
+    line.text(fields, options.mask, setting::mask);
+
+    FlowOptions& flow = options.flow;
+    line.choice(fields, flow_methods(), flow.method, setting::flow);
+    line.choice(fields, flow_areas(), flow.area, setting::flow_area);
+    line.choice(fields, flow_solvers(), flow.solver, setting::solver);
+    line.choice(fields, derivative_kinds(), flow.derivatives, setting::derivatives);
+    line.number(fields, flow.alpha, setting::alpha);
+    line.number(fields, flow.iterations, setting::iterations);
+    line.number(fields, flow.pre_smooth, setting::pre_smooth);
+
+    line.number(fields, options.seeds.grid, setting::grid);
+    line.number(fields, options.seeds.min_magnitude, setting::min_magnitude);
+    line.choice(fields, seed_orders(), options.seeds.order, setting::seed_order);
+    line.text(fields, options.seeds.select, setting::seed_select);
+}
+
+void add_thread_options(CommandLine& line, int& threads) {
+    line.number(Group::run, threads, setting::threads);
+}
+
+void add_picture_options(CommandLine& line, RenderJob& job) {
+    add_span_options(line, job.fields.span);
+    line.number(Group::input, job.bricks.step, setting::step);
+    add_field_options(line, job.fields);
+    line.text(Group::fields, job.seeds, setting::seeds);
+    add_brick_options(line, job.bricks);
+    add_view_options(line, job);
+    add_look_options(line, job);
+    line.choice(Group::look, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
+    add_thread_options(line, job.fields.threads);
+    line.name(Group::run, job.backend.name, backend_names(), setting::backend);
+    line.number(Group::run, job.backend.device, setting::device);
+}
+
+Metadata shown(const std::vector<OptionValue>& values) {
+    Metadata settings;
+    for (const OptionValue& value : values) settings.emplace_back(value.name, value.shown());
+    return settings;
+}
+
+void finish(const CommandLine& line, RenderJob& job) {
+    if (line.has(setting::brick) && line.has(setting::window) && !products_of(job).series) {
+        throw Error(ErrorKind::usage,
+                    "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write "
+                    "a series: -o out.{brick:4}.png");
+    }
+    job.settings = shown(line.values(picture_groups));
+    job.given = shown(line.given({Group::input, Group::fields}));
+    // These are about the render, not about the fields that an extraction holds.
+    std::erase_if(job.given, [](const auto& given) {
+        return given.first == setting::step.name || given.first == setting::seeds.name;
+    });
+}
+
+}  // namespace vvr

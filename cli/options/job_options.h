@@ -1,0 +1,37 @@
+#pragma once
+
+#include "cli/options/command_line.h"
+#include "cli/render/job.h"
+
+// The groups of options that a RenderJob is made of.
+namespace vvr {
+
+/// Groups of options that decide how a picture looks.
+inline constexpr std::initializer_list<Group> picture_groups{Group::input, Group::fields, Group::bricks, Group::view,
+                                                             Group::look};
+
+/// INPUT, if `help` says what it is, and how it is read.
+void add_input_options(CommandLine& line, InputOptions& options,
+                       const std::string& help =
+                           "a video file, a folder or pattern of pictures (frames/%05d.png), "
+                           "- for stdin");
+
+/// The part of a clip that is read.
+void add_span_options(CommandLine& line, FrameSpan& span);
+
+/// Filter, flow and seeds.
+void add_field_options(CommandLine& line, FieldOptions& options);
+
+void add_thread_options(CommandLine& line, int& threads);
+
+/// What one picture or a series is made of, but neither INPUT nor where it goes.
+void add_picture_options(CommandLine& line, RenderJob& job);
+
+/// Puts what was given into the job as texts, after parsing.
+/// \throws Error usage where options contradict each other
+void finish(const CommandLine& line, RenderJob& job);
+
+/// Options as a file of settings records them.
+Metadata shown(const std::vector<OptionValue>& values);
+
+}  // namespace vvr

@@ -1,0 +1,33 @@
+#include "cli/options/talk.h"
+
+#include "cli/log.h"
+
+namespace vvr {
+
+namespace {
+
+namespace text {
+constexpr Setting quiet{"quiet", "", "say nothing unless it fails"};
+constexpr Setting verbose{"verbose", "", "say more"};
+constexpr Setting log_file{"log-file", "FILE", "append every line to this file too, with its time, even with --quiet"};
+constexpr Setting log_format{"log-format", "NAME", "lines for people, or one JSON object each"};
+}  // namespace text
+
+}  // namespace
+
+void add_talk_options(CommandLine& line, TalkOptions& options) {
+    line.flag(Group::run, options.quiet, text::quiet, {.letter = 'q'});
+    line.flag(Group::run, options.verbose, text::verbose, {.letter = 'v'});
+    line.exclude(text::verbose, text::quiet);
+    line.text(Group::run, options.log_file, text::log_file);
+    line.name(Group::run, options.log_format, names_of(log_formats()), text::log_format);
+}
+
+void apply(const TalkOptions& options, spdlog::logger& log) {
+    if (options.quiet) set_talk(log, Talk::quiet);
+    if (options.verbose) set_talk(log, Talk::verbose);
+    set_format(log, options.log_format);
+    if (!options.log_file.empty()) add_file(log, options.log_file, options.log_format);
+}
+
+}  // namespace vvr

@@ -1,0 +1,113 @@
+#include "cli/render/build_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/overlay.h"
+
+namespace vvr {
+
+void describe(const FieldSource& source, const Context& context, RenderReport& report) {
+    report.info = source.info();
+    report.field_size = source.field_size();
+    report.renderer = context.renderer();
+    report.gl_version = context.version();
+    report.backend = context.backend();
+    report.stages.end("context");
+}
+
+FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
+    constexpr std::int64_t arrow_times = 80;  // along the arc; more would hide each other
+    FieldNeeds needs;
+    needs.flow = job.look.show.any(&PartRow::needs_flow);
+    needs.seeds = job.look.show.any(&PartRow::needs_seeds);
+    needs.colour = job.picture.colour == VolumeColour::video;
+    needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
+    return needs;
+}
+
+std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
+    return make_layout(job.layout, shape_for(field_size, job.shape));
+}
+
+const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
+    static const Plane<Bgr> none;
+    return job.picture.colour == VolumeColour::video ? frame.colour : none;
+}
+
+Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
+                  const Framing& framing, const std::vector<TimeTick>& ticks) {
+    Scene scene;
+    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
+    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, layout, job.look.traces);
+    const glm::vec4 line_colour(job.look.theme.lines, 1);
+    if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
+    const auto add_lines = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    add_lines(ruler_marks(volume, layout, framing.edge, ticks, line_colour));
+    if (job.look.show.has(Part::ruler)) {
+        add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
+        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));
+    }
+    if (job.look.show.has(Part::floor)) scene.floor = floor_shadow(volume, job.look.theme.shadow);
+    if (job.look.show.has(Part::frames)) {
+        constexpr float at_the_ends = 0.5F;
+        constexpr float between = 0.3F;  // they hide what is behind them
+        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
+            Plane<Bgr> picture = picture_of(frame);
+            if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
+        };
+        stand(0, frames.first, 0, at_the_ends);
+        for (const KeyFrame& key : frames.between) {
+            stand(volume.t_of_frame(static_cast<double>(key.number)), *key.frame, key.number, between);
+        }
+        stand(volume.t_end(), frames.last, volume.frames() - 1, at_the_ends);
+    }
+    return scene;
+}
+
+void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
+                  std::int64_t window_layers, Scene& scene) {
+    const Layout& layout = *drawing.layout;
+    const auto add = [&scene](const std::vector<Segment>& lines) {
+        scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+    };
+    if (job.look.show.has(Part::bricks)) {
+        for (const Brick& brick : bricks) {
+            const double t = static_cast<double>(brick.first) / static_cast<double>(window_layers);
+            if (t > 0) add(cross_section(layout, t, glm::vec4(job.look.theme.lines, 0.5)));
+        }
+    }
+    const AxisBox rendered = visible_box(drawing.window->cells(), layout, drawn_transfer_of(job.look));
+    if (job.look.show.has(Part::boxes)) {
+        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+    }
+    if (job.look.show.has(Part::slices)) {
+        constexpr int shown = 20;
+        const Renderer& renderer = *drawing.renderer;
+        const Camera camera = job.look.slice_view
+                                  ? fit_camera(*job.look.slice_view, outline_points(layout), job.picture.size)
+                                  : renderer.camera();
+        const SliceStack stack = renderer.slices(*drawing.window, camera);
+        add(slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
+    }
+}
+
+bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
+    }
+    return true;
+}
+
+Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
+                     double phase) {
+    Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
+    if (pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
+    draw(picture, lettering);
+    return picture;
+}
+
+}  // namespace vvr

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "cli/render/annotate.h"
+#include "cli/render/job.h"
+#include "gl/context.h"
+
+namespace vvr {
+
+/// What draws the pictures of a job. It is made, used and closed on one thread (cli/render/render_thread.h).
+struct Drawing {
+    std::unique_ptr<Context> context;
+    std::unique_ptr<Layout> layout;
+    Framing framing;
+    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<BrickWindow> window;
+};
+
+/// Opens a context that can draw what the job asks for.
+/// \throws Error backend, limit
+void open_context(const RenderJob& job, Drawing& drawing);
+
+/// Makes all that does not depend on the clip's fields, in a drawing that has a context.
+/// \param tile_samples as in RenderOptions: more take more memory
+/// \throws Error backend, limit, io
+void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samples, Drawing& drawing);
+
+/// Draws something small, so that the first real picture finds its shaders compiled. The drawing has a renderer.
+void rehearse(const RenderJob& job, const Drawing& drawing);
+
+}  // namespace vvr

@@ -1,0 +1,85 @@
+#include "cli/render/extract.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "cli/render/open_fields.h"
+#include "cli/render/record.h"
+#include "cli/render/settings.h"
+#include "cli/render/shown_name.h"
+#include "core/error.h"
+#include "core/fields/flow.h"
+#include "core/fields/pipeline.h"
+#include "core/store/data_folder.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+/// Turns a part's number into the frames where it begins and ends. The last part has no end: headers lie.
+void choose_part(ExtractJob& job, const VideoInfo& clip) {
+    if (!job.part) return;
+    if (job.fields.span != FrameSpan{}) {
+        throw Error(ErrorKind::usage, "part says where to begin and to end; leave out the start and the end",
+                    {"part", setting::start.name, setting::end.name});
+    }
+    const auto [part, count] = *job.part;
+    if (clip.frames < count) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part, count,
+                        clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
+            {"part", setting::start.name, setting::end.name});
+    }
+    const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
+    if (part > 1) {
+        job.fields.span.first = begin(part - 1);
+        put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first));
+    }
+    if (part < count) {
+        job.fields.span.stop = begin(part);
+        put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop));
+    }
+}
+
+}  // namespace
+
+void extract(ExtractJob job, Observer& observer) {
+    check_data_folder(job.folder);
+    const auto begin = std::chrono::steady_clock::now();
+    constexpr bool colour = true;
+    const auto clip = open_clip(job.input, colour, job.fields.threads);
+    choose_part(job, clip->info());
+    const std::int64_t expected = expected_frames(clip->info(), job.fields.span);
+    const std::int64_t flow_every = has_flow(job.fields.flow) ? job.fields.flow.every : 0;
+    std::optional<DataFolder> folder;
+    std::int64_t frames = 0;
+    const FieldSummary summary = compute_fields(*clip, job.fields, [&](const SharedFrame& frame, Field&& field) {
+        // Not before there is something to write: an older extraction stays if this one comes to nothing.
+        if (!folder) folder.emplace(job.folder, flow_every, job.colour);
+        folder->add(*frame, field);
+        observer.frames(++frames, expected);
+    });
+    Manifest manifest;
+    manifest.clip = clip->info();
+    manifest.clip.title = shown_name(clip->info().name);
+    manifest.span = job.fields.span;
+    manifest.field_size = clip->field_size();
+    manifest.damaged = summary.damaged;
+    manifest.settings = job.settings;
+    {
+        const auto held = observer.guard();
+        folder->close(std::move(manifest), summary.reference);
+    }
+    if (summary.damaged > 0) {
+        observer.warn(
+            fmt::format("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet")));
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    observer.info(fmt::format("'{}': {} of {}x{}, {:.1f} s", job.folder.string(), counted(summary.frames, "frame"),
+                              clip->field_size().width, clip->field_size().height, took.count()));
+}
+
+}  // namespace vvr

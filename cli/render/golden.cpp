@@ -1,0 +1,91 @@
+#include "cli/render/golden.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/render/show_comparison.h"
+#include "core/error.h"
+#include "core/image/atomic_file.h"
+#include "core/image/difference_view.h"
+#include "core/image/picture_file.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::byte>;
+
+void remove_candidate(const fs::path& golden) {
+    std::error_code none;
+    fs::remove(candidate_of(golden), none);
+}
+
+/// Leaves the candidate. A folder that can't be written must not hide the news that pictures differ.
+/// \throws Error differs that says so, where the candidate is and what to do, or why it could not be left
+[[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
+    const fs::path candidate = candidate_of(golden);
+    try {
+        replace_file(candidate, bytes);
+    } catch (const Error& error) {
+        throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
+    }
+    throw Error(ErrorKind::differs,
+                fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
+}
+
+std::string renderer_of(const Metadata& metadata) {
+    const auto found = std::ranges::find(metadata, "renderer", &Metadata::value_type::first);
+    return found == metadata.end() ? "" : found->second;
+}
+
+/// Another renderer is the first thing to suspect.
+void show_renderers(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
+                    Observer& observer) {
+    const std::string before = renderer_of(golden_settings);
+    const std::string now = renderer_of(metadata);
+    if (!before.empty() && before != now) {
+        observer.info(fmt::format("'{}' was drawn by {}, this by {}", golden.string(), before, now));
+    }
+}
+
+}  // namespace
+
+fs::path candidate_of(const fs::path& golden) {
+    return fs::path(golden).replace_extension(".candidate" + golden.extension().string());
+}
+
+void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
+    const fs::path& golden = options.path;
+    const ComparisonOptions& how = options.comparison;
+    const Bytes bytes = encode_picture(golden, picture, metadata);
+    const auto held = observer.guard();
+    if (options.bless) {
+        replace_file(golden, bytes);
+        remove_candidate(golden);
+        observer.info(fmt::format("'{}': blessed", golden.string()));
+        return;
+    }
+    if (!fs::exists(golden)) {
+        fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
+    }
+    const Samples expected = without_pixel_data(read_samples(golden));
+    const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
+    if (comparison.has_numbers() && !how.diff.empty())
+        write_picture(how.diff, difference_picture(expected, comparison));
+    if (comparison.verdict == Verdict::same) {
+        remove_candidate(golden);
+        observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
+                                  golden.string(), comparison.percent, comparison.patch));
+        return;
+    }
+    show_renderers(golden, settings_of(expected), metadata, observer);
+    show_difference(comparison, how.tolerance, observer);
+    fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
+}
+
+}  // namespace vvr

@@ -1,0 +1,130 @@
+#include "cli/render/job.h"
+
+#include <fmt/format.h>
+
+#include "cli/render/record.h"
+#include "cli/render/settings.h"
+#include "core/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/pipeline.h"
+#include "core/image/animation_file.h"
+#include "core/image/picture_file.h"
+#include "core/scene/transfer_file.h"
+
+namespace vvr {
+
+namespace {
+
+void validate(const BrickOptions& bricks, const LookOptions& look, bool series) {
+    check(setting::step, bricks.step);
+    check(setting::window, bricks.window);
+    check(setting::skip_idle, bricks.skip_idle);
+    check(setting::keyframes, look.keyframes);
+    check(setting::opacity, look.opacity);
+    check(setting::glyph_scale, look.glyph_scale);
+    check(setting::trace_steps, look.traces.steps);
+    check(setting::trace_dt, look.traces.dt);
+    check(setting::time_velocity, look.traces.time_velocity);
+    if (series && bricks.skip_idle > 0) {
+        throw Error(ErrorKind::usage,
+                    "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
+                    {setting::skip_idle.name});
+    }
+    if (series && look.keyframes > 0) {
+        throw Error(ErrorKind::usage,
+                    "keyframes is for one picture of a clip; the pictures of a series show their first and last frame",
+                    {setting::keyframes.name});
+    }
+}
+
+void validate(const RenderOptions& picture) {
+    check(setting::fov, picture.view.fov);
+    check(setting::slices, picture.slices);
+    check(setting::samples, picture.samples);
+}
+
+}  // namespace
+
+void validate(const LayoutOptions& shape) {
+    if (shape.height != 0) check(setting::height, shape.height);
+    check(setting::radius, shape.r_min);
+    check(setting::radius, shape.r_max);
+    if (shape.r_min < shape.r_max) return;
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min, shape.r_max),
+        {setting::radius.name});
+}
+
+void validate(const RenderJob& job) {
+    if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
+    validate(job.fields);
+    validate(job.bricks, job.look, products_of(job).series);
+    validate(job.picture);
+    validate(job.shape);
+}
+
+Products products_of(const RenderJob& job) {
+    const OutputOptions& output = job.output;
+    const bool page = !page_of(output).empty();
+    Products products;
+    products.pictures = pictures_of(output);
+    products.series = is_series(output);
+    products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
+    // Only what a filter that marks objects shows has events.
+    products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
+    return products;
+}
+
+RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
+    for (const auto& [name, value] : extracted) {
+        if (name == setting::filter.name) job.fields.filter = value;
+        put(job.settings, name, value);
+    }
+    return job;
+}
+
+bool wants_colour(const RenderJob& job) {
+    // Objects are found by colour too, not only if the picture happens to show some.
+    return find_filter(job.fields.filter).traits.colour || needs_reference(job.fields) ||
+           job.look.show.any(&PartRow::needs_pictures) || job.picture.colour == VolumeColour::video;
+}
+
+TransferFunction transfer_of(const LookOptions& look) {
+    return look.transfer ? *look.transfer : find_transfer(std::string(look.theme.transfer));
+}
+
+TransferFunction drawn_transfer_of(const LookOptions& look) {
+    return transfer_of(look).scaled(look.opacity);
+}
+
+glm::vec4 background_of(const LookOptions& look) {
+    return look.background.value_or(glm::vec4(look.theme.background, 1));
+}
+
+GlyphOptions glyph_options_of(const LookOptions& look) {
+    GlyphOptions options;
+    options.time_velocity = look.traces.time_velocity;
+    options.frames *= look.glyph_scale;
+    options.cap *= look.glyph_scale;
+    return options;
+}
+
+GlyphStyle glyph_style_of(const RenderJob& job) {
+    GlyphStyle style = job.picture.glyphs;
+    style.slow_colour = job.look.theme.slow;
+    style.fast_colour = job.look.theme.fast;
+    style.thickness *= static_cast<float>(job.look.glyph_scale);
+    return style;
+}
+
+WallClock clock_of(const StartTime& start, const VideoInfo& info) {
+    if (!start.as_recorded) return start.clock;
+    if (info.created) return info.created;
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),
+        {setting::start_time.name});
+}
+
+}  // namespace vvr

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/render/output.h"
+#include "cli/render/part.h"
+#include "cli/render/time.h"
+#include "core/fields/options.h"
+#include "core/image/picture.h"
+#include "core/labels/time_ticks.h"
+#include "core/scene/glyph.h"
+#include "core/scene/theme.h"
+#include "core/scene/traceline.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/layout.h"
+#include "core/video/frame_source.h"
+#include "gl/renderer.h"
+
+namespace vvr {
+
+/// What is read. Which frames of it FieldOptions::span says.
+struct InputOptions {
+    std::vector<std::string> names;  ///< one clip, or the folders of an extraction in parts
+    Size field_size{0, 0};           ///< as in SourceOptions
+    double rate = 25;                ///< frames per second, where the input does not say
+};
+
+/// How time becomes layers and bricks.
+struct BrickOptions {
+    std::int64_t max_layers = 800;  ///< of the window; frames of a longer clip share layers
+    int step = 0;                   ///< frames per layer; 0 = as few as max_layers allows
+    int window = 8;                 ///< bricks of the window; without `length`, a clip is cut into as many
+    std::optional<Time> length{};   ///< of a brick
+    double skip_idle = 0;           ///< seconds that stretches without motion are cut to; 0 = they stay whole
+};
+
+/// When a clip began.
+struct StartTime {
+    bool as_recorded = false;  ///< the container knows
+    WallClock clock;
+};
+
+/// What the picture shows of the volume and the flow. How it draws that RenderOptions says.
+struct LookOptions {
+    Parts show = Parts::by_default();
+    int keyframes = 0;  ///< frames shown between the first and the last
+    Theme theme = themes().front();
+    std::optional<glm::vec4> background{};       ///< multiplied by its opacity; none = the theme's
+    std::optional<TransferFunction> transfer{};  ///< none = the theme's
+    std::string title;                           ///< empty = the clip's name
+    StartTime start_time;
+    double opacity = 1;      ///< factor on the extinction
+    double glyph_scale = 1;  ///< factor on the arrows' size
+    TraceOptions traces;
+    std::optional<View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
+};
+
+/// Which OpenGL draws.
+struct BackendOptions {
+    std::string name = "auto";
+    int device = -1;  ///< EGL's number; -1 = the first that works
+};
+
+/// A whole run: what is read, what is computed, how it is drawn, and where it goes.
+struct RenderJob {
+    InputOptions input;
+    FieldOptions fields;
+    std::string seeds;  ///< a folder of lists that replace the computed seeds; empty = none
+    BrickOptions bricks;
+    std::string layout = layouts().front().name;
+    LayoutOptions shape;
+    LookOptions look;
+    RenderOptions picture;  ///< camera, background and glyphs are made of the rest
+    BackendOptions backend;
+    OutputOptions output;
+    Metadata settings;  ///< all settings as texts: files and reports record them
+    Metadata given;     ///< those that were asked for; they must not contradict an extraction
+};
+
+/// \throws Error usage for a value that is out of its range, or values that contradict each other
+void validate(const RenderJob& job);
+void validate(const LayoutOptions& shape);
+
+/// What a run has to make, beside files: `products_of` for a RenderJob's output.
+struct Products {
+    int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe
+    bool series = false;      ///< a picture for each brick, while the window moves over the clip
+    bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
+    bool events = false;
+};
+
+Products products_of(const RenderJob& job);
+
+/// The same job for fields that were extracted, which have a filter of their own.
+/// \param extracted the settings of the extraction; empty = none
+RenderJob with_extracted(RenderJob job, const Metadata& extracted);
+
+/// The fields need the frames in colour, or the picture shows them.
+bool wants_colour(const RenderJob& job);
+
+// What the look makes of the picture.
+TransferFunction transfer_of(const LookOptions& look);
+TransferFunction drawn_transfer_of(const LookOptions& look);  ///< with the opacity
+glm::vec4 background_of(const LookOptions& look);
+GlyphOptions glyph_options_of(const LookOptions& look);
+GlyphStyle glyph_style_of(const RenderJob& job);
+
+/// The clock that a clip's ruler shows.
+/// \throws Error usage where the container is to say when it was recorded, and does not
+WallClock clock_of(const StartTime& start, const VideoInfo& info);
+
+}  // namespace vvr

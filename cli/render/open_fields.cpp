@@ -1,0 +1,71 @@
+#include "cli/render/open_fields.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/fields/busy_fields.h"
+#include "core/fields/listed_seeds.h"
+#include "core/store/stored_fields.h"
+
+namespace vvr {
+
+namespace {
+
+OpenedFields open_extracted(const RenderJob& job) {
+    const std::vector<std::string>& folders = job.input.names;
+    auto source = std::make_unique<StoredFields>(folders);
+    for (const auto& [name, value] : job.given) {
+        const auto found = std::ranges::find(source->settings(), name, &Metadata::value_type::first);
+        const std::string extracted = found == source->settings().end() ? "" : found->second;
+        if (value == extracted) continue;
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr extract` with it", name,
+                                value, folders.front(), extracted.empty() ? "none" : extracted),
+                    {name});
+    }
+    Metadata settings = source->settings();
+    return {std::move(source), std::move(settings)};
+}
+
+OpenedFields open_any(const RenderJob& job) {
+    if (std::ranges::all_of(job.input.names, is_data_folder)) return open_extracted(job);
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads);
+    return {std::make_unique<ClipFields>(std::move(clip), job.fields), {}};
+}
+
+}  // namespace
+
+const std::string& only_input(const InputOptions& options) {
+    if (options.names.empty()) {
+        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
+    }
+    if (options.names.size() > 1) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: only directories that `vvr extract` "
+                                                  "wrote, one part of a clip each, can be several",
+                                                  options.names[1]));
+    }
+    return options.names.front();
+}
+
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads) {
+    SourceOptions source;
+    source.field_size = options.field_size;
+    source.colour = colour;
+    source.threads = threads;
+    source.rate = options.rate;
+    return open_source(only_input(options), source);
+}
+
+OpenedFields open_fields(const RenderJob& job) {
+    OpenedFields opened = open_any(job);
+    if (!job.seeds.empty()) opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), job.seeds);
+    if (job.bricks.skip_idle > 0) {
+        opened.source = std::make_unique<BusyFields>(std::move(opened.source), job.bricks.skip_idle);
+    }
+    return opened;
+}
+
+}  // namespace vvr

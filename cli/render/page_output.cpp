@@ -1,0 +1,29 @@
+#include "cli/render/page_output.h"
+
+#include <system_error>
+#include <utility>
+
+#include "cli/render/shown_name.h"
+#include "core/page/page.h"
+#include "core/page/text.h"
+
+namespace vvr {
+
+namespace fs = std::filesystem;
+
+std::string page_text(const fs::path& path, const std::string& input, const std::string& title,
+                      const RenderReport& report, Picture picture, const Metadata& settings, Moments moments) {
+    std::error_code none;
+    PageContent content;
+    content.name = title_of(title, report.info);
+    if (fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
+    content.shown = report.info.size;
+    content.field = report.field_size;
+    content.picture = std::move(picture);
+    content.settings = settings;
+    content.moments = std::move(moments);
+    content.events = report.events;
+    return make_page(content);
+}
+
+}  // namespace vvr

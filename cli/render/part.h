@@ -1,0 +1,50 @@
+#pragma once
+
+#include <bitset>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+
+namespace vvr {
+
+/// What a picture can show.
+enum class Part { volume, arrows, tracelines, outline, frames, floor, ruler, legend, title, bricks, boxes, slices };
+
+/// One row of the table of parts.
+struct PartRow {
+    Part part;
+    std::string_view name;
+    std::string_view help;
+    bool by_default = false;
+    bool needs_seeds = false;     ///< of the fields
+    bool needs_flow = false;      ///< of whole frames
+    bool needs_pictures = false;  ///< frames in colour
+    bool around_volume = false;   ///< reaches beyond the outline of the volume
+};
+
+/// The parts, in the order of the enum.
+std::span<const PartRow> parts();
+
+/// A set of parts.
+class Parts {
+  public:
+    Parts() = default;
+    Parts(std::initializer_list<Part> parts) {
+        for (const Part part : parts) add(part);
+    }
+
+    /// Those that a picture has if nothing else is asked for.
+    static Parts by_default();
+
+    void add(Part part) { set_.set(static_cast<std::size_t>(part)); }
+    void remove(Part part) { set_.reset(static_cast<std::size_t>(part)); }
+    bool has(Part part) const { return set_.test(static_cast<std::size_t>(part)); }
+
+    /// Whether one of them has a trait: `any(&PartRow::needs_flow)`.
+    bool any(bool PartRow::*trait) const;
+
+  private:
+    std::bitset<16> set_;
+};
+
+}  // namespace vvr

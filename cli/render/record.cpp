@@ -1,0 +1,34 @@
+#include "cli/render/record.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+void put(Metadata& settings, std::string_view name, const std::string& value) {
+    const auto known = std::ranges::find(settings, name, &Metadata::value_type::first);
+    if (known == settings.end()) {
+        settings.emplace_back(name, value);
+    } else {
+        known->second = value;
+    }
+}
+
+Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
+    Metadata record = job.settings;
+    record.emplace_back("frames", fmt::to_string(report.frames));
+    if (series) {
+        // Damage is only known at the end of the clip.
+        record.emplace_back("first-frame", fmt::to_string(report.first_frame));
+        record.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", report.first_pts, report.last_pts));
+    } else {
+        record.emplace_back("damaged", fmt::to_string(report.damaged));
+    }
+    record.emplace_back("frames-a-layer", fmt::to_string(report.step));
+    record.emplace_back("layers", fmt::to_string(report.layers));
+    record.emplace_back("renderer", report.renderer);
+    return record;
+}
+
+}  // namespace vvr

@@ -1,0 +1,116 @@
+#include "cli/render/render.h"
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/render/golden.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/page_output.h"
+#include "cli/render/picture_output.h"
+#include "cli/render/plan.h"
+#include "cli/render/record.h"
+#include "cli/render/render_series.h"
+#include "cli/render/report_text.h"
+#include "core/image/atomic_file.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+void show_warnings(const RenderJob& job, const RenderReport& report, Observer& observer) {
+    const std::string& name = report.info.name;
+    observer.debug(fmt::format("backend {}: {}", report.backend, report.renderer));
+    observer.debug(
+        fmt::format("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows));
+    if (report.damaged > 0) {
+        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
+                                  counted(report.damaged, "damaged packet"), counted(report.frames, "frame")));
+    }
+    if (report.frames_missing) {
+        observer.warn(
+            fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
+    }
+    if (report.keyframes < static_cast<std::size_t>(job.look.keyframes)) {
+        observer.warn(
+            fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
+                        "is shorter",
+                        name, report.keyframes, counted(job.look.keyframes, "key frame")));
+    }
+    if (report.lettering.font_missing) {
+        observer.warn(
+            "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
+    }
+    if (report.still) {
+        observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
+                      {"threshold"});
+    }
+    if (report.step > 1) {
+        observer.info(
+            fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));
+    }
+}
+
+/// What came of the run, in a line.
+std::string outcome(const RenderJob& job, bool series, const RenderReport& report) {
+    const std::string name = job.output.path.empty() ? report.info.name : job.output.path.string();
+    const std::string frames = counted(report.frames, "frame");
+    if (series) return fmt::format("'{}': {} of {}", name, counted(report.pictures, "picture"), frames);
+    return fmt::format("'{}': {} in {} and {}", name, frames, counted(report.layers, "layer"),
+                       counted(std::ssize(report.bricks), "brick"));
+}
+
+/// Sees the fields on their way, to keep what a page shows of them.
+WatchedFields* watch(OpenedFields& fields) {
+    auto watched = std::make_unique<WatchedFields>(std::move(fields.source));
+    WatchedFields* const watcher = watched.get();
+    fields.source = std::move(watched);
+    return watcher;
+}
+
+}  // namespace
+
+RenderReport render(const RenderJob& asked, Observer& observer) {
+    validate(asked);
+    const auto begin = std::chrono::steady_clock::now();
+    PictureOutput pictures(asked.output, observer);
+    OpenedFields fields = open_fields(asked);
+    const RenderJob job = with_extracted(asked, fields.extracted);
+    const Products products = products_of(job);
+    const std::filesystem::path& page = page_of(job.output);
+    WatchedFields* const watched = page.empty() ? nullptr : watch(fields);
+    check_memory(make_plan(job, products, *fields.source));
+
+    Picture drawn;
+    const PictureSink write = [&](const RenderReport& report, int number, Picture&& picture) {
+        const Metadata record = record_of(job, report, products.series);
+        if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
+        if (!is_page(job.output.path)) pictures.add(number, picture, record);
+        pictures.add_thumbnail(picture);
+        if (watched == nullptr) return;
+        pictures.add_page(page_text(page, job.input.names.front(), job.look.title, report, std::move(picture), record,
+                                    watched->take()));
+    };
+    const RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
+                                                : render_clip(job, products, *fields.source, observer, write);
+    show_warnings(job, report, observer);
+    pictures.close();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
+    if (report.events) observer.info(summary_of(*report.events));
+    if (!job.output.report.empty()) {
+        const std::string text = format_report(report, job.settings, took.count());
+        const auto held = observer.guard();
+        replace_file(job.output.report, std::as_bytes(std::span(text)));
+    }
+    if (!job.output.golden.path.empty()) {
+        meet_golden(job.output.golden, drawn, record_of(job, report, products.series), observer);
+    }
+    return report;
+}
+
+}  // namespace vvr

@@ -1,0 +1,162 @@
+#include "cli/render/render_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "cli/render/build_scene.h"
+#include "cli/render/layers.h"
+#include "cli/render/render_thread.h"
+#include "cli/render/shown_name.h"
+#include "core/events/event_finder.h"
+
+namespace vvr {
+
+namespace {
+
+// Fewer frames are read in a few seconds: reading begins before OpenGL is known to work.
+constexpr std::int64_t soon_read = 5000;
+// With more frames the renderer is made after they have been read: memory counts for more than a moment then.
+constexpr std::int64_t long_read = 100'000;
+
+/// The volume of a clip, and the frames at its ends.
+struct Fields {
+    Volume volume;
+    SharedFrame first = std::make_shared<const Frame>();
+    SharedFrame last = first;
+    std::vector<KeyFrame> keyframes{};
+    FieldSummary summary{};
+    std::optional<std::vector<Event>> events{};
+};
+
+Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, std::int64_t step, Observer& observer) {
+    const std::int64_t expected = source.expected_frames();
+    const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
+
+    Fields result{Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
+    const int keyframes = job.look.keyframes;
+    std::optional<EventFinder> events;
+    if (find_events) events.emplace(source.field_size());
+    if (needs.flow) result.volume.keep_flow();
+    result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
+        if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        result.volume.add(field, volume_colour(job, *frame));
+        if (result.volume.frames() == 1) result.first = frame;
+        const std::int64_t number = result.volume.frames() - 1;
+        const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
+        if (expected > 0 && wanted <= keyframes && number == wanted * (expected - 1) / (keyframes + 1)) {
+            result.keyframes.push_back({frame, number});
+        }
+        result.last = frame;
+        observer.frames(result.volume.frames(), expected);
+    });
+    if (events) result.events = choose_events(events->finish(result.summary.reference), job.output.events);
+    return result;
+}
+
+std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const WallClock& clock) {
+    const Volume& volume = fields.volume;
+    if (!bricks.length) return cut_into(volume.layers(), bricks.window);
+    double brick_frames = bricks.length->value;
+    if (bricks.length->unit == Time::Unit::seconds) {
+        // Where parts are left out, only the clock says how long a brick is.
+        if (volume.left_out() > 0) {
+            return cut_by_clock(volume, bricks.length->value, static_cast<double>(clock.value_or(0)));
+        }
+        const double seconds = fields.last->pts - fields.first->pts;
+        if (seconds <= 0) return cut_into(volume.layers(), bricks.window);
+        brick_frames *= static_cast<double>(volume.frames() - 1) / seconds;
+    }
+    const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
+    return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
+}
+
+/// All after the fields: draws each picture and gives it to the sink.
+void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
+                   RenderReport& report, const PictureSink& sink) {
+    const Volume& volume = fields.volume;
+    const Layout& layout = *drawing.layout;
+    const WallClock clock = clock_of(job.look.start_time, report.info);
+    const std::vector<Brick> bricks = cut(job.bricks, fields, clock);
+    const Caption caption{title_of(job.look.title, report.info),
+                          fields.summary.frames,
+                          fields.first->pts,
+                          fields.last->pts,
+                          nothing_visible(volume, transfer_of(job.look)),
+                          clock};
+    report.events = std::move(fields.events);
+    report.frames = caption.frames;
+    report.damaged = fields.summary.damaged;
+    report.first_frame = fields.first->index;
+    report.last_frame = fields.last->index;
+    report.first_pts = caption.begin;
+    report.last_pts = caption.end;
+    report.layers = volume.layers();
+    report.step = volume.step();
+    report.bricks = bricks;
+    report.still = caption.still;
+
+    const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
+    Scene scene =
+        build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing, ticks);
+    report.arrows = scene.arrows.size();
+    report.keyframes = fields.keyframes.size();
+    report.stages.end("scene");
+
+    const std::vector<Brick> pieces = job.look.show.has(Part::volume) ? cut_into_pieces(bricks) : std::vector<Brick>{};
+    const int textures = textures_of(products, static_cast<int>(pieces.size()));
+    drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
+    drawing.window->show(volume, pieces);
+    add_overlays(job, drawing, bricks, volume.layers(), scene);
+    drawing.renderer->set_scene(std::move(scene));
+    const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks);
+    report.lettering = lettering;
+    for (int i = 0; i < products.pictures; ++i) {
+        const double phase = static_cast<double>(i) / products.pictures;
+        Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);
+        report.stages.end("draw");
+        report.pictures = i + 1;
+        sink(report, i, std::move(picture));
+        report.stages.end("write");
+    }
+}
+
+}  // namespace
+
+RenderReport render_clip(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
+                         const PictureSink& sink) {
+    RenderReport report;  // its stages begin now
+    const std::int64_t expected = source.expected_frames();
+    const Size field_size = source.field_size();
+    RenderThread thread;
+    auto opened = thread.start([&job](Drawing& drawing) { open_context(job, drawing); });
+    // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
+    if (expected <= long_read) {
+        thread.start([&job, field_size](Drawing& drawing) {
+            make_renderer(job, field_size, RenderOptions{}.tile_samples, drawing);
+            rehearse(job, drawing);
+        });
+    }
+    if (expected == 0 || expected > soon_read) opened.get();
+    std::int64_t step = planned_step(job.bricks, expected);
+    Fields fields = read_fields(job, products.events, source, step, observer);
+    // A header that promised far more than there was has wasted the window: read again, now knowing the length.
+    if (job.bricks.step == 0 && step > 1 && fields.volume.layers() < job.bricks.max_layers / 2 &&
+        fields.volume.frames() > 1) {
+        step = planned_step(job.bricks, fields.volume.frames());
+        fields = read_fields(job, products.events, source, step, observer);
+    }
+
+    report.stages.end("fields");
+    thread.run([&](Drawing& drawing) {
+        if (!drawing.renderer) make_renderer(job, field_size, RenderOptions{}.tile_samples / 4, drawing);
+        describe(source, *drawing.context, report);
+        draw_pictures(job, products, fields, drawing, report, sink);
+    });
+    return report;
+}
+
+}  // namespace vvr

@@ -1,0 +1,197 @@
+#include "cli/render/render_series.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cli/render/build_scene.h"
+#include "cli/render/layers.h"
+#include "cli/render/render_thread.h"
+#include "cli/render/shown_name.h"
+#include "core/events/event_finder.h"
+
+namespace vvr {
+
+namespace {
+
+/// The window while it slides: its volume, and what is drawn of it.
+class Series {
+  public:
+    /// \param thread whose drawing has a renderer
+    Series(const RenderJob& job, const Products& products, const FieldSource& source, RenderThread& thread,
+           RenderReport begun, const PictureSink& sink)
+        : job_(job),
+          pixel_data_(products.pixel_data),
+          window_(sliding_window(job.bricks, source)),
+          volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
+                  needs_of(job, source, window_.frames()).every),
+          thread_(thread),
+          pieces_of_brick_(std::ssize(cut_into_pieces(std::array{Brick{0, window_.brick_layers}}))),
+          transfer_(drawn_transfer_of(job.look)),
+          sink_(sink),
+          report_(std::move(begun)) {
+        caption_.title = title_of(job.look.title, report_.info);
+        caption_.clock = clock_of(job.look.start_time, report_.info);
+        volume_.set_span(window_.layers());
+        if (job.look.show.any(&PartRow::needs_flow)) volume_.keep_flow();
+        thread_.run([&, this](Drawing& drawing) {
+            const int textures = textures_of(products, window_.bricks * static_cast<int>(pieces_of_brick_));
+            drawing.window =
+                std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
+        });
+        if (products.events) events_.emplace(source.field_size());
+        report_.step = window_.step;
+        report_.pictures = 0;
+    }
+
+    void add(const SharedFrame& frame, const Field& field) {
+        if (begin_) fill_gap(field);
+        if (!begin_) begin_ = {field.index, field.pts};
+        if (volume_.frames() == window_.frames()) drop_oldest();
+        if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        volume_.add(field, volume_colour(job_, *frame));
+        if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
+        last_ = frame;
+        if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
+    }
+
+    /// After the last frame: the last brick may be shorter than the others. Frames and times are those of the clip, all
+    /// else is that of the last window.
+    /// \param scene the empty scene; may be empty
+    RenderReport finish(const Planes& scene) {
+        if (frames_of_newest_ > 0) complete_newest(Draw::yes);
+        report_.stages.end("fields");
+        report_.still = all_still_;
+        if (events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
+        if (begin_) {
+            report_.first_frame = begin_->frame;
+            report_.first_pts = begin_->seconds;
+        }
+        return report_;
+    }
+
+  private:
+    void drop_oldest() {
+        volume_.drop_front(window_.brick_layers);
+        first_of_bricks_.pop_front();
+    }
+
+    /// A stream's numbers skip the frames that never came. A brick that ends in such a gap gets no picture. Of a gap
+    /// longer than the window only the end is shown.
+    void fill_gap(const Field& next) {
+        const std::int64_t gap = next.index - last_->index - 1;
+        const std::int64_t shown = std::min(gap, window_.frames());
+        const double length = (next.pts - last_->pts) / static_cast<double>(gap + 1);
+        for (std::int64_t i = shown; i > 0; --i) {
+            if (volume_.frames() == window_.frames()) drop_oldest();
+            volume_.add_missing(next.index - i, next.pts - static_cast<double>(i) * length);
+            if (frames_of_newest_ == 0)
+                first_of_bricks_.push_back(std::make_shared<const Frame>(Frame{next.index - i, next.pts, {}, {}}));
+            if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::no);
+        }
+    }
+
+    enum class Draw { no, yes };
+
+    void complete_newest(Draw wanted) {
+        report_.stages.end("fields");
+        update_report();
+        if (wanted == Draw::yes) thread_.run([this](Drawing& drawing) { draw(drawing); });
+        ++newest_;
+        frames_of_newest_ = 0;
+    }
+
+    void update_report() {
+        const Frame& first = *first_of_bricks_.front();
+        bricks_ = cut_by(volume_.layers(), window_.brick_layers);
+        caption_.frames = volume_.frames() - volume_.missing();
+        caption_.begin = first.pts;
+        caption_.end = last_->pts;
+        caption_.still = nothing_visible(volume_, transfer_);
+        all_still_ = all_still_ && caption_.still;
+        report_.frames = caption_.frames;
+        report_.first_frame = first.index;
+        report_.first_pts = caption_.begin;
+        report_.last_pts = caption_.end;
+        report_.last_frame = last_->index;
+        report_.layers = volume_.layers();
+        report_.bricks = bricks_;
+        report_.still = caption_.still;
+    }
+
+    /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
+    void show_pieces(BrickWindow& window) const {
+        const std::int64_t oldest = newest_ - std::ssize(bricks_) + 1;
+        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_);
+    }
+
+    void draw(Drawing& drawing) {
+        if (job_.look.show.has(Part::volume)) show_pieces(*drawing.window);
+        report_.stages.end("draw");
+        const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
+        const bool shows_frames = job_.look.show.has(Part::frames);
+        Scene scene =
+            build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing, ticks);
+        report_.arrows = scene.arrows.size();
+        ++report_.pictures;
+        report_.stages.end("scene");
+        report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
+        add_overlays(job_, drawing, bricks_, window_.layers(), scene);
+        drawing.renderer->set_scene(std::move(scene));
+        const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks);
+        report_.lettering = lettering;
+        Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering);
+        report_.stages.end("draw");
+        sink_(report_, static_cast<int>(newest_), std::move(picture));
+        report_.stages.end("write");
+    }
+
+    const RenderJob& job_;
+    bool pixel_data_;
+    SlidingWindow window_;
+    Volume volume_;
+    RenderThread& thread_;
+    std::int64_t pieces_of_brick_;  ///< fewer of the clip's last one, if it is shorter
+    TransferFunction transfer_;
+    const PictureSink& sink_;
+    std::vector<Brick> bricks_;  ///< in the window
+    Caption caption_;            ///< of the window
+    RenderReport report_;
+    std::optional<EventFinder> events_;
+    std::optional<Moment> begin_;              ///< of the clip
+    bool all_still_ = true;                    ///< nothing was visible in any window
+    std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window
+    SharedFrame last_;
+    std::int64_t newest_ = 0;  ///< number of the brick that is being filled
+    std::int64_t frames_of_newest_ = 0;
+};
+
+}  // namespace
+
+RenderReport render_series(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
+                           const PictureSink& sink) {
+    RenderReport begun;
+    RenderThread thread;
+    thread.run([&](Drawing& drawing) {
+        open_context(job, drawing);
+        describe(source, *drawing.context, begun);
+        make_renderer(job, source.field_size(), RenderOptions{}.tile_samples, drawing);
+    });
+    Series series(job, products, source, thread, std::move(begun), sink);
+    const FieldNeeds needs = needs_of(job, source, sliding_window(job.bricks, source).frames());
+    std::int64_t frames = 0;
+    const std::int64_t expected = source.expected_frames();
+    const FieldSummary summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
+        series.add(frame, field);
+        observer.frames(++frames, expected);
+    });
+    RenderReport report = series.finish(summary.reference);
+    report.frames = summary.frames;
+    report.damaged = summary.damaged;
+    return report;
+}
+
+}  // namespace vvr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/render/stages.h"
+#include "core/bricks/brick.h"
+#include "core/events/event.h"
+#include "core/labels/lettering.h"
+#include "core/video/frame_source.h"
+
+namespace vvr {
+
+/// What came of a run. It is only written while the run lasts: nothing is drawn from it.
+struct RenderReport {
+    VideoInfo info;
+    Size field_size;
+    std::int64_t frames = 0;  ///< that reached the volume
+    std::int64_t damaged = 0;
+    double first_pts = 0;  ///< seconds
+    double last_pts = 0;
+    std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t last_frame = 0;
+    std::int64_t layers = 0;
+    std::int64_t step = 1;      ///< frames per layer
+    std::vector<Brick> bricks;  ///< in layers
+    std::int64_t pictures = 1;  ///< so far
+    std::size_t arrows = 0;
+    bool still = false;           ///< nothing in the volume is visible
+    bool frames_missing = false;  ///< some of the frames to be shown came without a picture
+    std::string renderer;         ///< GL_RENDERER
+    std::string gl_version;       ///< GL_VERSION
+    std::string backend;
+    std::optional<std::vector<Event>> events;  ///< none where they were not looked for
+    Lettering lettering;                       ///< on the last picture
+    std::size_t keyframes = 0;                 ///< shown between the first and the last frame
+    Stages stages;
+};
+
+}  // namespace vvr

@@ -1,0 +1,199 @@
+#include "cli/render/report_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <sys/resource.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/json_text.h"
+#include "core/labels/time_ticks.h"
+#include "core/version.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Raised when a reader of older reports would misread one.
+constexpr int format_version = 1;
+
+/// From the field's pixels to those of the video.
+class Scale {
+  public:
+    Scale(Size field, Size video)
+        : video_(video),
+          x_(static_cast<double>(video.width) / field.width),
+          y_(static_cast<double>(video.height) / field.height) {}
+
+    glm::dvec2 operator()(const glm::dvec2& place) const {
+        return {(place.x + 0.5) * x_ - 0.5, (place.y + 0.5) * y_ - 0.5};
+    }
+
+    PixelBox operator()(const PixelBox& box) const {
+        return {static_cast<int>(std::floor(box.left * x_)), static_cast<int>(std::floor(box.top * y_)),
+                std::min(video_.width, static_cast<int>(std::ceil(box.right * x_))),
+                std::min(video_.height, static_cast<int>(std::ceil(box.bottom * y_)))};
+    }
+
+    double length(const std::vector<PathPoint>& path) const {
+        double length = 0;
+        for (std::size_t k = 1; k < path.size(); ++k) {
+            length += glm::distance((*this)(path[k - 1].place), (*this)(path[k].place));
+        }
+        return length;
+    }
+
+  private:
+    Size video_;
+    double x_;
+    double y_;
+};
+
+/// Places and times are no better than this, and shorter to read.
+double rounded(double value) {
+    return std::round(value * 1000) / 1000;
+}
+
+Json json_of(const Moment& moment) {
+    return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};
+}
+
+Json json_of(const PixelBox& box) {
+    return {{"x", box.left}, {"y", box.top}, {"width", box.width()}, {"height", box.height()}};
+}
+
+Json json_of(const glm::dvec2& place) {
+    return {{"x", rounded(place.x)}, {"y", rounded(place.y)}};
+}
+
+Json json_of(const Stay& stay, const Scale& scale) {
+    return {{"first", json_of(stay.first)},
+            {"last", json_of(stay.last)},
+            {"seconds", rounded(stay.last.seconds - stay.first.seconds)},
+            {"place", json_of(scale(stay.place))},
+            {"field_place", json_of(stay.place)},
+            {"box", json_of(scale(stay.box))},
+            {"field_box", json_of(stay.box)}};
+}
+
+Json number_of(const std::optional<std::size_t>& place) {
+    return place ? Json(*place + 1) : Json();
+}
+
+Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
+    if (!portrait) return {};
+    Json json = json_of(portrait->at);
+    json["box"] = json_of(scale(portrait->box));
+    json["field_box"] = json_of(portrait->box);
+    return json;
+}
+
+Json json_of(const Event& event, std::size_t place, const Scale& scale) {
+    Json json{{"number", place + 1},
+              {"kind", name_of(event.kind)},
+              {"first", json_of(event.first)},
+              {"last", json_of(event.last)},
+              {"seconds", rounded(event.last.seconds - event.first.seconds)},
+              {"from", number_of(event.from)},
+              {"into", number_of(event.into)},
+              {"by", number_of(event.by)},
+              {"alone_since", event.alone_since ? json_of(*event.alone_since) : Json()},
+              {"portrait", json_of(event.portrait, scale)},
+              {"box", json_of(scale(event.box))},
+              {"field_box", json_of(event.box)},
+              {"path_length", rounded(scale.length(event.path))},
+              {"field_path_length", rounded(event.path_length)}};
+    json["path"] = Json::array();
+    for (const PathPoint& point : event.path) {
+        Json there = json_of(point.at);
+        there["place"] = json_of(scale(point.place));
+        there["field_place"] = json_of(point.place);
+        json["path"].push_back(std::move(there));
+    }
+    json["stays"] = Json::array();
+    for (const Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
+    return json;
+}
+
+Json json_of(const Label& label) {
+    Json json = json_of(label.box);
+    json["text"] = label.text;
+    return json;
+}
+
+std::int64_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::int64_t{usage.ru_maxrss} * 1024;
+}
+
+double length_of(const Event& event) {
+    return event.last.seconds - event.first.seconds;
+}
+
+}  // namespace
+
+std::string format_report(const RenderReport& report, const Metadata& settings, double seconds) {
+    const VideoInfo& info = report.info;
+    const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
+    Json json{
+        {"report", format_version},
+        {"vvr", version()},
+        {"input",
+         {{"name", info.name},
+          {"container", info.container},
+          {"codec", info.codec},
+          {"width", info.size.width},
+          {"height", info.size.height},
+          {"rate", known(info.rate)},
+          {"recorded", info.created ? Json(format_clock(*info.created)) : Json()}}},
+        {"frames", {{"used", report.frames}, {"damaged", report.damaged}}},
+        {"span",
+         {{"first", rounded(report.first_pts)},
+          {"last", rounded(report.last_pts)},
+          {"seconds", rounded(report.last_pts - report.first_pts)}}},
+        {"field", {{"width", report.field_size.width}, {"height", report.field_size.height}}},
+        {"volume",
+         {{"layers", report.layers},
+          {"frames_a_layer", report.step},
+          {"bricks", report.bricks.size()},
+          {"arrows", report.arrows},
+          {"still", report.still}}},
+    };
+    json["settings"] = Json::object();
+    for (const auto& [name, value] : settings) json["settings"][name] = value;
+    json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
+    json["labels"] = Json::array();
+    for (const Label& label : report.lettering.labels) json["labels"].push_back(json_of(label));
+    json["seconds"] = Json::object();
+    for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
+    json["seconds"]["total"] = rounded(seconds);
+    json["peak_memory_bytes"] = peak_memory();
+    json["events"] = Json();
+    if (report.events) {
+        json["events"] = Json::array();
+        const Scale scale(report.field_size, info.size);
+        for (std::size_t k = 0; k < report.events->size(); ++k) {
+            json["events"].push_back(json_of((*report.events)[k], k, scale));
+        }
+    }
+    return json_text(json, 2) + "\n";
+}
+
+std::string summary_of(const std::vector<Event>& events) {
+    if (events.empty()) return "no events";
+    const auto longest = std::ranges::max_element(events, {}, length_of);
+    std::string text = fmt::format("{}; the longest from {:.1f} s to {:.1f} s", counted(std::ssize(events), "event"),
+                                   longest->first.seconds, longest->last.seconds);
+    double still = 0;
+    for (const Stay& stay : longest->stays) still += stay.last.seconds - stay.first.seconds;
+    if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
+    return text;
+}
+
+}  // namespace vvr

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/fields/settings.h"
+#include "core/setting.h"
+
+/// The settings of a RenderJob beside those of its fields.
+namespace vvr::setting {
+
+inline constexpr Setting step{
+    "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};
+
+inline constexpr Setting brick{
+    "brick", "TIME", "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"};
+inline constexpr Setting window{"window",
+                                "COUNT",
+                                "bricks shown: one picture cuts the clip into this many, a series moves by one of them",
+                                {1, 256}};
+inline constexpr Setting skip_idle{
+    "skip-idle",
+    "SECONDS",
+    "shorten longer stretches without motion to this; the ruler marks them; 0 = keep all",
+    {0, 86'400}};
+
+inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
+inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
+inline constexpr Setting height{"height", "UNITS", "height of a frame; square pixels if not given", {0.001, 100}};
+inline constexpr Setting size{"size", "WxH", "pixels of the picture", {1, 16'384}};
+inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
+                                "where the viewer is: degrees to the right and above the floor"};
+inline constexpr Setting slice_view{"slice-view", "AZIMUTH,ELEVATION",
+                                    "viewer whose slices --show slices draws; the picture's own if not given"};
+inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
+inline constexpr Setting slices{"slices", "COUNT", "slices of the volume; 0 = one per two voxels", {0, 16'384}, "auto"};
+inline constexpr Setting samples{
+    "samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
+
+inline constexpr Setting show{"show", "LIST", "what is drawn"};
+inline constexpr Setting keyframes{"keyframes", "COUNT", "frames shown between the first and the last", {0, 32}};
+inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
+inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
+inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};
+inline constexpr Setting start_time{
+    "start-time", "DATETIME",
+    "when the clip began: 2026-11-21 08:00:00, or 'recorded' as the container says; the ruler then shows times of day"};
+inline constexpr Setting transfer{.name = "transfer",
+                                  .unit = "NAME",
+                                  .help = "colour and opacity of the volume's values",
+                                  .otherwise = "the theme's",
+                                  .may_be_file = true};
+inline constexpr Setting colour{"color", "NAME", "colour of the volume: the transfer function's, or the video's own"};
+inline constexpr Setting shading{"shading", "NAME", "light on the volume"};
+inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};
+inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the arrows' size", {0.01, 100}};
+inline constexpr Setting trace_steps{"trace-steps", "COUNT", "steps of a traceline", {1, 100'000}};
+inline constexpr Setting trace_dt{"trace-dt", "FRAMES", "length of a traceline's step in time", {1e-3, 1000}};
+inline constexpr Setting time_velocity{
+    "time-velocity",
+    "NUMBER",
+    "the paper's v_t, frames moved along the arc per frame; 0 = arrows and tracelines stay in their frame",
+    {-1000, 1000}};
+
+inline constexpr Setting backend{"backend", "NAME", "which OpenGL draws"};
+inline constexpr Setting device{
+    "device", "NUMBER", "EGL device as `vvr doctor` numbers them; -1 = the first that works", {-1, 255}};
+
+inline constexpr Setting animate{"animate", "COUNT", "pictures in which stripes run along the tracelines", {2, 10'000}};
+inline constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
+inline constexpr Setting event_min_seconds{
+    "event-min-seconds", "SECONDS", "shorter events are not listed", {0, 86'400}};
+inline constexpr Setting tolerance{"tolerance", "LEVEL", "a pixel is off if a channel differs by more", {0, 1}};
+inline constexpr Setting tolerance_percent{
+    "tolerance-percent", "PERCENT", "share of the pixels that may be off", {0, 100}};
+inline constexpr Setting tolerance_patch{
+    "tolerance-patch", "LEVEL", "mean difference that any small patch may have", {0, 1}};
+
+}  // namespace vvr::setting

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/render/observer.h"
+#include "core/image/compare.h"
+
+namespace vvr {
+
+/// The numbers, one a line.
+std::string numbers_of(const Comparison& comparison);
+
+/// The same for programs; what was not reached is null.
+nlohmann::ordered_json json_of(const Comparison& comparison);
+
+/// Shows where two pictures differ: the worst pixels, and a picture made of letters. Nothing where there are no
+/// numbers.
+void show_difference(const Comparison& comparison, const Tolerance& tolerance, Observer& observer);
+
+}  // namespace vvr

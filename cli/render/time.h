@@ -1,0 +1,14 @@
+#pragma once
+
+namespace vvr {
+
+/// A place in a clip, or a length of it.
+struct Time {
+    enum class Unit { frames, seconds };
+    double value = 0;
+    Unit unit = Unit::frames;
+
+    friend bool operator==(const Time&, const Time&) = default;
+};
+
+}  // namespace vvr

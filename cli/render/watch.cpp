@@ -1,0 +1,143 @@
+#include "cli/render/watch.h"
+
+#include <chrono>
+#include <ctime>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/render/latency.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/picture_output.h"
+#include "cli/render/plan.h"
+#include "cli/render/record.h"
+#include "cli/render/render_series.h"
+#include "cli/render/shown_name.h"
+#include "core/labels/time_ticks.h"
+#include "core/page/live_page.h"
+#include "core/video/input.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+using Clock = LiveSource::Clock;
+
+/// What the clock on the wall shows, as if it were of UTC.
+std::int64_t wall_clock_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    localtime_r(&now, &parts);
+    return timegm(&parts);
+}
+
+std::unique_ptr<LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
+    LiveOptions live;
+    live.source.field_size = job.input.field_size;
+    live.source.rate = job.input.rate;
+    live.source.colour = wants_colour(job);
+    live.lag = options.lag;
+    live.patience = options.patience;
+    live.duration = options.duration;
+    live.tell = [&observer](const std::string& text) { observer.warn(text); };
+    return std::make_unique<LiveSource>(only_input(job.input), std::move(live));
+}
+
+/// A stream's whole address says more than its last part.
+std::string title_of_stream(const std::string& name) {
+    return is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
+}
+
+/// Pictures on their way to the disk, and how long they took.
+class LivePictures {
+  public:
+    LivePictures(const RenderJob& job, const LiveSource& stream, Observer& observer)
+        : job_(job), name_(job.output.path), stream_(stream), observer_(observer), files_(job.output, observer) {}
+
+    void add(const RenderReport& report, int number, Picture&& picture) {
+        const Metadata record = record_of(job_, report, true);
+        if (is_page(job_.output.path)) {
+            files_.add_page(page_of(report, record, std::move(picture)));
+        } else {
+            files_.add(number, picture, record);
+        }
+        ++count_;
+        const auto came = stream_.arrival(report.last_frame);
+        const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
+        if (came) latency_.add(took);
+        observer_.info(fmt::format("'{}': brick {}, {}, {:.2f} s after its last frame", name_.at(number).string(),
+                                   number, span_of(report), took));
+    }
+
+    std::int64_t count() const { return count_; }
+    const Latency& latency() const { return latency_; }
+
+  private:
+    std::string span_of(const RenderReport& report) const {
+        return format_span(report.first_pts, report.last_pts, job_.look.start_time.clock);
+    }
+
+    std::string page_of(const RenderReport& report, const Metadata& record, Picture&& picture) const {
+        LivePageContent page;
+        page.name = job_.look.title;
+        page.state = span_of(report);
+        if (const auto lost = stream_.dropped()) page.state += fmt::format(", {} dropped", counted(lost, "frame"));
+        page.span = fmt::format("{:.0f} s", report.last_pts - report.first_pts);
+        page.picture = std::move(picture);
+        page.settings = record;
+        page.written = std::time(nullptr);
+        page.brick_seconds = static_cast<double>(report.bricks.back().count * report.step) / report.info.rate;
+        return make_live_page(page);
+    }
+
+    const RenderJob& job_;
+    NamePattern name_;
+    const LiveSource& stream_;
+    Observer& observer_;
+    PictureOutput files_;
+    Latency latency_;
+    std::int64_t count_ = 0;
+};
+
+std::string summary_of(const LiveSource& stream, const RenderReport& report, const LivePictures& pictures) {
+    return fmt::format(
+        "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
+        "dropped, {}, {}",
+        stream.info().name, counted(pictures.count(), "picture"), counted(report.frames, "frame"), report.last_pts,
+        pictures.latency().median(), pictures.latency().longest(), counted(stream.dropped(), "frame"),
+        counted(stream.reconnections(), "reconnection"), counted(report.damaged, "damaged packet"));
+}
+
+}  // namespace
+
+StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
+    : job_(job), observer_(observer) {
+    validate(job);
+    auto connected = connect(job, options, observer);
+    stream_ = connected.get();
+    const VideoInfo& info = stream_->info();
+    if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
+    if (!job_.look.start_time.clock) job_.look.start_time.clock = wall_clock_now();
+    fields_ = std::make_unique<ClipFields>(std::move(connected), job_.fields);
+}
+
+std::int64_t StreamWatch::run() {
+    Products products;
+    products.series = true;
+    products.pixel_data = !is_page(job_.output.path) && holds_pixel_data(job_.output.path);
+    check_memory(make_plan(job_, products, *fields_));
+    const VideoInfo& info = stream_->info();
+    observer_.info(
+        fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
+    LivePictures pictures(job_, *stream_, observer_);
+    const RenderReport report = render_series(job_, products, *fields_, observer_,
+                                              [&](const RenderReport& so_far, int number, Picture&& picture) {
+                                                  pictures.add(so_far, number, std::move(picture));
+                                              });
+    observer_.info(summary_of(*stream_, report, pictures));
+    return pictures.count();
+}
+
+}  // namespace vvr

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/environment.h"
+#include "cli/exit_status.h"
+#include "core/archive/shard.h"
+
+namespace vvr {
+
+/// Which clips of an archive are drawn, where to, and what each may take.
+struct ArchiveOptions {
+    std::filesystem::path in;
+    std::filesystem::path out;
+    std::vector<std::string> match;  ///< patterns of clips; none = by their endings
+    Shard shard;
+    std::chrono::seconds settle{60};
+    int tries = 3;
+    bool dry_run = false;
+    bool prune = false;
+    bool index_only = false;
+    bool no_index = false;
+    bool no_pages = false;
+
+    std::vector<std::string> worker_options;  ///< of `vvr render`, passed on as they are
+    std::string settings;                     ///< changes with everything that decides how pictures look
+
+    int threads = 0;          ///< per worker; 0 = its share of the cores
+    std::optional<int> jobs;  ///< workers at a time; none = as many as cores and memory allow
+    std::chrono::seconds timeout{7200};
+    std::optional<std::int64_t> max_memory;  ///< bytes per worker; none = its share of the machine's
+};
+
+/// Draws what is new in an archive, and writes its index.
+/// \returns partial where some clips failed
+/// \throws Error usage, io, backend, limit
+ExitStatus run_archive(const ArchiveOptions& options, const Environment& environment);
+
+}  // namespace vvr

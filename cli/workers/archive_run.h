@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/environment.h"
+#include "cli/workers/archive_clip.h"
+#include "core/archive/scan.h"
+#include "core/archive/shard.h"
+
+namespace vvr {
+
+/// A clip, and what is to become of it.
+struct PlannedClip {
+    Clip clip;
+    Need need;
+    std::string reason;  ///< why it failed, where it did
+};
+
+/// What is to become of each clip, the newest first.
+std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const ArchiveJob& job);
+
+/// What came of a run.
+struct ArchiveOutcome {
+    std::size_t drawn = 0;
+    std::size_t failed = 0;
+    std::size_t elsewhere = 0;  ///< in the hands of another run, or gone
+};
+
+/// Draws those clips, some at a time.
+/// \throws Error when something other than a clip is at fault, a full disk for one; then the rest is not tried
+ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
+                          const Environment& environment);
+
+/// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
+void write_index(const ArchiveJob& job, const Environment& environment);
+
+/// Removes the files of clips that have gone.
+/// \returns how many clips there were
+std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
+                  const Environment& environment);
+
+}  // namespace vvr

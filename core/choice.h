@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vvr {
+
+/// The first column of a table.
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows) {
+    std::vector<std::string> names;
+    for (const auto& row : rows) names.emplace_back(row.name);
+    return names;
+}
+
+/// \throws Error usage: that `setting` can't be `found`, which of `names` may be meant, and what all of them are
+[[noreturn]] void refuse_choice(std::string_view setting, std::string_view found, std::span<const std::string> names,
+                                std::string_view or_else = {});
+
+/// The row of a table whose name is `found`.
+/// \param setting that chooses the row
+/// \param or_else what else the setting takes: ", or the name of a file"
+/// \throws Error usage when there is none
+template <class Rows>
+const auto& choose(std::string_view setting, std::string_view found, const Rows& rows, std::string_view or_else = {}) {
+    const auto row = std::ranges::find_if(rows, [&](const auto& r) { return r.name == found; });
+    if (row == std::ranges::end(rows)) refuse_choice(setting, found, names_of(rows), or_else);
+    return *row;
+}
+
+}  // namespace vvr

@@ -1,0 +1,20 @@
+#include "core/fields/field_source.h"
+
+#include <utility>
+
+#include "core/fields/flow.h"
+
+namespace vvr {
+
+ClipFields::ClipFields(std::unique_ptr<FrameSource> clip, FieldOptions options)
+    : clip_(std::move(clip)), options_(std::move(options)) {}
+
+FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
+    if (std::exchange(begun_, true)) clip_->rewind();
+    FieldOptions options = options_;
+    options.flow.every = needs.every;
+    if (!needs.seeds && !needs.flow) options.flow.method = no_flow();
+    return compute_fields(*clip_, options, sink);
+}
+
+}  // namespace vvr

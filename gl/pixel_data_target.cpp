@@ -1,0 +1,73 @@
+#include "gl/pixel_data_target.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "gl/check.h"
+#include "gl/framebuffer.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr int behind_unit = 2;
+
+}  // namespace
+
+PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
+    : gl_(&gl), data_{Data{GlFramebuffer(gl), GlTexture(gl)}, Data{GlFramebuffer(gl), GlTexture(gl)}}, depth_(gl) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
+    for (const Data& data : data_) {
+        gl.BindTexture(GL_TEXTURE_2D, data.texture.id());
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.width, size.height, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, data.framebuffer.id());
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, data.texture.id(), 0);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+        const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+        if (status != GL_FRAMEBUFFER_COMPLETE) {
+            throw Error(ErrorKind::backend,
+                        fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})", size.width,
+                                    size.height, status));
+        }
+    }
+    check_gl(gl, "making a framebuffer for pixel data");
+}
+
+void PixelDataTarget::begin(Size size) const {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[0].framebuffer.id());
+    gl_->Viewport(0, 0, size.width, size.height);
+    gl_->ClearColor(0, 0, 0, 0);
+    gl_->DepthMask(GL_TRUE);
+    gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void PixelDataTarget::begin_before_geometry() const {
+    gl_->Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void PixelDataTarget::draw_over(const Program& program, const std::function<void()>& draw) const {
+    gl_->Enable(GL_DEPTH_TEST);
+    gl_->DepthMask(GL_FALSE);
+    gl_->Disable(GL_BLEND);
+    program.set("behind", behind_unit);
+    for (const std::size_t from : {0U, 1U}) {
+        gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[1 - from].framebuffer.id());
+        gl_->ActiveTexture(GL_TEXTURE0 + behind_unit);
+        gl_->BindTexture(GL_TEXTURE_2D, data_[from].texture.id());
+        gl_->ActiveTexture(GL_TEXTURE0);
+        program.set("take_over", from == 1 ? 1 : 0);
+        draw();
+    }
+}
+
+Plane<glm::vec4> PixelDataTarget::read(Size size) const {
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[0].framebuffer.id());
+    auto data = Plane<glm::vec4>::for_overwrite(size);
+    read_pixels(*gl_, {0, 0, size.width, size.height}, data);
+    return data;
+}
+
+}  // namespace vvr

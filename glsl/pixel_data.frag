@@ -1,0 +1,6 @@
+// Opaque geometry as pixel data: weight, frame, depth, and the opacity of all that is there.
+in float frame_number;
+
+layout(location = 0) out vec4 data;
+
+void main() { data = vec4(1.0, frame_number, gl_FragCoord.z, 1.0); }

@@ -1,0 +1,19 @@
+# Turns text files into string constants, so that the program needs no file beside it.
+#
+#   vvr_embed(TARGET NAMESPACE HEADER FILE...)
+#
+# makes HEADER with one `inline constexpr std::string_view` for each FILE: volume.frag becomes volume_frag. Its array
+# `files` has the name and the text of each.
+function(vvr_embed target namespace header)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded/${header})
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DNAMESPACE=${namespace} "-DFILES=${files}" -P ${PROJECT_SOURCE_DIR}/scripts/cmake/embed.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/scripts/cmake/embed.cmake
+    COMMENT "Embedding ${header}" VERBATIM)
+  add_custom_target(${target}_files DEPENDS ${output})
+  add_library(${target} INTERFACE)
+  target_include_directories(${target} INTERFACE ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+  add_dependencies(${target} ${target}_files)
+endfunction()

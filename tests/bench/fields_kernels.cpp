@@ -1,0 +1,225 @@
+// How long the kernels of the fields take at 384x288, on one core.
+//
+//     bench_fields                          all
+//     bench_fields --benchmark_filter=Jacobi     60 steps, beside the plain loop of the same arithmetic
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "tests/bench/roofline.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/fields/pipeline.h"
+#include "core/fields/seeds.h"
+#include "tests/scene/scene.h"
+#include "tests/unit/fields/plain_jacobi.h"
+
+namespace {
+
+using namespace vvr;
+using bench::peak_flops;
+using bench::triad_bytes;
+
+constexpr Size size{384, 288};
+constexpr float alpha = 10;
+constexpr int steps = 60;
+
+Frame frame_of(const scene::Scene& scene, int index) {
+    Frame frame{index, index / 25.0, Plane<std::uint8_t>(scene.size()), scene.frame(index)};
+    std::ranges::transform(frame.colour.pixels(), frame.grey.pixels().begin(), [](const Bgr& p) {
+        return static_cast<std::uint8_t>(std::lround(0.114 * p[0] + 0.587 * p[1] + 0.299 * p[2]));
+    });
+    return frame;
+}
+
+/// Frames of people walking, in colour.
+const std::vector<Frame>& walkers() {
+    static const std::vector<Frame> frames = [] {
+        const scene::Scene scene = scene::make_walkers();
+        std::vector<Frame> result;
+        for (int f = 0; f < 100; ++f) result.push_back(frame_of(scene, 200 + f));
+        return result;
+    }();
+    return frames;
+}
+
+PlaneStack derivatives() {
+    const std::vector<float> taps = gaussian_taps(1.5);
+    std::vector<Plane<float>> smooth;
+    for (int f = 0; f < 15; ++f) smooth.push_back(smoothed(walkers()[static_cast<std::size_t>(f)].grey, taps));
+    std::vector<const Plane<float>*> frames;
+    for (const Plane<float>& plane : smooth) frames.push_back(&plane);
+    PlaneStack result;
+    barron_derivatives(frames, taps, {0, 0, size}, result);
+    return result;
+}
+
+double milliseconds(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since).count();
+}
+
+// Both in turn, so that whatever else the machine does falls on both: `ratio` is that of the medians.
+void JacobiAgainstPlainLoop(benchmark::State& state) {
+    const PlaneStack d = derivatives();
+    const Plane<float> x = d.plane(along_x), y = d.plane(along_y), t = d.plane(along_t);
+    LinearSystem system(size, alpha * alpha);
+    system.load(d);
+    std::vector<double> fast, plain;
+    for (auto _ : state) {
+        auto start = std::chrono::steady_clock::now();
+        system.clear();
+        system.relax(steps);
+        benchmark::ClobberMemory();
+        fast.push_back(milliseconds(start));
+        start = std::chrono::steady_clock::now();
+        benchmark::DoNotOptimize(test::plain_jacobi(x, y, t, alpha, steps));
+        plain.push_back(milliseconds(start));
+    }
+    std::ranges::sort(fast);
+    std::ranges::sort(plain);
+    state.counters["best_jacobi_ms"] = fast.front();
+    state.counters["jacobi_ms"] = fast[fast.size() / 2];
+    state.counters["plain_ms"] = plain[plain.size() / 2];
+    state.counters["ratio"] = plain[plain.size() / 2] / fast[fast.size() / 2];
+}
+BENCHMARK(JacobiAgainstPlainLoop)->Iterations(30)->Unit(benchmark::kMillisecond);
+
+// What bounds the above: each point of a step takes 24 multiplications and additions, and reads or writes 36 bytes;
+// what steps that run together touch, 24 rows of nine planes, is about 400 kB.
+void Roofline(benchmark::State& state) {
+    for (auto _ : state) {
+        state.counters["peak_gflops"] = peak_flops() / 1e9;
+        state.counters["gbytes_16k"] = triad_bytes(16 << 10) / 1e9;
+        state.counters["gbytes_400k"] = triad_bytes(400 << 10) / 1e9;
+        state.counters["gbytes_64m"] = triad_bytes(64 << 20) / 1e9;
+    }
+}
+BENCHMARK(Roofline)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// `residual` is what is left of the equations' residual; 60 steps take it down by about 40.
+void MultigridAgainstJacobi(benchmark::State& state) {
+    const PlaneStack d = derivatives();
+    LinearSystem system(size, alpha * alpha);
+    Multigrid grids;
+    std::vector<double> jacobi, multigrid;
+    double start_residual = 0, end_residual = 0, jacobi_residual = 0;
+    for (auto _ : state) {
+        auto start = std::chrono::steady_clock::now();
+        system.load(d);
+        system.clear();
+        system.relax(steps);
+        benchmark::ClobberMemory();
+        jacobi.push_back(milliseconds(start));
+        start = std::chrono::steady_clock::now();
+        grids.solve(d, alpha * alpha, 2);
+        benchmark::ClobberMemory();
+        multigrid.push_back(milliseconds(start));
+        jacobi_residual = system.residual();
+        end_residual = grids.finest().residual();
+        system.clear();
+        start_residual = system.residual();
+    }
+    std::ranges::sort(jacobi);
+    std::ranges::sort(multigrid);
+    state.counters["jacobi_ms"] = jacobi[jacobi.size() / 2];
+    state.counters["multigrid_ms"] = multigrid[multigrid.size() / 2];
+    state.counters["jacobi_residual"] = jacobi_residual / start_residual;
+    state.counters["multigrid_residual"] = end_residual / start_residual;
+}
+BENCHMARK(MultigridAgainstJacobi)->Iterations(30)->Unit(benchmark::kMillisecond);
+
+/// The whole flow of a frame by one method, without what is done once a frame.
+void flow_of_a_frame(benchmark::State& state, const std::string& name, const std::string& solver) {
+    FlowOptions options;
+    options.method = name;
+    options.solver = solver;
+    const auto method = make_flow(options);
+    std::vector<FlowFrame> prepared;
+    for (int f = 0; f < 2 * method->reach() + 1; ++f) {
+        prepared.push_back(method->prepare(walkers()[static_cast<std::size_t>(f)].grey));
+    }
+    std::vector<const FlowFrame*> about;
+    for (const FlowFrame& frame : prepared) about.push_back(&frame);
+    for (auto _ : state) benchmark::DoNotOptimize((*method)(about, {0, 0, size}));
+}
+BENCHMARK_CAPTURE(flow_of_a_frame, jacobi, "horn-schunck", "jacobi")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(flow_of_a_frame, multigrid, "horn-schunck", "multigrid")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(flow_of_a_frame, pyramid, "horn-schunck", "pyramid")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(flow_of_a_frame, dis, "dis", "pyramid")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(flow_of_a_frame, farneback, "farneback", "pyramid")->Unit(benchmark::kMillisecond);
+
+/// All fields of frames that are in memory, by two threads: difference, flow and seeds.
+void fields_of_frames(benchmark::State& state, bool colour, const std::string& flow) {
+    EmptyScene scene;
+    const Frame empty = frame_of(scene::make_still(), 0);
+    scene.reference.grey = empty.grey;
+    if (colour) scene.reference.colour = empty.colour;
+    std::vector<Frame> frames = walkers();
+    for (Frame& frame : frames) {
+        if (!colour) frame.colour = {};
+    }
+    FieldOptions options;
+    options.flow.method = flow;
+    options.threads = 2;
+    std::int64_t done = 0;
+    for (auto _ : state) {
+        const FrameReader read = [&, next = std::size_t{0}]() mutable -> FrameJob {
+            if (next == frames.size()) return {};
+            return [&frame = frames[next++]] { return frame; };
+        };
+        done += compute_fields(read, scene, options,
+                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
+    }
+    state.SetItemsProcessed(done);
+}
+BENCHMARK_CAPTURE(fields_of_frames, grey, false, "horn-schunck")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fields_of_frames, colour, true, "horn-schunck")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fields_of_frames, colour_without_flow, true, "none")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Every filter on frames in colour that are in memory, by one thread.
+void filter_of_frames(benchmark::State& state, const std::string& name) {
+    EmptyScene scene;
+    const Frame empty = frame_of(scene::make_still(), 0);
+    scene.reference = {empty.grey, empty.colour};
+    FieldOptions options;
+    options.filter = name;
+    options.threads = 1;
+    if (!find_filter(name).traits.flow) options.flow.method = "none";
+    std::int64_t done = 0;
+    for (auto _ : state) {
+        const FrameReader read = [next = std::size_t{0}]() mutable -> FrameJob {
+            if (next == 20) return {};
+            return [&frame = walkers()[next++]] { return frame; };
+        };
+        done += compute_fields(read, scene, options,
+                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
+    }
+    state.SetItemsProcessed(done);
+}
+
+const bool filters_registered = [] {
+    for (const FilterRow& row : filters()) {
+        const std::string name(row.name);
+        benchmark::RegisterBenchmark(("filter_of_frames/" + name).c_str(), filter_of_frames, name)
+            ->Unit(benchmark::kMillisecond);
+    }
+    return true;
+}();
+
+void seeds_of_a_frame(benchmark::State& state) {
+    const Flow flow{Plane<float>(size, 1.F), Plane<float>(size, -0.5F)};
+    const Plane<std::uint8_t> object(size, 255);
+    const Plane<std::uint16_t> age(size, 3);
+    for (auto _ : state) benchmark::DoNotOptimize(make_seeds({0, flow, object, age}, {}));
+}
+BENCHMARK(seeds_of_a_frame)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,38 @@
+#include "tests/bench/left_bag.h"
+
+#include <algorithm>
+
+#include "tests/bench/scale.h"
+#include "core/fields/pipeline.h"
+#include "tests/scene/scene.h"
+#include "tests/scene/scene_source.h"
+
+namespace vvr::bench {
+
+Volume left_bag_volume(const std::string& filter, double scale) {
+    scene::Options scene;
+    scene.frames = scaled(1600, scale);
+    scene.size = scaled(scene.size, scale);
+    SourceOptions in_colour;
+    in_colour.colour = true;
+    const auto source = scene::open_scene(scene::make_left_bag(scene), in_colour);
+    FieldOptions options;
+    options.filter = filter;
+    options.flow.every = 16;
+    Volume volume(source->field_size(), scene.frames, 1, options.flow.every);
+    compute_fields(*source, options, [&](const SharedFrame&, Field&& field) { volume.add(field); });
+    return volume;
+}
+
+double occupied_share(const Volume& volume) {
+    std::int64_t lit = 0;
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        volume.layer(i).scalar.each_run([&](int, int, std::span<const std::uint8_t> values) {
+            lit += std::ranges::count_if(values, [](std::uint8_t value) { return value > 0; });
+        });
+    }
+    const double voxels = 1.0 * volume.size().width * volume.size().height * static_cast<double>(volume.layers());
+    return static_cast<double>(lit) / voxels;
+}
+
+}  // namespace vvr::bench

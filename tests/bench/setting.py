@@ -1,0 +1,50 @@
+"""What all parts of the benchmark share: how they are run, and how a section of the report is put together."""
+
+import pathlib
+import subprocess
+from dataclasses import dataclass
+
+
+@dataclass
+class Setting:
+    clip: str
+    runs: int
+    backend: str
+    scratch: pathlib.Path
+    reports: pathlib.Path  # where the plots go
+    build: pathlib.Path
+    clips: pathlib.Path  # those that scripts/bench makes
+    long: bool = False  # whether a clip of 6 hours is measured too
+    scale: float = 1  # of the volumes and pictures that are drawn; less only tries whether all works
+
+    @property
+    def vvr(self):
+        return str(self.build / "cli/vvr")
+
+    def program(self, name):
+        return str(self.build / "tests" / "bench" / name)
+
+    def made(self, name):
+        return str(self.clips / name)
+
+    def plot(self, name):
+        return self.reports / f"report-{name}.svg"
+
+    def render(self, clip, *options):
+        return [self.vvr, "render", clip, "-o", str(self.scratch / "out.png"), "--backend", self.backend, "--quiet", *options]
+
+
+def frames_of(clip):
+    counted = subprocess.run(["ffprobe", "-v", "error", "-count_packets", "-select_streams", "v", "-show_entries",
+                              "stream=nb_read_packets", "-of", "csv=p=0", clip], check=True, stdout=subprocess.PIPE)
+    return int(counted.stdout.decode().strip().rstrip(","))
+
+
+def section(title, measured, body, meaning):
+    """What is measured in a sentence, the numbers, and what they mean."""
+    return f"## {title}\n\n{measured}\n\n{body.strip()}\n\n**What it means.** {meaning}\n"
+
+
+def figure(name, caption):
+    """A plot with its caption, which is there for those too who don't see the plot."""
+    return f"![{caption}](report-{name}.svg)\n\n*{caption}*\n\n"

@@ -1,0 +1,111 @@
+"""What is written on a picture: read back from the report, and options that are refused."""
+
+import json
+
+from harness import check
+
+NO_FONTS = "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig></fontconfig>"
+
+
+def labels_of(t, clip, *options, size="640x480"):
+    t.vvr("render", clip, "-o", "out.png", "--size", size, "--report", "report.json", "--quiet", *options).expect(0)
+    return json.loads(t.path("report.json").read_text())["labels"]
+
+
+def texts_of(labels):
+    return [label["text"] for label in labels]
+
+
+def test_labels_tell_clip_span_times_and_colours(t):
+    t.clip("a door's \"clip\".avi", seconds=12)
+    labels = labels_of(t, "a door's \"clip\".avi")
+    texts = texts_of(labels)
+    check(texts[:2] == ["a door's \"clip\".avi", "120 frames, 0.0 s to 11.9 s"], str(texts))
+    check({"0:00", "0:02", "0:04", "0:06", "0:08", "0:10"} <= set(texts), str(texts))
+    check("difference 13 to 255" in texts and "speed 0.3 to 6 px/frame" in texts, str(texts))
+    at = {label["text"]: label for label in labels}
+    check(at["0:00"]["x"] < at["0:04"]["x"] < at["0:08"]["x"], "time runs from left to right")
+    check(at["0:04"]["y"] < at["0:00"]["y"] and at["0:04"]["y"] < at["0:10"]["y"], "around the arc")
+    for label in labels:
+        check(label["x"] >= 0 and label["y"] >= 0 and label["x"] + label["width"] <= 640
+              and label["y"] + label["height"] <= 480, f"{label} leaves the picture")
+
+
+def test_labels_with_a_title_and_a_clock(t):
+    t.clip(seconds=12)
+    texts = texts_of(labels_of(t, "clip.avi", "--title", "Hall, north", "--start-time", "2026-11-21 23:59:55"))
+    check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06"], str(texts))
+    check("00:00:00" in texts and "00:00:04" in texts, str(texts))
+
+
+def test_labels_with_the_clock_of_the_recording(t):
+    t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
+    texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "recorded"))
+    check("120 frames, 2026-11-21 07:30:00 to 07:30:11" in texts, str(texts))
+    told = t.vvr("info", "dated.mp4")
+    check("recorded 2026-11-21 07:30:00" in told.out, str(told))
+    t.clip()
+    t.render("clip.avi", "--start-time", "recorded").expect(
+        1, "--start-time recorded: 'clip.avi' does not say when it was recorded; give the date and time")
+
+
+def test_labels_can_be_switched_off(t):
+    t.clip()
+    check(labels_of(t, "clip.avi", "--show", "volume,arrows,outline,frames") == [], "labels that nobody asked for")
+    check(len(labels_of(t, "clip.avi", "--show", "volume,title")) == 2, "a title and its rest")
+    check(labels_of(t, "clip.avi", size="160x100") == [], "labels where there is no room")
+
+
+def test_labels_of_a_still_clip_say_so(t):
+    t.scene("still", "still.y4m", "--size", "160x120", "--frames", "30")
+    check("nothing moves" in texts_of(labels_of(t, "still.y4m")), "an empty picture without a word")
+
+
+def test_labels_need_a_font(t):
+    t.clip()
+    t.path("fonts.conf").write_text(NO_FONTS)
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
+    done = t.vvr("render", "clip.avi", "-o", "out.png", "--size", "640x480", env=environment)
+    done.expect(0, "warning: fontconfig finds no font, so the picture has no text; install one")
+    t.expect_picture("out.png", (640, 480))
+
+
+def test_captions_of_a_frame_need_a_font(t):
+    t.clip()
+    t.path("fonts.conf").write_text(NO_FONTS)
+    environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
+    t.vvr("inspect", "clip.avi", "--frame", "3", "-o", "frame.png", env=environment).expect(
+        0, "fontconfig finds no font, so 'frame.png' has no captions; install one, for example fonts-dejavu-core")
+
+
+def test_keyframes_need_the_clips_length(t):
+    t.scene("walkers", "walkers.y4m", "--size", "160x120", "--frames", "40")
+    t.render("walkers.y4m", "--keyframes", "3", "--show", "frames").expect(0)
+    told = t.render("walkers.y4m", "--keyframes", "3", "--quiet").expect(0)
+    check("key frames" not in told.err, str(told))
+    # A stream that was written without a way back does not tell its length.
+    t.ffmpeg("-i", "walkers.y4m", "-c:v", "ffv1", "-live", "1", "-f", "matroska", "unfinished.mkv")
+    t.render("unfinished.mkv", "--keyframes", "3", "--show", "frames").expect(0, "only 0 of 3 key frames are shown")
+    t.render("walkers.y4m", "--keyframes", "2", output="out.{brick:4}.png").expect(1, "--keyframes is for one picture")
+
+
+def test_annotations_that_are_refused(t):
+    t.clip()
+    for options, *texts in [
+        (("--theme", "lihgt"), "--theme: 'lihgt'", "did you mean 'light'?"),
+        (("--background", "red"), "--background: 'red': a colour is #rrggbb, or none"),
+        (("--background", "#12345g"), "a colour is #rrggbb"),
+        (("--start-time", "yesterday"), "--start-time: 'yesterday': a date and time is written 2026-11-21 08:00:00"),
+        (("--start-time", "2026-02-30 08:00"), "a date and time is written"),
+        (("--keyframes", "33"), "--keyframes: '33'"),
+        (("--show", "volume,rulre"), "--show: 'rulre'", "did you mean 'ruler'?"),
+    ]:
+        t.render("clip.avi", *options).expect(1, *texts)
+    t.expect_files("clip.avi")
+
+
+def test_a_transparent_picture(t):
+    t.clip()
+    t.render("clip.avi", "--background", "none").expect(0)
+    probe = t.run(["ffprobe", "-v", "error", "-show_entries", "stream=pix_fmt", "-of", "csv=p=0", "out.png"])
+    check(probe.out.strip() == "rgba", f"{probe.out} has no transparency")

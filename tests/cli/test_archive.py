@@ -1,0 +1,588 @@
+"""vvr archive: exactly the good clips get pictures, once each, whatever is killed on the way."""
+
+import json
+import os
+import random
+import re
+import resource
+import signal
+import subprocess
+import time
+
+import pytest
+from harness import check, fnv1a, lock_name, part_name
+
+QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
+ENDINGS = (".png", ".html", ".jpg", ".report.json", ".json")
+
+
+def age(t, *names):
+    """Makes files old enough to be no longer written."""
+    for name in names or [name for name in t.files() if t.path(name).is_file() and not t.path(name).is_symlink()]:
+        os.utime(t.path(name), (time.time() - 86400, time.time() - 86400))
+
+
+def archive(t, *arguments, **options):
+    return t.vvr("archive", "in", "-o", "out", *QUICK, *arguments, **options)
+
+
+def clips(t, *names):
+    """Clips that are all good, of one second each."""
+    t.clip("one.avi", seconds=1)
+    for name in names:
+        t.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
+        t.path(f"in/{name}").write_bytes(t.path("one.avi").read_bytes())
+    t.path("one.avi").unlink()
+    age(t, *[f"in/{name}" for name in names])
+
+
+def outputs(t):
+    return sorted(name[4:] for name in t.files() if name.startswith("out/") and t.path(name).is_file())
+
+
+def sidecar(t, clip):
+    return json.loads(t.path(f"out/{clip}.json").read_text())
+
+
+def sidecars(t, files_there=True):
+    """All of them by clip, each of which must speak the truth."""
+    found = {}
+    for name in outputs(t):
+        if not name.endswith(".json") or name.endswith(".report.json"):
+            continue
+        known = json.loads(t.path(f"out/{name}").read_text())
+        clip = known["clip"]["path"]
+        check(name == f"{clip}.json", f"{name} speaks of {clip}")
+        for file in known["files"].values() if files_there else ():
+            whole(t, os.path.join(os.path.dirname(name), file))
+        found[clip] = known
+    return found
+
+
+def whole(t, name):
+    """A file that was written to its end."""
+    data = t.path(f"out/{name}").read_bytes()
+    ends = {".png": b"IEND\xaeB`\x82", ".html": b"</html>\n", ".jpg": b"\xff\xd9", ".json": b"}\n"}
+    check(data.endswith(ends[os.path.splitext(name)[1]]), f"{name} is half written")
+
+
+def complete(t, good):
+    """Each good clip has its files, and there is nothing else."""
+    expected = sorted([clip + ending for clip in good for ending in ENDINGS] + ["index.html"])
+    check(outputs(t) == expected, f"expected {expected}\nthere are {outputs(t)}")
+    found = sidecars(t)
+    check(all(found[clip]["state"] == "done" for clip in good), "a clip is not done")
+
+
+def stamps(t, files_there=True):
+    """When each done clip's sidecar was written."""
+    return {clip: t.path(f"out/{clip}.json").stat().st_mtime_ns
+            for clip, known in sidecars(t, files_there).items() if known["state"] == "done"}
+
+
+def ten_kinds(t, count):
+    """Clips of ten kinds, `count` of each, over four cameras. Returns the good ones, and what is said of the others."""
+    t.path("kinds").mkdir()
+    t.clip("kinds/good.mp4", seconds=1, codec=("-c:v", "libx264", "-pix_fmt", "yuv420p", "-metadata", "creation_time=2026-11-20T08:00:07Z"))
+    t.clip("kinds/long.avi", seconds=3)
+    t.write("kinds/cut.avi", t.path("kinds/long.avi").read_bytes()[:-6000])
+    t.clip("kinds/empty.avi", seconds=1)
+    t.write("kinds/empty.avi", t.path("kinds/empty.avi").read_bytes()[:5600])
+    t.write("kinds/text.avi", "Please find the recording attached.\n" * 100)
+    t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "-c:a", "aac", "kinds/audio.mp4")
+    t.write("kinds/zero.mkv", b"")
+    t.clip("kinds/odd.avi", seconds=1, codec=("-c:v", "zmbv"))
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=2", "-vf", "setpts=N*N/40/TB", "-vsync", "vfr", "-c:v", "mpeg4",
+             "kinds/variable.mkv")
+    t.write("kinds/header.y4m", b"YUV4MPEG2 W60000 H60000 F25:1 C420\nFRAME\n" + b"x" * 1000)
+    t.path("kinds/long.avi").unlink()
+    why = {"empty.avi": "", "text.avi": "is not a video", "audio.mp4": "", "zero.mkv": "is empty", "header.y4m": ""}
+    good, bad, unreadable = [], {}, []
+    for number in range(count):
+        folder = f"in/cam{number % 4}"
+        t.path(folder).mkdir(parents=True, exist_ok=True)
+        for kind in sorted(path.name for path in t.path("kinds").iterdir()):
+            clip = f"cam{number % 4}/{number} {kind}"
+            t.path(f"in/{clip}").write_bytes(t.path(f"kinds/{kind}").read_bytes())
+            if kind in why:
+                bad[clip] = why[kind]
+            else:
+                good.append(clip)
+        # Nobody can read a link to itself, not even root.
+        t.path(f"{folder}/{number} loop.avi").symlink_to(f"{number} loop.avi")
+        unreadable.append(f"{number} loop.avi")
+    age(t)
+    return good, bad, unreadable
+
+
+def archive_of_ten_kinds(t, count):
+    good, bad, unreadable = ten_kinds(t, count)
+    first = archive(t, timeout=800).expect(6, f"{len(good)} clips drawn, {len(bad)} failed")
+    found = sidecars(t)
+    for clip in good:
+        check(found[clip]["state"] == "done" and found[clip]["frames"] > 0, f"{clip}: {found[clip]}")
+    for clip, reason in bad.items():
+        known = found[clip]
+        check(known["state"] == "failed" and known["status"] in (3, 5) and reason in known["reason"], f"{clip}: {known}")
+        check(f"{clip} failed, status {known['status']}: {known['reason']}" in first.err, f"{clip} is not named: {first}")
+        check(known["files"] == {} and known["tries"] == 1, str(known))
+    for name in unreadable:
+        check(f"{name}': Too many levels" in first.err, f"{name} is not named: {first}")
+    expected = [clip + ending for clip in good for ending in ENDINGS] + [f"{clip}.json" for clip in bad] + ["index.html"]
+    check(outputs(t) == sorted(expected), "exactly the good ones have pictures")
+    archive(t, "--tries", "1").expect(6, f"nothing to do; {len(good)} done before, {len(bad)} failed too often")
+    return good
+
+
+def test_archive_of_ten_kinds_of_clips(t):
+    archive_of_ten_kinds(t, 1)
+
+
+@pytest.mark.slow
+def test_archive_of_200_clips_of_ten_kinds(t):
+    good = archive_of_ten_kinds(t, 20)
+    check(len(good) == 80, f"{len(good)}")
+    before = {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}
+    begin = time.monotonic()
+    archive(t, "--tries", "1").expect(6, "nothing to do; 80 done before, 100 failed too often")
+    took = time.monotonic() - begin
+    check(took < 1, f"it takes {took:.2f} s to find that there is nothing to do")
+    check(before == {name: t.path(f"out/{name}").stat().st_mtime_ns for name in outputs(t)}, "files were written for nothing")
+
+
+def test_archive_does_what_is_new(t):
+    clips(t, "a.avi", "cam/b.avi")
+    first = archive(t).expect(0, "1/2 ", "a.avi: ", "cam/b.avi: ", "2 clips drawn, 0 failed")
+    check(re.search(r"\d/2 a\.avi: \d+ events?, \d+\.\d s\n", first.err), str(first))
+    complete(t, ["a.avi", "cam/b.avi"])
+    known = sidecar(t, "cam/b.avi")
+    file = t.path("in/cam/b.avi").stat()
+    check(known["clip"] == {"path": "cam/b.avi", "bytes": file.st_size, "modified_ns": file.st_mtime_ns}, str(known))
+    check((known["state"], known["tries"], known["status"], known["frames"]) == ("done", 1, 0, 10), str(known))
+    check(known["files"]["report"] == "b.avi.report.json" and known["recorded"] is None, str(known))
+    t.expect_picture("out/cam/b.avi.png")
+    check("./../../in/cam/b.avi" in t.path("out/cam/b.avi.html").read_text(), "the page does not find its clip")
+
+    before = stamps(t)
+    archive(t).expect(0, "'out': nothing to do; 2 done before")
+    archive(t, "--quiet").expect(0)
+    check(stamps(t) == before, "done twice")
+
+    # Each reason why a clip is to be done, and only that clip is.
+    def only(clip, reason, *options):
+        check(archive(t, "--dry-run", *options).expect(0, out=None).out == f"{reason:<15} {clip}\n", f"{clip} is not to be done")
+        kept = {other: stamp for other, stamp in stamps(t, files_there=False).items() if other != clip}
+        archive(t, *options).expect(0, f"1/1 {clip}: ", "1 clip drawn")
+        check(kept.items() <= stamps(t).items(), "another clip was done too")
+
+    clips(t, "c.avi")
+    only("c.avi", "new")
+    t.path("in/a.avi").write_bytes(t.path("in/a.avi").read_bytes() + b"more")
+    age(t, "in/a.avi")
+    only("a.avi", "changed")
+    os.utime(t.path("in/a.avi"), (time.time() - 7200, time.time() - 7200))
+    only("a.avi", "changed")
+    t.path("out/c.avi.jpg").unlink()
+    only("c.avi", "files missing")
+    t.path("out/c.avi.json").unlink()
+    only("c.avi", "new")
+    check(archive(t, "--dry-run", "--opacity", "2").out.count("other settings") == 3, "settings make no difference")
+    archive(t, "--no-pages").expect(0, "3 clips drawn")
+    check(not any(name.endswith("avi.html") for name in outputs(t)), "pages that are not true any more")
+
+
+def test_archive_uses_the_contents_of_files_of_settings(t):
+    clips(t, "a.avi")
+    t.ffmpeg("-f", "lavfi", "-i", "color=white:size=64x48", "-frames:v", "1", "mask.png")
+    archive(t, "--mask", "mask.png").expect(0, "1 clip drawn")
+    archive(t, "--mask", "mask.png").expect(0, "nothing to do")
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=64x48", "-frames:v", "1", "mask.png")
+    check(archive(t, "--mask", "mask.png", "--dry-run").out == "other settings  a.avi\n", "another mask")
+    t.write("settings.ini", "[archive]\nsize = 120x80\n")
+    t.vvr("archive", "in", "-o", "small", "--config", "settings.ini", "--flow", "none", "--backend", "software").expect(0, "1 clip drawn")
+    t.expect_picture("small/a.avi.png", (120, 80))
+
+
+def test_archive_leaves_what_is_still_written(t):
+    clips(t, "a.avi", "b.avi")
+    os.utime(t.path("in/b.avi"))
+    archive(t).expect(0, "1 clip drawn, 0 failed", "1 still being written (--settle)")
+    check(archive(t, "--dry-run").out == "still written   b.avi\n", "dry run")
+    check("out/b.avi.png" not in t.files(), "b.avi was drawn")
+    archive(t, "--settle", "0s").expect(0, "1 clip drawn", "1 done before")
+
+
+def test_archive_tries_again(t):
+    clips(t, "a.avi")
+    t.write("in/bad.avi", "no video")
+    age(t, "in/bad.avi")
+    archive(t, "--quiet").expect(6, "bad.avi failed, status 3: 'in/bad.avi' is not a video")
+    for tries in (2, 3):
+        check(archive(t, "--dry-run").out.startswith("failed, again   bad.avi: 'in/bad.avi' is not"), "dry run")
+        archive(t).expect(6, "1/1 bad.avi failed", "1 done before")
+        check(sidecar(t, "bad.avi")["tries"] == tries, str(sidecar(t, "bad.avi")))
+    result = archive(t).expect(6, "nothing to do; 1 done before, 1 failed too often (--tries)")
+    check("is not a video" not in result.err, "told again and again")
+    archive(t, "--quiet").expect(6)
+    check(archive(t, "--dry-run").out.startswith("given up        bad.avi: 'in/bad.avi' is not"), "dry run")
+    archive(t, "--tries", "4").expect(6, "1/1 bad.avi failed")
+    t.path("in/bad.avi").write_bytes(t.path("in/a.avi").read_bytes())
+    age(t, "in/bad.avi")
+    archive(t).expect(0, "1/1 bad.avi: ")
+    check(sidecar(t, "bad.avi")["tries"] == 1, "a good clip was tried once")
+    # A clip that goes bad has no picture any more.
+    t.write("in/a.avi", "no video")
+    age(t, "in/a.avi")
+    archive(t).expect(6, "a.avi failed")
+    complete_names = [name for name in outputs(t) if name.startswith("a.")]
+    check(complete_names == ["a.avi.json"], f"pictures of what the clip was: {complete_names}")
+
+
+def test_archive_takes_any_name(t):
+    names = ["-o.avi", "[a].avi", "x %05d*.avi", "####.avi", "{brick}.avi", "a b'\"<&>.avi", "line\nbreak.avi", "ä€😀.avi", "%41.avi",
+             "cam:1/c.avi", "-dir/d.avi", "a.avi", "a.mp4"]
+    clips(t, *names)
+    raw = os.fsencode(t.path("in")) + b"/\xff\xfe.avi"
+    with open(raw, "wb") as file:
+        file.write(t.path("in/a.avi").read_bytes())
+    os.utime(raw, (1, 1))
+    count = len(names) + 1
+    archive(t).expect(0, f"{count} clips drawn, 0 failed", "%FF%FE.avi: ", "line%0Abreak.avi: ", "%2541.avi: ")
+    for ending in (b".png", b".html", b".jpg", b".json"):
+        check(os.path.exists(os.fsencode(t.path("out")) + b"/\xff\xfe.avi" + ending), f"no {ending}")
+    for name in names:
+        whole(t, name + ".png")
+    archive(t).expect(0, f"nothing to do; {count} done before")
+    check("%FF%FE.avi" in t.path("out/index.html").read_text(), "the index leaves one out")
+
+
+def test_archive_finds_its_way_through_folders(t):
+    clips(t, "cam/a.avi", "cam/.hidden.avi", "cam/.trash/b.avi", "cam/notes.txt", "pictures/none.txt")
+    t.path("in/cam/up").symlink_to("..")
+    t.path("in/again").symlink_to("cam")
+    result = t.vvr("archive", "in", "-o", "in/pictures", *QUICK).expect(0, "1 clip drawn")
+    check("1/1 cam/a.avi" in result.err, str(result))
+    t.vvr("archive", "in", "-o", "in/pictures", *QUICK, "--match", "*").expect(0, "1/1 cam/notes.txt: ", "1 done before")
+    t.vvr("archive", "in", "-o", "in/pictures", *QUICK, "--match", "cam/*.avi", "--match", "*.txt", "--dry-run").expect(0, out=None)
+
+
+def test_archive_goes_on_past_what_it_cannot_read(t):
+    clips(t, "a.avi", "shut/b.avi", "open/c.avi")
+    t.path("in/gone.avi").symlink_to("nowhere.avi")
+    if os.geteuid() != 0:
+        t.path("in/shut").chmod(0)
+    result = archive(t)
+    t.path("in/shut").chmod(0o755)
+    result.expect(6, "vvr: 'in/gone.avi': No such file or directory")
+    if os.geteuid() != 0:
+        result.expect(6, "vvr: 'in/shut': Permission denied")
+    check({"a.avi.png", "open/c.avi.png"} <= set(outputs(t)), "others are left out")
+    # Something stands where a folder has to be.
+    t.path("in/gone.avi").unlink()
+    clips(t, "cam/d.avi")
+    t.write("out/cam", "in the way")
+    archive(t, "--no-index").expect(6, "cam/d.avi failed, cannot make the folder 'out/cam'")
+
+
+def test_archive_refuses_what_cannot_be(t):
+    clips(t, "a.avi")
+    t.vvr("archive", "in").expect(1, "no output: say where the pictures go with -o DIR")
+    t.vvr("archive", "-o", "out").expect(1, "no INPUT: give the folder that holds the clips")
+    t.vvr("archive", "in", "in", "-o", "out").expect(1, "one argument too many")
+    t.vvr("archive", "in", "-o", "in").expect(1, "give -o a folder of its own, such as 'in/pictures'")
+    t.vvr("archive", "none", "-o", "out").expect(2, "cannot read the archive 'none': No such file", "is mounted")
+    t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "cannot read the archive 'in/a.avi'")
+    t.write("file", "")
+    t.vvr("archive", "in", "-o", "file").expect(2, "cannot make the folder 'file'")
+    t.vvr("archive", "in", "-o", "file/out").expect(2, "cannot make the folder 'file/out'")
+    t.vvr("archive", "in", "-o", "/proc/out").expect(2, "cannot make the folder '/proc/out'")
+    t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share such as 2/8, the second of eight")
+    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 10m, 2h or 1d")
+    t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
+    t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
+    t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "did you mean")
+    t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end has to come after the start")
+    check(not t.path("out").exists(), "a refused run leaves something")
+
+
+def test_archive_without_opengl_blames_no_clip(t):
+    clips(t, "a.avi", "b.avi")
+    result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl", "--device", "200")
+    result.expect(4, "no clip could be drawn, so this run ends here:")
+    check(all(known["tries"] == 0 for known in sidecars(t).values()), "the clips are blamed")
+    archive(t).expect(0, "2 clips drawn")
+
+
+def test_archive_limits_its_workers(t):
+    clips(t, "a.avi")
+    t.clip("part.avi", seconds=60, size="384x288")
+    t.ffmpeg("-stream_loop", "50", "-i", "part.avi", "-c", "copy", "in/long.avi")
+    age(t, "in/long.avi")
+    archive(t, "--timeout", "6s", "--field-size", "source", "--flow", "horn-schunck").expect(
+        6, "long.avi failed, status 5: it took longer than the 6 s that --timeout allows", "a.avi: ")
+    check([name for name in outputs(t) if name.startswith("long")] == ["long.avi.json"], str(outputs(t)))
+    t.path("in/long.avi").unlink()
+    t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "60M").expect(6, "a.avi failed, status ", "--max-memory")
+
+
+def of_shard(t, number, count):
+    return archive(t, "--shard", f"{number}/{count}", "--no-index", "--dry-run").expect(0, out=None).out.splitlines()
+
+
+def test_archive_is_shared_out(t):
+    clips(t, *[f"cam{k % 3}/{k}.avi" for k in range(9)])
+    parts = [of_shard(t, number, 3) for number in (1, 2, 3)]
+    check(sorted(sum(parts, [])) == sorted(archive(t, "--dry-run").out.splitlines()), "not each clip once")
+    check(all(parts) and parts == [of_shard(t, number, 3) for number in (1, 2, 3)], "shares are not stable")
+
+    for number, part in enumerate(parts):
+        check(all(fnv1a(line[16:]) % 3 == number for line in part), "not the hash that docs/archive.md names")
+    for number in (1, 2, 3):
+        archive(t, "--shard", f"{number}/3", "--no-index").expect(0, "drawn, 0 failed")
+    check("index.html" not in outputs(t), "a shard writes an index")
+    t.vvr("archive", "-o", "out", "--index-only").expect(0, "'out/index.html' is up to date")
+    complete(t, [f"cam{k % 3}/{k}.avi" for k in range(9)])
+
+
+def test_archive_prunes(t):
+    clips(t, "a.avi", "b.avi", "cam/c.avi", "disk/d.avi")
+    archive(t).expect(0)
+    t.write("out/b.avi.txt", "a note")
+    t.path("out/mine").mkdir()
+    t.write("out/mine/x.avi.png", "not vvr's")
+    t.path("in/b.avi").unlink()
+    t.path("in/cam/c.avi").unlink()
+    t.path("in/cam").rmdir()
+    t.path("in/disk/d.avi").unlink()
+    archive(t).expect(0, "nothing to do")
+    check("b.avi.png" in outputs(t), "removed unasked")
+    check(sorted(archive(t, "--prune", "--dry-run").out.splitlines()) == ["gone            b.avi", "gone            cam/c.avi"], "dry run")
+    archive(t, "--prune").expect(0, "b.avi: the clip has gone, and its picture with it",
+                                 "warning: 'in/disk' is empty, so its pictures stay: it may be a disk that is not mounted")
+    expected = [clip + ending for clip in ("a.avi", "disk/d.avi") for ending in ENDINGS]
+    check(outputs(t) == sorted(expected + ["b.avi.txt", "mine/x.avi.png", "index.html"]), str(outputs(t)))
+    text = t.path("out/index.html").read_text()
+    check("a.avi" in text and "b.avi" not in text, "the index is old")
+    t.path("in/a.avi").unlink()
+    archive(t, "--prune").expect(2, "no clip is left in 'in', so --prune removes nothing")
+    check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
+
+
+def test_archive_takes_no_other_file_for_a_lock(t):
+    """Whoever may write into PICTURES can't have files of others removed or written."""
+    clips(t, "a.avi")
+    t.path("victim").mkdir()
+    t.path("out").mkdir()
+    victims = [f"victim/photo{ending}" for ending in ENDINGS[:4]] + ["out/photo.png", "victim/empty"]
+    for name in victims:
+        t.write(name, "" if name.endswith("empty") else "mine")
+    beyond = "x" * 256
+    for name in ("../victim/photo", str(t.path("victim/photo")), "./photo", "..", ".", "", "photo\0", beyond):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/.vvr-0000000000000000.lock", "../victim/photo")
+    t.write("out/.vvr-1111111111111111.lock", "photo")
+    t.write("victim/name", "photo")
+    t.path(f"out/{lock_name('photo')}").symlink_to("../victim/name")
+    os.mkfifo(t.path("out/.vvr-2222222222222222.lock"))
+    t.path("out/.vvr-3333333333333333.lock").mkdir()
+    before = t.files()
+    t.vvr("archive", "-o", "out", "--index-only", timeout=20).expect(0, "'out/index.html' is up to date")
+    check(t.files() == sorted(before + ["out/index.html"]), f"files are gone or new: {set(before) ^ set(t.files())}")
+    check(t.path("out/.vvr-1111111111111111.lock").read_text() == "photo", "what is no lock was written")
+    # A link at the place of a clip's own lock.
+    t.path(f"out/{lock_name('a.avi')}").symlink_to("../victim/new")
+    clips(t, "b.avi", "c.avi")
+    t.path(f"out/{lock_name('b.avi')}").symlink_to("../victim/empty")
+    os.mkfifo(t.path(f"out/{lock_name('c.avi')}"))
+    clips(t, "d.avi")
+    archive(t, timeout=60).expect(6, "1 clip drawn, 3 failed", f"a.avi failed, cannot lock 'out/{lock_name('a.avi')}': it is a link; remove it",
+                                  "b.avi failed, cannot lock", f"'out/{lock_name('c.avi')}': it is not a regular file; remove it")
+    check(not t.path("victim/new").exists(), "a link was followed to nowhere")
+    check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
+    t.path("out/index.html").unlink()
+    t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
+    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link; remove it")
+
+
+def test_archive_tidies_only_what_is_the_clips(t):
+    clips(t, "gone.report")
+    archive(t, "--match", "*").expect(0, "1 clip drawn")
+    for name in ("gone", "index", "other"):
+        t.write(f"out/{lock_name(name)}", name)
+    t.write("out/gone.png", "half")
+    t.path("out/gone.jpg").mkdir()
+    t.path("out/gone.html").symlink_to("other.html")
+    t.write("out/other.txt", "mine")
+    kept = [f"gone.report{ending}" for ending in ENDINGS] + ["gone.html", "gone.jpg", "index.html", "other.txt"]
+    t.vvr("archive", "-o", "out", "--index-only").expect(0)
+    check(sorted(os.listdir(t.path("out"))) == sorted(kept), str(os.listdir(t.path("out"))))
+
+
+def test_archive_names_names_that_are_too_long(t):
+    long = {length: "n" * (length - 4) + ".avi" for length in (243, 244, 251, 255)}
+    clips(t, "a.avi", *long.values())
+    os.utime(t.path("in/a.avi"), (1, 1))  # so that it comes last
+    result = archive(t, "--jobs", "1").expect(6, "2 clips drawn, 0 failed")
+    for length in (244, 251, 255):
+        text = f"'in/{long[length]}': its '{long[length]}.report.json' would be too long a name ({length + 12} bytes, 255 are possible); rename the clip"
+        check(text in result.err, f"{result}\nexpected {text}")
+    complete(t, ["a.avi", long[243]])
+    archive(t).expect(6, "nothing to do; 2 done before")
+
+
+def test_archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
+    full = "No space left on device.avi"
+    clips(t, "a.avi", "b.avi", "c.avi", full)
+    os.utime(t.path("in/a.avi"), (1, 1))
+    for name in ("b.avi", full):
+        t.path(f"out/{name}.json").mkdir(parents=True)
+    t.path("out/c.avi.json").symlink_to("c.avi.json")
+    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': Is a directory",
+                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link that can't be followed",
+                                     f"{full} failed, cannot write", "4/4 a.avi: ")
+    check("a.avi" in t.path("out/index.html").read_text(), "no index")
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
+def test_archive_removes_what_a_killed_index_left(t):
+    clips(t, "a.avi")
+    archive(t).expect(0, "1 clip drawn")
+    t.write(f"out/{lock_name('index.html')}", "index.html")
+    t.write(f"out/{part_name('index.html', 3)}", "half")
+    t.write(f"out/.vvr-{fnv1a('index.html'):016x}-4711-0.part", "half, of an older vvr")
+    archive(t).expect(0, "nothing to do; 1 done before")
+    complete(t, ["a.avi"])
+
+
+def start(t, *arguments, **options):
+    return subprocess.Popen([t.vvr_path, "archive", "in", "-o", "out", *QUICK, *arguments], cwd=t.folder, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, **options)
+
+
+def test_archives_at_once_share_the_work(t):
+    names = [f"cam{k % 2}/{k}.avi" for k in range(10)]
+    clips(t, *names)
+    runs = [start(t) for _ in range(3)]
+    said = [run.communicate(timeout=100)[1].decode() for run in runs]
+    check([run.returncode for run in runs] == [0, 0, 0], "\n".join(said))
+    drawn = sum(int(number) for text in said for number in re.findall(r"(\d+) clips? drawn", text))
+    check(drawn == len(names), f"{drawn} clips were drawn\n" + "\n".join(said))
+    complete(t, names)
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
+def workers_of(run):
+    try:
+        with open(f"/proc/{run.pid}/task/{run.pid}/children", encoding="ascii") as file:
+            return [int(number) for number in file.read().split()]
+    except FileNotFoundError:
+        return []
+
+
+def kill_all(run):
+    os.killpg(run.pid, signal.SIGKILL)
+
+
+def kill_parent(run):
+    os.kill(run.pid, signal.SIGKILL)
+
+
+def kill_a_worker(run):
+    workers = workers_of(run)
+    if workers:
+        try:
+            os.kill(random.choice(workers), signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+
+def end_politely(run):
+    os.kill(run.pid, signal.SIGTERM)
+
+
+def no_worker_left(workers):
+    end = time.monotonic() + 10
+    while any(os.path.exists(f"/proc/{number}/fd/0") for number in workers):
+        check(time.monotonic() < end, f"workers outlive their parent: {workers}")
+        time.sleep(0.02)
+
+
+def killed_at_random(t, count, seed):
+    """Kills runs in every way, at random moments; after the next whole run all is as if nothing had been."""
+    names = [f"cam{k % 3}/{k}.avi" for k in range(2 * count + 6)]
+    clips(t, *names)
+    random.seed(seed)
+    ways = [kill_all, kill_a_worker, kill_parent, "disk full", end_politely]
+    for number in range(count):
+        way = ways[number % len(ways)]
+        done = stamps(t) if t.path("out").exists() else {}
+        if way == "disk full":
+            # A limit on the size of files is met where a full disk would be, and says much the same.
+            full = start(t, "--tries", "1000",
+                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (random.choice((100, 4000, 20000)),) * 2))
+            said = full.communicate(timeout=60)[1].decode()
+            check(full.returncode == 2 or len(done) == len(names), f"status {full.returncode}: {said}")
+        else:
+            run = start(t, "--tries", "1000")
+            time.sleep(random.uniform(0.02, 2.0))
+            workers = workers_of(run)
+            way(run)
+            run.communicate(timeout=60)
+            if way is end_politely:
+                check(run.returncode in (-signal.SIGTERM, 0, 6), f"status {run.returncode}")
+            no_worker_left(workers)
+        after = stamps(t)
+        check(done.items() <= after.items(), "something was done twice")
+        for name in outputs(t):
+            if "/." not in f"/{name}":
+                whole(t, name)
+    done = stamps(t)
+    check(archive(t, "--tries", "1000", timeout=300).status == 0, "the last run")
+    check(done.items() <= stamps(t).items(), "something was done twice")
+    complete(t, names)
+    archive(t).expect(0, f"nothing to do; {len(names)} done before")
+
+
+def test_archive_that_is_killed(t):
+    killed_at_random(t, 5, 1)
+
+
+@pytest.mark.slow
+def test_archive_that_is_killed_at_20_moments(t):
+    killed_at_random(t, 20, 2)
+
+
+def test_archive_on_a_full_disk(t):
+    clips(t, *[f"{k}.avi" for k in range(8)])
+    # A small disk of one's own, where the system lets anybody have one.
+    small = ["unshare", "-rm", "sh", "-c", 'mkdir out && mount -t tmpfs -o size=120k none out && "$@"; status=$?; ls -A out; exit $status', "sh"]
+    if t.run(["unshare", "-rm", "true"]).status != 0:
+        return
+    result = t.run([*small, t.vvr_path, "archive", "in", "-o", "out", *QUICK])
+    result.expect(2, "No space left on device; free some space or choose another folder", out=None)
+    check(".vvr-" not in result.out, f"left behind: {result}")
+
+
+def test_archive_ends_its_workers(t):
+    clips(t, *[f"{k}.avi" for k in range(6)])
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        run = start(t, "--jobs", "2")
+        workers = []
+        while not workers and run.poll() is None:
+            workers = workers_of(run)
+            time.sleep(0.01)
+        os.kill(run.pid, number)
+        run.communicate(timeout=20)
+        check(run.returncode == -number, f"{run.returncode}")
+        check(not any(os.path.exists(f"/proc/{worker}") for worker in workers), "workers outlive a polite end")
+        check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+    archive(t).expect(0, "0 failed")
+
+
+def test_archive_draws_no_playlists(t):
+    t.path("in").mkdir()
+    t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
+    t.write("in/list.m3u8", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\nseg.ts\n")
+    result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
+    result.expect(6, "list.m3u8", "it is a playlist, and an archive draws only video files")
+    check(t.path("out/seg.ts.png").exists(), "the video was not drawn")

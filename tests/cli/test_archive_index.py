@@ -1,0 +1,151 @@
+"""The index of an archive, in a real browser. Where there is no Chromium these are skipped, and say so."""
+
+import json
+import os
+import pathlib
+import time
+import urllib.parse
+
+import pytest
+from browser import Page
+from harness import check
+
+pytestmark = pytest.mark.browser
+
+HOUR = 3600
+NOW = 1795248000  # 2026-11-21 08:00 UTC
+
+
+class Index(Page):
+    """The page that lists the clips."""
+
+    def open(self, path):
+        self.driver.get(pathlib.Path(path).as_uri())
+        self.wait("the list", "return document.querySelector('#days .day, #days .empty') !== null")
+
+    def texts(self, selector):
+        return self.run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
+
+    def filter(self, text):
+        self.run("const box = document.getElementById('text'); box.value = arguments[0]; box.dispatchEvent(new Event('input'))", text)
+        self.wait("the filter", f"return asked.text === {json.dumps(text)}")
+
+
+def known(t, clip, begins, **more):
+    """A sidecar as `vvr archive` writes it, and the page that it names."""
+    name = os.path.basename(clip)
+    sidecar = {"vvr-archive": 1, "vvr": "0.1.0", "clip": {"path": clip, "bytes": 1, "modified_ns": (begins + 600) * 10**9},
+               "settings": "s", "state": "done", "tries": 1, "status": 0, "reason": None, "took_seconds": 1, "frames": 1, "damaged": 0,
+               "seconds": 600, "events": 0, "recorded": None,
+               "files": {"picture": f"{name}.png", "page": f"{name}.html", "thumbnail": f"{name}.jpg"}} | more
+    path = os.fsencode(t.path("out")) + b"/" + urllib.parse.unquote_to_bytes(clip) + b".json"
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(sidecar, file, indent=2)
+
+
+def write_index(t):
+    t.vvr("archive", "-o", "out", "--index-only").expect(0, "is up to date")
+
+
+def opened(t):
+    os.environ["TZ"] = "UTC"
+    return Index(t, "out/index.html")
+
+
+def test_index_lists_by_day_and_camera(t):
+    known(t, "gate/2026-11-20/a.avi", NOW - 20 * HOUR, events=2)
+    known(t, "gate/b.avi", NOW - HOUR, events=1)
+    known(t, "hall/c.avi", NOW, events=None)
+    known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
+    known(t, "d.avi", NOW - 30 * HOUR, recorded="2026-11-21 07:30:00", seconds=12.3)
+    write_index(t)
+    t.write("out/gate/b.avi.html", "<title>the page of b</title>")
+    with opened(t) as page:
+        check(page.texts("h2") == ["Saturday, 2026-11-21", "Friday, 2026-11-20"], str(page.texts("h2")))
+        check(page.texts("h3") == ["(top folder) · 1", "gate · 1", "hall · 2", "gate · 1"], str(page.texts("h3")))
+        page.wait("cards", "return document.querySelectorAll('.card').length === 5")
+        check(page.texts(".card .first b") == ["07:30:00", "07:00:00", "08:00:00", "06:10:00", "12:00:00"], str(page.texts(".card .first b")))
+        check(page.texts(".badge") == ["no events", "1 event", "2 events"], str(page.texts(".badge")))
+        check(page.texts(".second small") == ["12 s", "10:00 min", "10:00 min", "10:00 min"], str(page.texts(".second small")))
+        check(page.texts(".failed .reason") == ["Failed 3 times, status 3'bad.avi' is not a video"], str(page.texts(".reason")))
+        check(page.text("summary") == "5 clips · 3 cameras · 3 events · 1 failure · times are those of UTC", page.text("summary"))
+        page.filter("HALL bad")
+        page.wait("one", "return document.querySelectorAll('.card').length === 1")
+        check(page.texts(".card .name") == ["bad.avi"], str(page.texts(".card .name")))
+        check(page.text("count") == "1 of 5 clips", page.text("count"))
+        page.filter("11-20")
+        page.wait("one", "return document.querySelectorAll('.card').length === 1")
+        check(page.texts(".card .name") == ["a.avi"], str(page.texts(".card .name")))
+        page.filter("")
+        page.run("document.querySelector('[value=failed]').click()")
+        check(page.text("count") == "1 of 5 clips", page.text("count"))
+        page.run("document.querySelector('[value=events]').click()")
+        page.run("[...document.querySelectorAll('#cameras button')].find(b => b.textContent.startsWith('gate')).click()")
+        page.wait("two", "return document.querySelectorAll('.card').length === 2")
+        # A clip's page, and back to what was asked for.
+        page.run("document.querySelector('a.card').click()")
+        page.wait("the clip's page", "return document.title === 'the page of b'")
+        page.run("history.back()")
+        page.wait("back again", "return document.querySelectorAll('.card').length === 2")
+        check(page.text("count") == "2 of 5 clips", page.text("count"))
+        light = page.run("return getComputedStyle(document.documentElement).backgroundColor")
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        check(page.run("return getComputedStyle(document.documentElement).backgroundColor") != light, "no dark colours")
+
+
+def test_index_of_names_that_mean_harm(t):
+    evil = ["</script><script>document.title='evil'</script>", "<img src=x onerror=document.title='evil'>", "javascript:alert(1)",
+            "a\" onmouseover=\"document.title='evil'", "{{script}}", "&lt;b&gt;", "#text=x?y", "up..%2F.."]
+    for number, name in enumerate(evil):
+        name = name.replace("/", "∕")
+        known(t, f"{name if number < 3 else 'cam'}/{name}.avi".replace("%", "%25"), NOW - number, events=1)
+    known(t, "cam/bad%FF.avi", NOW, state="failed", status=3, reason=evil[0] + evil[1], files={})
+    write_index(t)
+    with opened(t) as page:
+        page.wait("cards", f"return document.querySelectorAll('.card').length === {len(evil) + 1}")
+        check(page.run("return document.title") == "Video archive", "a name became a script")
+        check(page.run("return document.querySelectorAll('#days script, .card b b, .reason img').length") == 0, "a name became markup")
+        check(sorted(page.texts("a.card .name")) == sorted(name.replace("/", "∕") + ".avi" for name in evil), str(page.texts(".name")))
+        check(all(link.startswith("file:///") and "/out/" in link for link in page.run(
+            "return [...document.querySelectorAll('a.card')].map(a => a.href)")), "a link leads elsewhere")
+        check(page.text("days").count("evil") >= 6, "a name is not shown")
+        page.filter("<img")
+        page.wait("one and the failure", "return document.querySelectorAll('.card').length === 2")
+        complaints = [line for line in page.complaints() if "ERR_FILE_NOT_FOUND" not in str(line)]
+        check(complaints == [], str(complaints))
+
+
+def test_index_of_thousands(t):
+    t.clip("one.avi", seconds=1)
+    t.vvr("render", "one.avi", "-o", "one.png", "--thumbnail", "one.jpg", "--size", "640x400", "--backend", "software").expect(0)
+    small = t.path("one.jpg")
+    for number in range(6000):
+        clip = f"cam {number % 6}/{number:05}.avi"
+        known(t, clip, NOW - 600 * number, events=number % 3)
+        os.link(small, t.path(f"out/{clip}.jpg"))
+    begin = time.monotonic()
+    write_index(t)
+    took = time.monotonic() - begin
+    check(took < 5, f"writing takes {took:.1f} s")
+    size = t.path("out/index.html").stat().st_size
+    check(size < 600_000, f"{size} bytes")
+    begin = time.monotonic()
+    with opened(t) as page:
+        check("6,000 clips · 6 cameras" in page.text("summary"), page.text("summary"))
+        page.wait("thumbnails", "return [...document.querySelectorAll('.card img')].filter(i => i.naturalWidth === 400).length > 5")
+        check(time.monotonic() - begin < 30, "slow to open")
+        loaded = [url for url in page.requests() if url.endswith(".jpg")]
+        check(len(loaded) < 600, f"{len(loaded)} thumbnails are loaded at once")
+        check(page.run("return document.querySelectorAll('.card').length") < 1500, "everything is built at once")
+        begin = time.monotonic()
+        page.filter("cam 3 2026-11-0")
+        page.wait("the filter", "return document.getElementById('count').textContent.endsWith('of 6,000 clips')")
+        check(time.monotonic() - begin < 3, "filtering is slow")
+        page.filter("")
+        page.run("scrollTo(0, document.documentElement.scrollHeight)")
+        page.wait("the oldest", "return [...document.querySelectorAll('.card .name')].some(n => n.textContent === '05999.avi')"
+                                " || (scrollTo(0, document.documentElement.scrollHeight), false)")
+        strange = [url for url in page.requests() if not url.startswith(("file:", "data:"))]
+        check(strange == [], f"the page asks for {strange}")
+        check(page.complaints() == [], str(page.complaints()))

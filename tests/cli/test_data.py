@@ -1,0 +1,213 @@
+"""Data files: extract, render of what it wrote, lists of seeds, inspect."""
+
+import json
+import shutil
+import struct
+
+from harness import check, moving_clip
+
+NO_MANIFEST = "it holds other files, and no manifest of `vvr extract`"
+
+
+def same(t, one, other):
+    check(t.path(one).read_bytes() == t.path(other).read_bytes(), f"{one} and {other} differ")
+
+
+def manifest(t, folder):
+    return json.loads(t.path(f"{folder}/manifest.json").read_text())
+
+
+def test_parts_by_number_make_the_picture_of_the_whole(t):
+    moving_clip(t, frames=41)
+    t.render("clip.mkv", output="whole.png").expect(0)
+    for i in (1, 2, 3):
+        t.vvr("extract", "clip.mkv", "-o", f"part{i}", "--part", f"{i}/3").expect(0, "frames of 96x64")
+    t.render("part1", "part2", "part3", output="parts.png").expect(0, "41 frames")
+    check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
+    t.render("part1", "part2", "part3", output="parts.html").expect(0)
+    check("<title>clip.mkv</title>" in t.path("parts.html").read_text(encoding="utf-8"), "the page has another title")
+    for part, *texts in [
+        ("4/3", "--part: '4/3' is not a share such as 2/8"),
+        ("0/3", "'0/3' is not a share"),
+        ("1", "'1' is not a share"),
+        ("1/x", "'1/x' is not a share"),
+        ("2/42", "--part 2/42: 'clip.mkv' tells of 41 frames; ask for fewer parts"),
+    ]:
+        t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
+    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out --start and --end")
+    check(not t.path("none").exists(), "a folder was made")
+
+
+def test_extract_writes_the_data_files(t):
+    t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "4").expect(0, "'data': 40 frames of 96x64")
+    told = manifest(t, "data")
+    check((told["field_width"], told["field_height"], len(told["frames"])) == (96, 64, 40), str(told))
+    check([frame["pts"] for frame in told["frames"][:3]] == [0, 0.1, 0.2], str(told["frames"][:3]))
+    names = [f"{n:06}" for n in range(40)]
+    check(sorted(p.stem for p in t.path("data/scalar").iterdir()) == names, "not a scalar picture a frame")
+    check(sorted(p.stem for p in t.path("data/flow").iterdir()) == names[::4], "not a flow every 4 frames")
+    check(sorted(p.stem for p in t.path("data/seeds").iterdir()) == names[::4], "not a list of seeds every 4 frames")
+    flow = t.path("data/flow/000020.flo").read_bytes()
+    check(struct.unpack("<fii", flow[:12]) == (202021.25, 96, 64), f"header of the flow: {flow[:12]}")
+    check(len(flow) == 12 + 96 * 64 * 8, f"{len(flow)} bytes of flow")
+    u = struct.unpack(f"<{96 * 64 * 2}f", flow[12:])[2 * (32 * 96 + 44)]
+    check(0.5 < u < 3, f"the square moves 1.5 pixels a frame, the flow says {u}")
+    probe = t.run(["ffprobe", "-v", "error", "-show_entries", "stream=pix_fmt", "-of", "csv=p=0", "data/scalar/000020.png"])
+    check(probe.out.strip() == "gray", f"a scalar picture is {probe.out}")
+    for name in ("reference", "first", "last"):
+        t.expect_picture(f"data/{name}.png", (96, 64))
+
+
+def test_colour_of_the_video_needs_extracted_frames(t):
+    clip = moving_clip(t)
+    look = ("--backend", "software", "--color", "video")
+    t.vvr("extract", clip, "-o", "data").expect(0)
+    t.render("data", *look, output="no.png").expect(
+        1, "'data' was extracted without the frames' colours: extract it again with --with-color, or render the clip itself")
+    check(not t.path("no.png").exists(), "a picture was written")
+    t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
+    check(len(list(t.path("data/colour").iterdir())) == 40, "not a picture a frame")
+    t.render(clip, *look, output="clip.png").expect(0)
+    t.render("data", *look, output="data.png").expect(0)
+    same(t, "clip.png", "data.png")
+
+
+def test_extracted_data_give_the_same_picture(t):
+    options = ("--threshold", "30", "--grid", "8")
+    t.vvr("extract", moving_clip(t), "-o", "data", *options).expect(0)
+    look = ("--backend", "software", "--show", "volume,arrows,tracelines,frames", "--window", "4")
+    t.render("clip.mkv", *options, *look, output="clip.png").expect(0)
+    t.render("data", *look, output="data.png").expect(0, "40 frames")
+    same(t, "clip.png", "data.png")
+    t.render("data", *look, *options, output="again.png").expect(0)
+    same(t, "clip.png", "again.png")
+    t.render("clip.mkv", *look, "--grid", "16", output="other.png").expect(0)
+    check(t.path("other.png").read_bytes() != t.path("clip.png").read_bytes(), "the grid of seeds makes no difference")
+
+
+def test_four_parts_are_one_whole(t):
+    t.vvr("extract", moving_clip(t), "-o", "whole").expect(0)
+    parts = []
+    for begin in range(0, 40, 10):
+        parts.append(f"part{begin}")
+        end = () if begin == 30 else ("--end", str(begin + 10))
+        start = ("--start", f"{begin / 10}s") if begin else ()
+        t.vvr("extract", "clip.mkv", "-o", parts[-1], *start, *end).expect(0, "10 frames")
+    files = [p.relative_to(t.path("whole")) for p in t.path("whole").rglob("0*")]
+    check(len(files) == 120, f"{len(files)} files")
+    for file in files:
+        same(t, f"whole/{file}", f"part{int(file.stem) // 10 * 10}/{file}")
+    for part in parts:
+        same(t, "whole/reference.png", f"{part}/reference.png")
+    t.render("whole", "--backend", "software", output="whole.png").expect(0)
+    t.render(*parts, "--backend", "software", output="parts.png").expect(0, "40 frames")
+    same(t, "whole.png", "parts.png")
+    t.render("part0", "part20").expect(1, "not consecutive parts", "ends with frame 9, the second begins with frame 20")
+    t.render("part10", "part0").expect(1, "give the parts in order")
+    t.render("part0", "clip.mkv").expect(1, "'clip.mkv' is one argument too many")
+    t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10", "--grid", "9").expect(0)
+    t.render("part0", "part10").expect(1, "grid is '14' and '9'")
+
+
+def test_part_gives_the_picture_that_the_clip_gives(t):
+    moving_clip(t, frames=60)
+    for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17"), ("--end", "2.05s")):
+        t.vvr("extract", "clip.mkv", "-o", "data", *span).expect(0)
+        for options in ((), span):
+            t.render("data", "--backend", "software", *options, output="data.png").expect(0)
+            t.render("clip.mkv", "--backend", "software", *span, output="clip.png").expect(0)
+            same(t, "clip.png", "data.png")
+
+
+def test_extract_takes_pictures_at_full_size(t):
+    t.path("frames").mkdir()
+    t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())
+    t.vvr("extract", "frames", "-o", "data", "--field-size", "source").expect(0, "5 frames of 500x40")
+    check(t.path("data/flow/000002.flo").read_bytes()[4:12] == struct.pack("<ii", 500, 40), "not the full size")
+
+
+def test_extract_replaces_only_its_own(t):
+    moving_clip(t)
+    t.path("mine").mkdir()
+    t.write("mine/notes.txt", "keep me")
+    t.vvr("extract", "clip.mkv", "-o", "mine").expect(2, "cannot write to 'mine'", NO_MANIFEST, "choose a new or an empty folder")
+    t.vvr("extract", "clip.mkv", "-o", "mine/notes.txt").expect(2, "it is not a folder")
+    t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "there is no folder 'none'")
+    t.vvr("extract", "clip.mkv").expect(1, "no output", "-o DIR")
+    t.vvr("extract", "-o", "data").expect(1, "no INPUT")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
+    t.expect_files("clip.mkv", "mine", "mine/notes.txt")
+    t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
+    t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5", "--flow", "none").expect(0, "5 frames")
+    check(len(list(t.path("data/scalar").iterdir())) == 5, "the older extraction was not replaced")
+    t.render("data").expect(1, "was extracted without flow", "--show")
+    t.render("data", "--show", "volume").expect(0)
+
+
+def test_options_that_an_extraction_decided(t):
+    t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
+    t.render("data", "--filter", "edges").expect(1, "--filter edges: 'data' was extracted with difference")
+    t.render("data", "--end", "9").expect(1, "--end 9: 'data' was extracted with none", "vvr extract")
+
+
+def test_manifest_that_lies(t):
+    t.vvr("extract", moving_clip(t, frames=12), "-o", "good").expect(0)
+
+    def change(status, text, edit):
+        shutil.rmtree(t.path("bad"), ignore_errors=True)
+        shutil.copytree(t.path("good"), t.path("bad"))
+        told = manifest(t, "bad")
+        edit(told)
+        t.write("bad/manifest.json", json.dumps(told))
+        t.render("bad").expect(status, "bad/", text)
+
+    change(2, "not JSON", lambda m: m["frames"][3].update(pts=float("nan")))
+    change(2, "'frames[3].pts' is null, not a number", lambda m: m["frames"][3].update(pts=None))
+    change(2, "the time of frame 3, 0 s, is before that of frame 2", lambda m: m["frames"][3].update(pts=0.0))
+    change(2, "frame 4 follows frame 2", lambda m: m["frames"].pop(3))
+    change(2, "scalar/000012.png': there is no such file", lambda m: m["frames"].append({"index": 12, "pts": 9, "seeds": 0}))
+    change(3, "it lists no frames", lambda m: m["frames"].clear())
+    change(2, "96x64 with 3 channel(s) of uint8 where 8-bit 97x64", lambda m: m.update(field_width=97))
+    change(2, "'field_width' is 1e+300, not a whole number", lambda m: m.update(field_width=1e300))
+    change(2, "'clip.rate' is \"fast\"", lambda m: m["clip"].update(rate="fast"))
+    change(2, "seeds where the manifest says 99", lambda m: m["frames"][3].update(seeds=99))
+    change(2, "there is no 'settings'", lambda m: m.pop("settings"))
+    change(2, "its format_version is 2, this vvr reads 1", lambda m: m.update(format_version=2))
+    change(2, "the extraction was not finished", lambda m: m.update(complete=False))
+    t.write("bad/manifest.json", "{ junk")
+    t.render("bad").expect(2, "'bad/manifest.json': not JSON; run `vvr extract` again")
+    shutil.copytree(t.path("good"), t.path("cut"))
+    t.path("cut/flow/000004.flo").write_bytes(b"PIEH")
+    t.render("cut", "--show", "tracelines").expect(2, "000004.flo: not a flow file")
+    check(not t.path("out.png").exists(), "a picture of bad data")
+
+
+def test_seeds_from_lists(t):
+    t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
+    t.render("clip.mkv", "--backend", "software", output="own.png").expect(0)
+    t.render("clip.mkv", "--backend", "software", "--seeds", "data/seeds", output="listed.png").expect(0)
+    t.run(["ffmpeg", "-v", "error", "-i", "own.png", "-f", "rawvideo", "own.raw"])
+    t.run(["ffmpeg", "-v", "error", "-i", "listed.png", "-f", "rawvideo", "listed.raw"])
+    same(t, "own.raw", "listed.raw")
+    t.path("one").mkdir()
+    t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 30 2 0 1\n")
+    t.render("clip.mkv", "--seeds", "one", "--verbose").expect(0, " 1 arrows")
+    t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 nan 2 0 1\n")
+    t.render("clip.mkv", "--seeds", "one").expect(2, "one/000007.txt:5: 'nan' is not a finite number")
+    t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 90 64\npoints 0\n")
+    t.render("clip.mkv", "--seeds", "one").expect(2, "seeds of a field of 90x64, and the clip's fields have 96x64")
+    t.render("clip.mkv", "--seeds", "none").expect(2, "--seeds: cannot read the folder 'none'")
+    t.render("clip.mkv", "--seeds", "data").expect(2, "--seeds: 'data' holds no list of seeds")
+
+
+def test_inspect_shows_one_frame(t):
+    moving_clip(t)
+    t.vvr("inspect", "clip.mkv", "--frame", "20", "-o", "a.png").expect(0, "frame 20 at 2.000 s")
+    t.vvr("inspect", "clip.mkv", "--frame", "2.05s", "-o", "b.png").expect(0, "frame 20 at 2.000 s")
+    same(t, "a.png", "b.png")
+    check(t.picture_size("a.png")[0] == 1280, f"{t.picture_size('a.png')}")
+    t.vvr("inspect", "clip.mkv", "--frame", "40", "-o", "c.png").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
+    t.vvr("inspect", "clip.mkv", "--frame", "00:01:00", "-o", "c.png").expect(1, "40 frames")
+    t.vvr("inspect", "clip.mkv", "-o", "c.png").expect(1, "no frame: say which with --frame")
+    t.vvr("inspect", "clip.mkv", "--frame", "3").expect(1, "no output")
+    t.expect_files("a.png", "b.png", "clip.mkv")

@@ -1,0 +1,99 @@
+"""What README and docs/ say is true: their commands run, the list of options is the program's own."""
+
+import re
+import subprocess
+
+from harness import check
+
+
+def commands(text):
+    """The commands of the ```sh blocks that follow a line `<!-- test -->`."""
+    return re.findall(r"<!-- test -->\n+```sh\n(.*?)```", text, flags=re.DOTALL)
+
+
+def run_commands(t, page):
+    """Runs a page's commands in a folder where the clip that it names is."""
+    blocks = commands((t.source / page).read_text())
+    check(blocks, f"{page} has no commands to test")
+    t.clip("clip.avi")
+    t.path(".cache").mkdir()
+    t.clip(".cache/vtest.avi")  # where scripts/demo leaves it
+    (t.path("bin")).mkdir()
+    t.path("bin/vvr").symlink_to(t.vvr_path)
+    for block in blocks:
+        done = t.run(["bash", "-euc", f'PATH="{t.path("bin")}:$PATH"\n{block}'])
+        check(done.status == 0, str(done))
+
+
+def test_readme_commands(t):
+    run_commands(t, "README.md")
+
+
+def test_formats_commands(t):
+    run_commands(t, "docs/formats.md")
+
+
+def test_reliability_commands(t):
+    run_commands(t, "docs/reliability.md")
+
+
+def test_golden_images_commands(t):
+    run_commands(t, "docs/golden-images.md")
+
+
+def test_report_commands(t):
+    run_commands(t, "docs/report.md")
+
+
+def test_archive_commands(t):
+    run_commands(t, "docs/archive.md")
+
+
+def test_page_commands(t):
+    run_commands(t, "docs/page.md")
+
+
+def test_watch_commands(t):
+    run_commands(t, "docs/watch.md")
+
+
+def test_cluster_commands(t):
+    run_commands(t, "docs/cluster.md")
+
+
+def test_cli_page_is_up_to_date(t):
+    page = subprocess.run([t.source / "scripts" / "cli-page", t.vvr_path], stdout=subprocess.PIPE, check=True).stdout
+    check(page == (t.source / "docs" / "cli.md").read_bytes(), "docs/cli.md is old; make it with scripts/cli-page")
+
+
+def test_options_that_messages_name_exist(t):
+    page = (t.source / "docs" / "cli.md").read_text()
+    known = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", page))
+    for room in ("cli", "core", "gl"):
+        for file in (t.source / room).rglob("*.cpp"):
+            lines = [line for line in file.read_text().splitlines() if '"' in line and not line.strip().startswith("//")]
+            for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", "\n".join(lines)):
+                check(option in known, f"{file.relative_to(t.source)} names {option}, which is no option")
+
+
+def test_reliability_names_its_tests(t):
+    cases = "".join(file.read_text() for file in (t.source / "tests" / "cli").glob("test_*.py"))
+    rows = re.findall(r"^\|.*\| (`.*`) \|$", (t.source / "docs" / "reliability.md").read_text(), flags=re.MULTILINE)
+    check(len(rows) > 20, f"{rows}")
+    for name in re.findall(r"`(\w+)`", "".join(rows)):
+        check(f"def test_{name}(" in cases, f"docs/reliability.md names the test {name}, which is not there")
+
+
+def test_links_lead_somewhere(t):
+    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md")]:
+        for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):
+            check((page.parent / link).exists(), f"{page.name} links to {link}, which is not there")
+        for name in re.findall(r"`((?:cli|core|gl|glsl|scripts|tests)/[\w./-]*)`", page.read_text()):
+            check((t.source / name).exists(), f"{page.name} names {name}, which is not there")
+
+
+def test_scripts_are_sound(t):
+    jobs = sorted((t.source / "scripts" / "cluster").iterdir())
+    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh")] + jobs:
+        done = t.run(["bash", "-n", str(script)])
+        check(done.status == 0, str(done))

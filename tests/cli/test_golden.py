@@ -1,0 +1,47 @@
+"""The golden pictures of tests/golden: each is what is drawn now, and none could pass for another.
+
+`VVR_BLESS=1 ctest --test-dir build/release -R cli.golden_picture` draws them anew; look at them before you commit them.
+
+The tolerance is the standard one. It is there for other versions of Mesa, whose edges and rounding differ by a few
+levels at single pixels: docs/golden-images.md has the measurements. The same Mesa gives the same bytes.
+"""
+
+import itertools
+import os
+
+import pytest
+from harness import check
+
+EVERYTHING = ("--size", "480x300", "--title", "Hall", "--start-time", "2026-11-21 08:00:00")
+PICTURES = {
+    "volume": ("--show", "volume"),
+    "arrows": ("--show", "arrows"),
+    "volume-arrows": ("--show", "volume,arrows"),
+    "tracelines": ("--show", "tracelines"),
+    "boxes-slices": ("--show", "volume,boxes,slices"),
+    "floor": ("--show", "floor,outline"),
+    "light": EVERYTHING,
+    "dark": (*EVERYTHING, "--theme", "dark"),
+    "print": (*EVERYTHING, "--theme", "print"),
+    "transparent": ("--show", "volume,outline", "--background", "none"),
+    "keyframes": ("--show", "volume,frames,outline", "--keyframes", "2"),
+    "relief": ("--show", "volume,outline", "--transfer", "solid", "--shading", "relief"),
+    "video": ("--show", "volume,outline", "--color", "video"),
+}
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_golden_picture(t, name):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "200")
+    bless = ["--bless"] if os.environ.get("VVR_BLESS") else []
+    picture = t.source / "tests" / "golden" / f"{name}.png"
+    t.vvr("render", "bag.y4m", "--size", "320x200", "--backend", "software", *PICTURES[name], "--golden", picture,
+          *bless).expect(0)
+    check(picture.stat().st_size <= 80_000, f"{picture} is large for a golden picture")
+
+
+def test_golden_pictures_differ_from_each_other(t):
+    folder = t.source / "tests" / "golden"
+    check({path.stem for path in folder.glob("*.png")} == set(PICTURES), f"pictures in {folder} that no test draws")
+    for one, other in itertools.combinations(PICTURES, 2):
+        t.vvr("compare", folder / f"{one}.png", folder / f"{other}.png", "--quiet").expect(7, out=None)

@@ -1,0 +1,131 @@
+"""Inputs that are missing, damaged or odd."""
+
+import json
+
+from harness import check
+
+
+def test_missing_file(t):
+    t.render("none.avi").expect(2, "vvr: cannot read 'none.avi': No such file or directory", "check the name")
+    t.expect_files()
+
+
+def test_folder_without_frames(t):
+    t.path("empty").mkdir()
+    t.render("empty").expect(3, "'empty' is a folder without frames", "png")
+    t.expect_files("empty")
+
+
+def test_empty_file(t):
+    t.write("empty.avi", "")
+    t.render("empty.avi").expect(3, "'empty.avi' is empty: 0 bytes")
+    t.expect_files("empty.avi")
+
+
+def test_text_file(t):
+    t.write("notes.avi", "this is no video\n" * 100)
+    t.render("notes.avi").expect(3, "vvr: 'notes.avi'", "ffprobe")
+    t.expect_files("notes.avi")
+
+
+def test_audio_only(t):
+    t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
+    t.render("sound.m4a").expect(3, "'sound.m4a' has no video: found audio (aac)")
+    t.expect_files("sound.m4a")
+
+
+def test_cut_video(t):
+    t.clip("whole.avi", seconds=4)
+    data = t.path("whole.avi").read_bytes()
+    t.write("cut.avi", data[: len(data) * 3 // 5])
+    result = t.render("cut.avi").expect(0, "warning: 'cut.avi': 1 damaged packet; shown are ", " frames that decoded")
+    frames = int(result.err.split("shown are ")[1].split()[0])
+    check(5 < frames < 35, f"{frames} frames of 40 in three fifths of the file")
+    t.expect_picture()
+
+
+def test_one_pixel_video(t):
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=2x2:rate=10:duration=1,scale=1:1", "-c:v", "ffv1", "dot.mkv")
+    t.render("dot.mkv").expect(0)
+    t.expect_picture()
+
+
+def test_one_frame(t):
+    t.clip("one.avi", seconds=0.1)
+    t.render("one.avi").expect(0, "nothing moves", "1 frame in 1 layer and 1 brick")
+    t.expect_picture()
+
+
+def test_pictures_in_a_folder(t):
+    t.path("frames").mkdir()
+    t.clip("frames/%03d.png", seconds=1, codec=())
+    t.render("frames").expect(0, "10 frames")
+    t.render("frames/%03d.png", output="pattern.png").expect(0, "10 frames")
+    check(t.path("out.png").stat().st_size == t.path("pattern.png").stat().st_size, "folder and pattern differ")
+
+
+def test_piped_stream(t):
+    t.clip("clip.mkv")
+    with open(t.path("clip.mkv"), "rb") as stream:
+        t.render("-", stdin=stream).expect(0, "20 frames")
+    t.expect_picture()
+
+
+def test_nothing_piped(t):
+    t.render("-").expect(3, "empty")
+    t.expect_files()
+
+
+def test_frames_and_seconds_mean_the_same(t):
+    t.clip()
+    t.render("clip.avi", "--start", "5", "--end", "15", output="frames.png").expect(0, "10 frames")
+    t.render("clip.avi", "--start", "0.5s", "--end", "00:00:01.5", output="seconds.png").expect(0, "10 frames")
+
+
+def test_start_beyond_the_end(t):
+    t.clip()
+    t.render("clip.avi", "--start", "20").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
+    t.render("clip.avi", "--start", "5s").expect(1, "has no frame from 5 s")
+    t.render("clip.avi", "--start", "9", "--end", "3").expect(1, "--end has to come after the start")
+    t.expect_files("clip.avi")
+
+
+def test_info_says_what_a_render_would_do(t):
+    t.clip()
+    text = t.vvr("info", "clip.avi").expect(0, out=None)
+    check(text.err == "", str(text))
+    for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, as the container says", "2.000 s", "20 layers", "MB"):
+        check(part in text.out, f"{text}\nexpected: {part}")
+    told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11", "--step", "2").expect(0, out=None).out)
+    check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))
+    check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))
+
+
+def test_playlist_that_names_itself(t):
+    text = "#EXTM3U\n#EXT-X-STREAM-INF:BANDWIDTH=1\n"
+    t.write("bomb.avi", text + "bomb.avi\n")
+    t.vvr("info", "bomb.avi", timeout=20).expect(3, "'bomb.avi' is a list of other files, not a video", ".m3u8")
+    t.write("bomb.m3u8", text + "bomb.m3u8\n")
+    t.vvr("info", "bomb.m3u8", timeout=20).expect(3, "'bomb.m3u8'")
+
+
+def test_playlist_without_an_end(t):
+    t.clip("seg.ts", codec=("-c:v", "mpeg2video"))
+    playlist = "#EXTM3U\n#EXT-X-TARGETDURATION:9999\n#EXTINF:2,\nseg.ts\n"
+    t.write("live.avi", playlist)
+    t.vvr("info", "live.avi", timeout=20).expect(3, "'live.avi' is a list of other files, not a video")
+    t.write("live.m3u8", playlist)
+    t.render("live.m3u8", timeout=20).expect(0, "20 frames")
+    t.write("main.m3u8", "#EXTM3U\n#EXT-X-STREAM-INF:BANDWIDTH=1\nlive.m3u8\n")
+    t.render("main.m3u8", timeout=20).expect(0, "20 frames")
+
+
+def test_playlist_stays_in_its_folder(t):
+    t.clip("outside.ts", codec=("-c:v", "mpeg2video"))
+    t.path("cam").mkdir()
+    t.path("cam/link.ts").symlink_to(t.path("outside.ts"))
+    for part in ("../outside.ts", str(t.path("outside.ts")), "link.ts", "http://127.0.0.1:9/a.ts"):
+        t.write("cam/list.m3u8", f"#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2,\n{part}\n")
+        t.render("cam/list.m3u8", timeout=20).expect(3, "'cam/list.m3u8' is not a playlist that can be read",
+                                                     "in its folder or below it")
+    t.expect_files("cam", "cam/link.ts", "cam/list.m3u8", "outside.ts")

@@ -1,0 +1,26 @@
+"""Long clips: a picture of them is to take no more than one of a short clip."""
+
+import pytest
+from harness import check, moving_clip
+
+
+def looped(t, clip, times, name):
+    t.ffmpeg("-stream_loop", str(times - 1), "-i", clip, "-c", "copy", name)
+    return name
+
+
+def test_a_long_clip_takes_the_memory_of_a_short_one(t):
+    t.scene("left_bag", "bag.y4m", "--frames", "400")
+    t.ffmpeg("-i", "bag.y4m", "-c:v", "mpeg4", "-q:v", "4", "short.mkv")
+    few, many = (t.peak_memory("render", looped(t, "short.mkv", times, "looped.mkv"), "-o", "out.png", "--backend",
+                               "software", "--quiet") for times in (4, 16))
+    check(many < 1.05 * few, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")
+
+
+@pytest.mark.slow
+def test_a_clip_of_more_than_100_000_frames(t):
+    """Of which the renderer is made at the end, not while they are read."""
+    moving_clip(t, frames=40)
+    looped(t, "clip.mkv", 2501, "long.mkv")
+    t.render("long.mkv").expect(0, "100040 frames", "frames share a layer")
+    t.expect_picture()

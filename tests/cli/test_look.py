@@ -1,0 +1,99 @@
+"""Animations, transfer functions and colours."""
+
+from harness import check
+
+LINES = ("--show", "volume,tracelines")
+
+
+def frames_of(t, name):
+    probe = t.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0",
+                   name])
+    return probe.out.strip().rstrip(",")
+
+
+def test_a_series_of_pictures(t):
+    t.clip()
+    for name, files in (("a.{frame:4}.png", "a.%04d.png"), ("b.###.png", "b.%03d.png"), ("c%d.png", "c%d.png")):
+        t.render("clip.avi", "--animate", "3", *LINES, output=name).expect(0)
+        for i in range(3):
+            t.expect_picture(files % i)
+    t.expect_files("clip.avi", *[f"a.000{i}.png" for i in range(3)], *[f"b.00{i}.png" for i in range(3)],
+                   *[f"c{i}.png" for i in range(3)])
+    pictures = {t.path(f"c{i}.png").read_bytes() for i in range(3)}
+    check(len(pictures) == 3, "pictures of the series are the same")
+
+
+def test_animated_files(t):
+    t.clip()
+    for ending in ("gif", "mp4", "webm"):
+        result = t.render("clip.avi", "--animate", "5", *LINES, output=f"out.{ending}").expect(0, out="")
+        check(result.err.count("\n") == 1, f"an encoder talks: {result}")
+        t.expect_picture(f"out.{ending}")
+        check(frames_of(t, f"out.{ending}") == "5", f"out.{ending} has {frames_of(t, f'out.{ending}')} pictures")
+    t.render("clip.avi", *LINES, output="standard.gif").expect(0)
+    check(frames_of(t, "standard.gif") == "24", "pictures if not told how many")
+
+
+def test_animations_that_cannot_be(t):
+    t.clip()
+    t.render("clip.avi", "--animate", "3", *LINES).expect(1, "--animate makes 3 pictures, but 'out.png' is the name of one")
+    t.render("clip.avi", *LINES, output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate")
+    t.render("clip.avi", "--animate", "3", output="a.gif").expect(1, "none are shown: add them with --show")
+    t.render("clip.avi", "--animate", "3", *LINES, output="a.{farme}.png").expect(1, "did you mean 'frame'?")
+    t.render("clip.avi", "--animate", "3", *LINES, output="a.##.gif").expect(1, "its name takes no field")
+    t.render("clip.avi", "--animate", "3", *LINES, output="none/a.gif").expect(2, "there is no folder 'none'")
+    t.render("clip.avi", "--animate", "1", *LINES, output="a.gif").expect(1, "--animate: '1' is not a whole number")
+    t.expect_files("clip.avi")
+
+
+def test_samples_smooth_edges(t):
+    t.clip()
+    for samples in ("1", "4"):
+        t.render("clip.avi", "--samples", samples, "--show", "outline", "--backend", "software",
+                 output=f"{samples}.png").expect(0)
+    t.render("clip.avi", "--show", "outline", "--backend", "software").expect(0)
+
+    def greys(name):
+        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt gray - | od -An -v -tu1 -w1 | sort -u"])
+        return len(raw.out.split())
+    check(greys("1.png") == 2, f"one sample: {greys('1.png')} shades, not that of the paper and that of the line")
+    check(greys("4.png") > 3, f"four samples: {greys('4.png')} shades")
+    check(greys("out.png") == greys("4.png"), "four is what it is without the option")
+    t.render("clip.avi", "--samples", "64", "--backend", "software", output="no.png").expect(
+        5, "--samples 64: this OpenGL has at most ", "or fewer")
+    check(not t.path("no.png").exists(), "a picture all the same")
+
+
+def test_transfer_functions(t):
+    t.clip()
+    t.write("mine.tf", "0 0 0 0 0\n255, 1, 0, 0, 1  # red\n")
+    t.render("clip.avi", "--transfer", "mine.tf", "--show", "volume").expect(0)
+    t.render("clip.avi", "--transfer", "heat", "--show", "volume", output="heat.png").expect(0)
+    check(t.path("out.png").read_bytes() != t.path("heat.png").read_bytes(), "the transfer function changes nothing")
+    t.write("wrong.tf", "0 0 0 0 0\n9 1 0 red 1\n")
+    t.render("clip.avi", "--transfer", "wrong.tf", output="no.png").expect(
+        1, "--transfer: wrong.tf:2: blue is 'red'; it has to be a number from 0 to 1")
+    t.render("clip.avi", "--transfer", "heet", output="no.png").expect(1, "did you mean 'heat'?")
+    t.render("clip.avi", "--transfer", "/", output="no.png").expect(2, "cannot read transfer function '/'")
+    t.expect_files("clip.avi", "heat.png", "mine.tf", "out.png", "wrong.tf")
+
+
+def test_colours_of_the_video(t):
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x404040:size=64x48:rate=10:duration=3", "-f", "lavfi", "-i",
+             "color=0x20E020:size=16x24:rate=10:duration=3", "-filter_complex", "overlay=x=20*t:y=12", "-c:v", "ffv1",
+             "green.mkv")
+    for colour in ("transfer", "video"):
+        t.render("green.mkv", "--color", colour, "--show", "volume", output=f"{colour}.png").expect(0)
+
+    def green_pixels(name):
+        raw = t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | od -An -v -tu1 -w3"])
+        pixels = (tuple(map(int, line.split())) for line in raw.out.splitlines())
+        return sum(g > r + 60 and g > b + 60 for r, g, b in pixels)
+    check(green_pixels("transfer.png") == 0, "green where the transfer function has blue")
+    check(green_pixels("video.png") > 20, f"{green_pixels('video.png')} green pixels")
+
+
+def test_boxes_and_slices(t):
+    t.clip()
+    t.render("clip.avi", "--show", "boxes,slices,volume", "--slice-view", "0,10", "--camera", "35,30").expect(0)
+    t.expect_picture()

@@ -1,0 +1,195 @@
+"""Where pictures go, and that they are whole or not there."""
+
+import fcntl
+import os
+import resource
+import struct
+import subprocess
+import time
+
+from harness import check, part_name
+
+
+def test_every_format(t):
+    t.clip()
+    for ending in ("png", "exr", "tif", "tiff", "jpg", "jpeg"):
+        t.render("clip.avi", output=f"out.{ending}").expect(0)
+        check(t.path(f"out.{ending}").stat().st_size > 500, f"out.{ending} is small")
+
+
+def test_same_bytes_every_time(t):
+    t.clip()
+    for name in ("a.png", "b.png", "a.exr", "b.exr"):
+        t.render("clip.avi", "--backend", "software", output=name).expect(0)
+    for ending in ("png", "exr"):
+        check(t.path(f"a.{ending}").read_bytes() == t.path(f"b.{ending}").read_bytes(), f"two {ending} files differ")
+
+
+def test_layers_stand_in_an_exr(t):
+    t.clip()
+    for backend in ("software", "osmesa"):
+        t.render("clip.avi", "--backend", backend, "--show", "volume,arrows,tracelines,outline,frames",
+                 output="out.exr").expect(0)
+        header = t.path("out.exr").read_bytes()[:2000]
+        for channel in (b"R", b"G", b"B", b"Z", b"time", b"frame"):
+            kind = struct.pack("<i", 1 if channel in b"RGB" else 2)  # half and float, as the format numbers them
+            check(b"\0" + channel + b"\0" + kind in header, f"{backend}: no channel {channel}, or of another type")
+    t.render("clip.avi", "--brick", "10", output="series.{brick}.exr").expect(0, "2 pictures")
+    check(b"\0time\0" in t.path("series.1.exr").read_bytes()[:2000], "a series has no layers")
+
+
+def test_settings_stand_in_the_picture(t):
+    t.clip()
+    t.ffmpeg("-i", "clip.avi", "-frames:v", "1", "empty-scene.png")
+    t.render("clip.avi", "--camera", "-12,34", "--reference", str(t.path("empty-scene.png"))).expect(0)
+    data = t.path("out.png").read_bytes()
+    for text in (b"vvr:camera\0-12,34", b"vvr:threshold\0", b"vvr:frames\0" + b"20", b"Software\0vvr ", b"vvr:renderer\0"):
+        check(text in data, f"{text} is not in the picture")
+    check(str(t.folder).encode() not in data, "the picture names a folder")
+
+
+def test_unknown_format(t):
+    t.clip()
+    t.render("clip.avi", output="out.pgn").expect(
+        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg")
+    t.render("clip.avi", output="out").expect(1, "a name without an ending is not an output format")
+    t.expect_files("clip.avi")
+
+
+def test_missing_folder(t):
+    t.clip()
+    t.render("clip.avi", output="none/out.png").expect(2, "there is no folder 'none'", "mkdir -p 'none'")
+    t.expect_files("clip.avi")
+
+
+def test_folder_that_cannot_be_written(t):
+    t.clip()
+    t.render("clip.avi", output="/proc/out.png").expect(2, "'/proc'", "choose another folder")
+    t.path("locked").mkdir()
+    t.path("locked").chmod(0o555)
+    if os.geteuid() != 0:
+        t.render("clip.avi", output="locked/out.png").expect(2, "Permission denied")
+    t.path("folder.png").mkdir()
+    t.render("clip.avi", output="folder.png").expect(2, "it is a folder")
+    t.expect_files("clip.avi", "folder.png", "locked")
+
+
+def test_folder_is_checked_before_the_clip_is_read(t):
+    t.render("none.avi", output="none/out.png").expect(2, "there is no folder 'none'")
+
+
+def test_full_disk_by_file_size_limit(t):
+    t.clip()
+    t.write("before.png", "an older picture")
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+
+    t.render("clip.avi", output="before.png", preexec_fn=limit).expect(2, "cannot write 'before.png'", "File too large")
+    t.render("clip.avi", preexec_fn=limit).expect(2, "cannot write 'out.png'", "free some space")
+    check(t.path("before.png").read_text() == "an older picture", "the older picture was touched")
+    t.expect_files("before.png", "clip.avi")
+
+
+def test_full_disk_on_a_tiny_file_system(t):
+    t.clip()
+    t.path("tiny").mkdir()
+    # In a mount namespace of its own, so that it goes away by itself; only root may do it.
+    script = f'mount -t tmpfs -o size=4k none tiny && "{t.vvr_path}" render clip.avi -o tiny/out.png; echo $? && ls -A tiny'
+    result = t.run(["unshare", "--mount", "bash", "-c", script])
+    if "vvr:" not in result.err:
+        print("not permitted to mount here, so only full_disk_by_file_size_limit tells")
+        return
+    check(result.out == "2\n", str(result))
+    check("No space left on device" in result.err, str(result))
+
+
+def test_replaces_an_older_picture(t):
+    t.clip()
+    t.write("out.png", "an older picture")
+    t.render("clip.avi").expect(0)
+    t.expect_picture()
+    t.expect_files("clip.avi", "out.png")
+
+
+def test_removes_what_a_killed_run_left(t):
+    t.clip()
+    old, young, held, second = (part_name(name, number) for name, number in (("old.png", 0), ("young.png", 0), ("held.png", 0), ("held.png", 1)))
+    others = part_name("out.png"), part_name("out.jpg")
+    for name in (old, young, held, second, *others):
+        t.write(name, "half")
+    os.utime(t.path(old), (time.time() - 3700,) * 2)
+    t.render("clip.avi", output="old.png").expect(0)
+    check(old not in t.files(), "it has been there for an hour")
+    t.render("clip.avi", output="young.png").expect(0)
+    # Only where all who may be writing it share this kernel, it is certain that nobody is.
+    system = t.run(["stat", "-f", "-c", "%T", "."]).out.strip()
+    check(young not in t.files() or system not in ("ext2/ext3", "xfs", "btrfs", "tmpfs", "overlayfs"), f"left on {system}")
+    with open(t.path(held), "a") as writing:
+        fcntl.flock(writing, fcntl.LOCK_EX)
+        os.utime(t.path(held), (1, 1))
+        os.utime(t.path(second), (1, 1))
+        t.render("clip.avi", output="held.png").expect(0)
+        check(held in t.files() and second not in t.files(), "somebody is still writing it")
+    t.path(held).unlink()
+    check(all(name in t.files() for name in others), "of another name")
+    # What is no file of vvr's stays, and nothing waits for it.
+    t.path(others[0]).unlink()
+    os.mkfifo(t.path(others[0]))
+    t.path(part_name("out.png", 1)).symlink_to("clip.avi")
+    t.render("clip.avi", timeout=60).expect(0)
+    t.expect_picture()
+    check(others[0] in t.files() and t.path(part_name("out.png", 1)).is_symlink(), "not vvr's")
+
+
+def test_nothing_on_stdout(t):
+    t.clip()
+    result = t.render("clip.avi").expect(0, "vvr: 'out.png': 20 frames in 20 layers and 8 bricks", out="")
+    check("\r" not in result.err and "\033" not in result.err, "a progress bar without a terminal")
+
+
+def test_quiet_is_quiet(t):
+    t.clip()
+    result = t.render("clip.avi", "--quiet").expect(0, out="")
+    check(result.err == "", str(result))
+    t.render("none.avi", "--quiet").expect(2, "none.avi")
+
+
+def test_verbose_says_more(t):
+    t.clip()
+    t.render("clip.avi", "--verbose").expect(0, "backend ", "arrows")
+
+
+def test_reader_that_has_seen_enough(t):
+    result = t.run(["bash", "-c", f'set -o pipefail; "{t.vvr_path}" render --help | head -n 1'])
+    check(result.status == 0 and result.err == "" and result.out.count("\n") == 1, str(result))
+
+
+def test_stdout_that_cannot_be_written(t):
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run([t.vvr_path, "--version"], stdout=full, stderr=subprocess.PIPE, check=False)
+    check(done.returncode == 2 and b"cannot write to stdout: No space left" in done.stderr, str(done))
+
+
+def test_over_a_limit(t):
+    t.clip()
+    t.render("clip.avi", "--field-size", "16384x16384").expect(5, "vvr: ", "--field-size")
+    t.expect_files("clip.avi")
+
+
+def test_a_page_and_a_thumbnail_beside_the_picture(t):
+    t.clip()
+    t.render("clip.avi", "--page", "out.html", "--thumbnail", "small.jpg", "--size", "640x400").expect(0)
+    t.expect_files("clip.avi", "out.png", "out.html", "small.jpg")
+    t.expect_picture("out.png", (640, 400))
+    t.expect_picture("small.jpg", (400, 250))
+    t.render("clip.avi", "--size", "640x400", output="alone.png").expect(0)
+    check(t.path("alone.png").read_bytes() == t.path("out.png").read_bytes(), "a page changes the picture")
+    t.render("clip.avi", "--plain-name", output="x %04d {a} ##.png").expect(0)
+    check(t.path("x %04d {a} ##.png").exists(), f"{t.files()}")
+    t.render("clip.avi", "--page", "out.txt").expect(1, "--page 'out.txt': a page's name ends in .html")
+    t.render("clip.avi", "--page", "b.html", output="a.html").expect(1, "'a.html' is a page already; leave out --page")
+    t.render("clip.avi", "--page", "p.html", output="{brick}.png").expect(1, "--page goes with one picture")
+    t.render("clip.avi", "--thumbnail", "small.bmp").expect(1, "'.bmp' is not an output format")
+    t.render("clip.avi", "--thumbnail", "out.png").expect(1, "--thumbnail and -o both name 'out.png'")
+    t.vvr("render", "clip.avi", "--report", "r.json", "--page", "p.html").expect(1, "--page goes with one picture; say where that goes")

@@ -1,0 +1,88 @@
+"""Signals, terminals, and where the program may stand."""
+
+import os
+import pty
+import shutil
+import signal
+import subprocess
+import time
+
+from harness import check
+
+
+def interrupt(t, number, after):
+    """Sends a signal to a render of a long clip; its exit status."""
+    child = subprocess.Popen([t.vvr_path, "render", "long.avi", "-o", "out.png"], cwd=t.folder,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(after)
+    child.send_signal(number)
+    return child.wait(timeout=60)
+
+
+def test_signals_end_it_without_a_file(t):
+    t.clip("long.avi", seconds=120, size="384x288")
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        status = interrupt(t, number, 0.6)
+        check(status == -number, f"signal {number}: status {status}")
+        t.expect_files("long.avi")
+
+
+def test_signals_at_any_time_leave_all_or_nothing(t):
+    t.clip("long.avi", seconds=1)
+    for i in range(12):
+        status = interrupt(t, signal.SIGTERM, 0.05 * i)
+        done = [name for name in t.files() if name != "long.avi"]
+        check(done in ([], ["out.png"]), f"left behind: {done}")
+        if done:
+            t.expect_picture(size=(1280, 800))
+            t.path("out.png").unlink()
+        check(status in (0, -signal.SIGTERM), f"status {status}")
+
+
+def test_ignored_signals_stay_ignored(t):
+    t.clip("long.avi", seconds=1)
+    result = t.run(["bash", "-c", f'trap "" HUP; "{t.vvr_path}" render long.avi -o out.png --size 160x100 & sleep 0.2; kill -HUP $!; wait $!'])
+    check(result.status == 0, str(result))
+    t.expect_picture()
+
+
+def test_progress_bar_on_a_terminal(t):
+    t.clip("long.avi", seconds=20, size="384x288")
+    parent, terminal = pty.openpty()
+    environment = os.environ | {"TERM": "xterm"}
+    child = subprocess.Popen([t.vvr_path, "render", "long.avi", "-o", "out.png"], cwd=t.folder, env=environment,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=terminal)
+    os.close(terminal)
+    said = b""
+    try:
+        while chunk := os.read(parent, 4096):
+            said += chunk
+    except OSError:  # how Linux says that the other end of a terminal is gone
+        pass
+    check(child.wait() == 0, said.decode())
+    check(b"frames [" in said and b"/200" in said, said.decode())
+    last = said.decode().rsplit("\033[K", 1)[1]
+    check("200 frames" in last and "[" not in last, f"the bar is still there: {last!r}")
+
+
+def test_installed_program_is_relocatable(t):
+    build = os.path.dirname(os.path.dirname(t.vvr_path))
+    done = t.run(["cmake", "--install", build, "--prefix", str(t.path("first"))])
+    check(done.status == 0, str(done))
+    for name in ("bin/vvr", "lib/vvr/libvvr_pictures.so", "share/doc/vvr/LICENSE"):
+        check(t.path("first").joinpath(name).exists(), f"{name} is not installed")
+    shutil.move(t.path("first"), t.path("moved"))
+    t.clip()
+    done = t.run([str(t.path("moved/bin/vvr")), "render", "clip.avi", "-o", "out.png", "--size", "160x100"])
+    done.expect(0)
+    t.expect_picture()
+
+
+def test_version_loads_neither_drivers_nor_openimageio(t):
+    loaded = t.run(["env", "LD_TRACE_LOADED_OBJECTS=1", t.vvr_path]).out
+    for library in ("libGL", "libEGL", "libOSMesa", "libOpenImageIO"):
+        check("libc.so" in loaded and library not in loaded, loaded)
+    child = subprocess.Popen([t.vvr_path, "--version"], stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(child.pid, 0)
+    # Processor time: what else the machine does shall not fail a test.
+    check(status == 0 and usage.ru_utime + usage.ru_stime < 0.3, str(usage))

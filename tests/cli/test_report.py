@@ -1,0 +1,179 @@
+"""render --report: what stands in it is true, and as its schema says."""
+
+import json
+
+import jsonschema
+
+from harness import check
+
+
+def read(t, name="report.json"):
+    """A report, held against the schema."""
+    schema = json.loads((t.source / "docs" / "report.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    report = json.loads(t.path(name).read_text())
+    errors = list(jsonschema.Draft202012Validator(schema).iter_errors(report))
+    check(not errors, "\n".join(f"{'/'.join(map(str, error.absolute_path))}: {error.message}" for error in errors))
+    return report
+
+
+def test_report_of_the_left_bag(t):
+    # The scene's own pixels are half the size of the video's here: fields are 192x144.
+    t.scene("left_bag", "bag.y4m", "--size", "384x288", "--frames", "400")
+    t.render("bag.y4m", "--report", "report.json", "--field-size", "192x144").expect(
+        0, "'out.png': 400 frames", "3 events; the longest from 3.", "standing still for")
+    report = read(t)
+    check(report["input"] == {"name": "bag.y4m", "container": "yuv4mpegpipe", "codec": "rawvideo", "width": 384,
+                              "height": 288, "rate": 25, "recorded": None}, str(report["input"]))
+    check(report["frames"] == {"used": 400, "damaged": 0}, str(report["frames"]))
+    check(report["span"] == {"first": 0, "last": 15.96, "seconds": 15.96}, str(report["span"]))
+    check(report["field"] == {"width": 192, "height": 144}, str(report["field"]))
+    check(report["settings"]["field-size"] == "192x144" and report["settings"]["filter"] == "difference", str(report["settings"]))
+    check(report["volume"]["layers"] == 400 and report["volume"]["bricks"] == 8 and not report["volume"]["still"], "volume")
+    check(report["renderer"]["name"] and report["renderer"]["version"], str(report["renderer"]))
+    stages = report["seconds"]
+    check(stages["draw"] > 0 and stages["fields"] > 0, str(stages))
+    check(sum(stages.values()) <= 2 * stages["total"] + 0.01, f"parts that are more than the whole: {stages}")
+    check(10_000_000 < report["peak_memory_bytes"] < 2_000_000_000, str(report["peak_memory_bytes"]))
+
+    came, bag, back = report["events"]
+    # Put down at 354 of 1600 frames, taken at 1314, at 239,228 of 384x288.
+    check(abs(bag["first"]["frame"] - 354 / 4) <= 5 and abs(bag["last"]["frame"] - 1314 / 4) <= 5, str(bag))
+    check(bag["first"]["seconds"] == bag["first"]["frame"] / 25, str(bag["first"]))
+    stay, = bag["stays"]
+    check(abs(stay["place"]["x"] - 239) <= 5 and abs(stay["place"]["y"] - 228) <= 5, str(stay))
+    check(abs(stay["field_place"]["x"] - 119) <= 3 and abs(stay["field_place"]["y"] - 114) <= 3, str(stay))
+    box, small = bag["box"], bag["field_box"]
+    check((box["x"], box["width"]) == (2 * small["x"], 2 * small["width"]), f"{box} and {small}")
+    check((bag["from"], bag["into"]) == (came["number"], back["number"]) == (1, 3), str(bag))
+    check(came["path_length"] > 300 and abs(came["path_length"] - 2 * came["field_path_length"]) < 0.1, str(came))
+    check(came["path"][0]["place"]["x"] < 30 and came["path"][-1]["place"]["x"] > 350, "his path goes through the picture")
+    check(came["stays"] == [] and bag["path_length"] < 5, "who stays and who goes")
+
+
+def test_report_without_a_picture(t):
+    t.clip()
+    result = t.vvr("render", "clip.avi", "--report", "report.json").expect(0, "'clip.avi': 20 frames", out="")
+    check(result.err.count("\n") == 2, str(result))
+    report = read(t)
+    check("draw" not in report["seconds"] and "write" not in report["seconds"], "something was drawn")
+    t.expect_files("clip.avi", "report.json")
+    quiet = t.vvr("render", "clip.avi", "--report", "quiet.json", "--quiet").expect(0)
+    check(quiet.err == "", str(quiet))
+    check(read(t, "quiet.json")["events"] == report["events"], "quiet finds other events")
+
+
+def test_report_of_nothing(t):
+    t.scene("still", "still.y4m", "--size", "192x144", "--noise", "5", "--frames", "60")
+    t.render("still.y4m", "--report", "report.json").expect(0, "vvr: no events\n", "nothing moves")
+    report = read(t)
+    check(report["events"] == [] and report["volume"]["still"], str(report["events"]))
+
+
+def test_report_where_there_are_no_objects(t):
+    t.clip()
+    result = t.render("clip.avi", "--filter", "luminance", "--report", "report.json").expect(0)
+    check("event" not in result.err, str(result))
+    check(read(t)["events"] is None, "the video itself has events")
+
+
+def test_report_of_what_was_extracted(t):
+    t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
+    t.vvr("render", "cross.y4m", "--report", "clip.json").expect(0, "2 events")
+    t.vvr("extract", "cross.y4m", "-o", "data").expect(0)
+    t.vvr("render", "data", "--report", "data.json").expect(0, "2 events")
+    # Data files hold no pictures, by whose colours objects are told apart: places may differ by what is seen of them.
+    for of_clip, of_data in zip(read(t, "clip.json")["events"], read(t, "data.json")["events"]):
+        for part in ("number", "kind", "first", "last", "from", "into", "by"):
+            check(of_clip[part] == of_data[part], f"extraction changes {part}: {of_clip[part]} and {of_data[part]}")
+
+
+def test_report_of_a_part(t):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    t.vvr("render", "bag.y4m", "--report", "report.json", "--start", "4s", "--end", "10s").expect(0)
+    report = read(t)
+    check(report["span"]["first"] == 4 and report["frames"]["used"] == 150, str(report["span"]))
+    bag = report["events"][0]
+    check(bag["first"]["frame"] == 100 and bag["first"]["seconds"] == 4, f"frames of the clip are counted: {bag}")
+
+
+def test_report_counts_damage(t):
+    t.clip("clip.avi", 4)
+    data = bytearray(t.path("clip.avi").read_bytes())
+    for at in range(len(data) // 2, len(data) // 2 + 2000, 40):
+        data[at] ^= 0xFF
+    t.write("hurt.avi", bytes(data))
+    t.vvr("render", "hurt.avi", "--report", "report.json").expect(0)
+    report = read(t)
+    check(report["frames"]["damaged"] > 0, str(report["frames"]))
+
+
+def test_report_survives_a_picture_that_differs(t):
+    t.clip()
+    arguments = ("render", "clip.avi", "--size", "160x100", "--golden", "golden.png", "--report", "report.json")
+    t.vvr(*arguments).expect(7)
+    read(t)
+
+
+def test_report_that_cannot_be_written(t):
+    t.clip()
+    t.render("clip.avi", "--report", "none/report.json").expect(2, "cannot write 'none/report.json'", "mkdir -p 'none'")
+    t.path("folder").mkdir()
+    t.render("clip.avi", "--report", "folder").expect(2, "cannot write 'folder': it is a folder")
+    t.vvr("render", "clip.avi", "--report", "r.json", "--animate", "3").expect(1, "--animate: say where the pictures go")
+    t.expect_files("clip.avi", "folder")
+    t.write("report.json", "older")
+    t.vvr("render", "none.avi", "--report", "report.json").expect(2)
+    check(t.path("report.json").read_text() == "older", "a failure touched the older report")
+
+
+def test_report_names_are_text(t):
+    name = "a \"quoted\" <b>ü clip.avi"
+    t.clip(name)
+    t.vvr("render", name, "--report", "report.json").expect(0)
+    check(read(t)["input"]["name"] == name, "another name")
+    data = t.path(name).read_bytes()
+    with open(bytes(t.folder) + b"/bad\xff.avi", "wb") as file:
+        file.write(data)
+    t.run([t.vvr_path, "render", b"bad\xff.avi", "--report", "bytes.json"]).expect(0)
+    read(t, "bytes.json")
+
+
+def test_report_has_a_file_of_its_own(t):
+    t.clip()
+    before = t.path("clip.avi").read_bytes()
+    t.render("clip.avi", "--report", "./out.png").expect(
+        1, "--report and -o both name 'out.png'; give the report a name of its own, such as report.json")
+    t.vvr("render", "clip.avi", "--golden", "g.png", "--report", "g.png").expect(
+        1, "--report and --golden both name 'g.png'")
+    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi' would replace the input")
+    check(t.path("clip.avi").read_bytes() == before, "the clip was written over")
+    t.expect_files("clip.avi")
+
+
+def test_report_of_one_frame(t):
+    t.clip("one.avi", 0.1)
+    t.vvr("render", "one.avi", "--report", "report.json").expect(0, "'one.avi': 1 frame in 1 layer")
+    report = read(t)
+    check(report["frames"]["used"] == 1 and report["span"]["seconds"] == 0, str(report["span"]))
+    check(report["events"] == [], str(report["events"]))
+
+
+def test_report_of_no_frames(t):
+    t.write("empty.avi", "")
+    result = t.vvr("render", "empty.avi", "--report", "report.json").expect(3, "empty.avi")
+    check(result.err.count("\n") == 1, str(result))
+    t.clip()
+    t.vvr("render", "clip.avi", "--start", "60s", "--report", "report.json").expect(1, "'clip.avi' has no frame from 60 s")
+    t.expect_files("clip.avi", "empty.avi")
+
+
+def test_report_of_a_series(t):
+    t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
+    t.vvr("render", "cross.y4m", "--report", "whole.json").expect(0, "2 events")
+    t.render("cross.y4m", "--brick", "30", "--window", "2", "--report", "series.json", output="s{brick}.png").expect(
+        0, "5 pictures of 150 frames", "2 events")
+    whole, series = read(t, "whole.json"), read(t, "series.json")
+    for part in ("frames", "span", "input", "events"):
+        check(whole[part] == series[part], f"{part}: {whole[part]} and {series[part]}")
+    check(series["seconds"]["draw"] > 0, str(series["seconds"]))

@@ -1,0 +1,130 @@
+"""Series: a picture for each brick, while a window slides over the clip."""
+
+from harness import check, moving_clip
+
+ALL = ("--show", "volume,arrows,tracelines,outline,frames", "--backend", "software")
+
+
+def pixels(t, name):
+    raw = t.run(["bash", "-c", f"ffmpeg -v error -i '{name}' -f rawvideo -pix_fmt rgb48 - | sha256sum"])
+    check(raw.status == 0 and raw.err == "", str(raw))
+    return raw.out
+
+
+def test_a_picture_for_each_brick(t):
+    moving_clip(t)
+    for name, files in (("a.{brick:4}.png", "a.%04d.png"), ("b###.png", "b%03d.png"), ("c%d.png", "c%d.png")):
+        t.render("clip.mkv", "--brick", "7", "--window", "3", output=name).expect(
+            0, f"vvr: '{name}': 6 pictures of 40 frames")
+        for i in range(6):
+            t.expect_picture(files % i)
+            check(t.path(files % i).read_bytes() == t.path(f"a.{i:04}.png").read_bytes(), f"{files % i} is another")
+    check(len(t.files()) == 1 + 3 * 6, f"{t.files()}")
+    check(len({pixels(t, f"c{i}.png") for i in range(6)}) == 6, "pictures of the series are the same")
+    data = t.path("c5.png").read_bytes()
+    for text in (b"vvr:brick\x007", b"vvr:window\x003", b"vvr:first-frame\x0021", b"vvr:frames\x0019",
+                 b"vvr:seconds\x002.100 to 3.900"):
+        check(text in data, f"{text} is not in the last picture")
+
+
+def test_a_window_that_moved_is_a_window_rendered_afresh(t):
+    # Seeds of every second frame, as 160 frames are visible at a time.
+    moving_clip(t, frames=320)
+    t.render("clip.mkv", "--brick", "40", "--window", "4", *ALL, output="moved.{brick}.png").expect(0, "8 pictures")
+    for moved in (0, 1, 3, 4):
+        begin, end = 40 * moved, 40 * (moved + 4)
+        start = ("--start", f"{begin / 10}s") if moved else ()
+        t.vvr("extract", "clip.mkv", "-o", f"part{moved}", *start, "--end", str(end), "--flow-every", "1").expect(
+            0, "160 frames")
+        t.render(f"part{moved}", "--brick", "40", *ALL, output=f"fresh.{moved}.png").expect(0, "160 layers and 4 bricks")
+        check(pixels(t, f"fresh.{moved}.png") == pixels(t, f"moved.{moved + 3}.png"), f"moved by {moved} bricks")
+    check(pixels(t, "fresh.0.png") != pixels(t, "fresh.1.png"), "moving makes no difference")
+
+
+def test_a_window_whose_last_brick_is_shorter(t):
+    # Of 80, 80 and 40 layers, which are three, three and two pieces.
+    moving_clip(t, frames=200, step=0.35)
+    look = ("--brick", "80", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
+    t.vvr("extract", "clip.mkv", "-o", "all", "--flow-every", "1").expect(0, "200 frames")
+    t.vvr("extract", "clip.mkv", "-o", "end", "--start", "8s", "--flow-every", "1").expect(0, "120 frames")
+    t.render("all", *look, output="all.{brick}.png").expect(0, "3 pictures")
+    t.render("end", *look, output="end.{brick}.png").expect(0, "2 pictures")
+    check(pixels(t, "all.2.png") == pixels(t, "end.1.png"), "what left the window is still there")
+
+
+def test_a_series_of_layers_that_hold_several_frames(t):
+    moving_clip(t, frames=60)
+    t.render("clip.mkv", "--brick", "9", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
+    t.vvr("extract", "clip.mkv", "-o", "part", "--start", "1.8s", "--end", "45", "--flow-every", "1").expect(0, "27 frames")
+    t.render("part", "--brick", "9", "--step", "3", *ALL, output="fresh.png").expect(0, "9 layers and 3 bricks")
+    check(pixels(t, "fresh.png") == pixels(t, "moved.4.png"), "three frames a layer")
+
+
+def test_a_series_in_the_colours_of_the_video(t):
+    t.ffmpeg("-i", moving_clip(t), "-frames:v", "1", "empty.png")
+    for backend in ("software", "osmesa"):
+        look = ("--brick", "10", "--reference", "empty.png", "--color", "video", "--show", "volume,frames", "--backend",
+                backend)
+        t.render("clip.mkv", *look, "--window", "2", output=f"{backend}.{{brick}}.png").expect(0, "4 pictures")
+        t.render("clip.mkv", *look, "--end", "20", output="begin.png").expect(0, "2 bricks")
+        check(pixels(t, "begin.png") == pixels(t, f"{backend}.1.png"), f"{backend}: the first full window")
+
+
+def test_a_series_of_extracted_data(t):
+    t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "1").expect(0)
+    look = ("--show", "volume,arrows,tracelines,outline", "--brick", "10", "--window", "2", "--backend", "software")
+    t.render("clip.mkv", *look, output="clip.{brick}.png").expect(0)
+    t.render("data", *look, output="data.{brick}.png").expect(0, "4 pictures of 40 frames")
+    for i in range(4):
+        check(pixels(t, f"clip.{i}.png") == pixels(t, f"data.{i}.png"), f"picture {i}")
+    t.render("data", "--brick", "10", output="d.{brick}.png").expect(
+        0, "'data' holds only the clip's first and last picture", "4 pictures")
+
+
+def test_a_clip_shorter_than_the_window(t):
+    moving_clip(t)
+    t.render("clip.mkv", "--brick", "2s", "--window", "8", output="s.{brick}.png").expect(0, "2 pictures of 40 frames")
+    # Without a length of bricks the clip is cut for the window.
+    t.render("clip.mkv", "--window", "4", "--backend", "software", output="t.{brick}.png").expect(0, "4 pictures")
+    t.render("clip.mkv", "--window", "4", "--backend", "software").expect(0)
+    check(pixels(t, "out.png") == pixels(t, "t.3.png"), "the last one shows the whole clip")
+    t.ffmpeg("-i", "clip.mkv", "-frames:v", "1", "-c:v", "ffv1", "one.mkv")
+    t.render("one.mkv", output="one.{brick}.png").expect(0, "1 picture of 1 frame")
+    t.expect_picture("one.0.png")
+
+
+def test_bricks_of_ten_seconds_unless_told(t):
+    t.clip(seconds=35)
+    t.render("clip.avi", "--window", "2", "--show", "volume", output="s.{brick}.png").expect(0, "4 pictures of 350 frames")
+
+
+def test_series_that_cannot_be(t):
+    t.clip()
+    t.render("clip.avi", "--animate", "3", "--show", "volume,tracelines", output="a.{brick}.png").expect(
+        1, "'a.{brick}.png' is the name of a series", "--animate takes {frame}")
+    t.render("clip.avi", output="a.{frame}.png").expect(1, "'a.{frame}.png' has a field", "--animate", "{brick}")
+    t.render("clip.avi", output="a.{brik}.png").expect(1, "did you mean 'brick'?")
+    t.render("clip.avi", output="a.{brick}.{brick}.png").expect(1, "has two fields")
+    t.render("clip.avi", output="a.{brick}.gif").expect(1, "its name takes no field")
+    t.render("clip.avi", output="none/a.{brick}.png").expect(2, "there is no folder 'none'")
+    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick: a brick has to be longer than nothing")
+    t.expect_files("clip.avi")
+
+
+def test_a_series_that_fails_half_way_leaves_whole_pictures(t):
+    moving_clip(t)
+    t.path("a.2.png").mkdir()
+    t.render("clip.mkv", "--brick", "10", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory")
+    t.expect_files("a.0.png", "a.1.png", "a.2.png", "clip.mkv")
+    for i in range(2):
+        t.expect_picture(f"a.{i}.png")
+
+
+def test_memory_of_a_series_depends_on_the_window(t):
+    size = "320x240"
+    t.clip("short.avi", seconds=10, size=size)
+    t.clip("long.avi", seconds=60, size=size)
+    few, many = (t.peak_memory("render", clip, "-o", "s.{brick}.png", "--size", "160x100", "--brick", "1s", "--window",
+                             "4", "--show", "volume", "--quiet") for clip in ("short.avi", "long.avi"))
+    volume = 500 * 320 * 240  # the difference between the clips, a byte a voxel
+    check(many - few < volume / 2, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")

@@ -1,0 +1,357 @@
+"""`vvr watch`: FFmpeg serves streams on this machine, in real time where time is what is looked at."""
+
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import time
+
+import pytest
+from harness import check
+
+SIZE = ("--size", "320x200")
+
+
+def source(t, name="cam.ts", seconds=6, rate=25, size="384x288"):
+    """Something moves before an empty scene, and nothing does in the first seconds, from which the scene is learnt."""
+    graph = (f"color=gray:size={size}:rate={rate}:duration={seconds}[g];color=white:size=60x60:rate={rate}:duration={seconds}[w];"
+             f"[g][w]overlay=x='if(lt(t,2.5),-100,mod(90*(t-2.5),{size.split('x')[0]}))':y=120:shortest=1")
+    t.ffmpeg("-filter_complex", graph, "-c:v", "libx264", "-preset", "ultrafast", "-g", str(rate), "-bf", "0", name)
+    return name
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Server:
+    """FFmpeg, sending a file to an address; gone at the end of the block."""
+
+    def __init__(self, t, url, clip="cam.ts", form=("-f", "mpegts"), real_time=True, begin=0, loop=False):
+        pace = ("-re",) if real_time else ()
+        again = ("-stream_loop", "-1") if loop else ()
+        self.child = subprocess.Popen(["ffmpeg", "-v", "error", *pace, *again, "-ss", str(begin), "-i", clip, "-c", "copy", *form, url],
+                                      cwd=t.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.DEVNULL)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.kill()
+
+    def kill(self):
+        self.child.kill()
+        self.child.wait()
+
+
+class Watch:
+    """vvr at its work."""
+
+    def __init__(self, t, *arguments, **options):
+        self.log = open(t.path("stderr"), "w+", encoding="utf-8")
+        self.child = subprocess.Popen([t.vvr_path, "watch", *arguments], cwd=t.folder, stdout=subprocess.DEVNULL,
+                                      stderr=self.log, **({"stdin": subprocess.DEVNULL} | options))
+
+    def said(self):
+        self.log.seek(0)
+        return self.log.read()
+
+    def wait_for(self, text, seconds=30):
+        until = time.monotonic() + seconds
+        while text not in self.said():
+            check(time.monotonic() < until and self.child.poll() is None, f"expected {text}: {self.said()}")
+            time.sleep(0.05)
+
+    def end(self, status=0, seconds=60):
+        try:
+            check(self.child.wait(timeout=seconds) == status, f"status {self.child.returncode}: {self.said()}")
+        finally:
+            self.child.kill()
+        return self.said()
+
+
+def listening(port):
+    """Waits until somebody listens, without connecting."""
+    for _ in range(100):
+        with open("/proc/net/tcp", encoding="ascii") as table:
+            if any(line.split()[1].endswith(f":{port:04X}") and line.split()[3] == "0A" for line in table.readlines()[1:]):
+                return
+        time.sleep(0.05)
+    raise AssertionError(f"nobody listens on {port}")
+
+
+def figures(said):
+    """Of the last line: pictures, frames, seconds, median and longest latency, dropped, reconnections."""
+    found = re.search(r"(\d+) pictures? of (\d+) frames? in ([\d.]+) s; ([\d.]+) s from frame to picture \(median\), ([\d.]+) s "
+                      r"at most; (\d+) frames? dropped, (\d+) reconnections?", said)
+    check(found, said)
+    names = ("pictures", "frames", "seconds", "median", "longest", "dropped", "reconnections")
+    return dict(zip(names, map(float, found.groups())))
+
+
+def red_pixels(t, name):
+    """Those of the hatching on the ruler, above the volume."""
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", name, "-vf", "crop=iw:ih*0.45:0:0", "-f", "rawvideo", "-pix_fmt", "rgb24",
+                          "-"], cwd=t.folder, stdout=subprocess.PIPE, check=True).stdout
+    return sum(raw[i] > 150 and raw[i + 1] < 110 and raw[i + 2] < 110 for i in range(0, len(raw), 3))
+
+
+def watched(t, url, *options, output="out.{brick}.png", **server):
+    """A stream of one address to its end."""
+    port = free_port()
+    with Server(t, url.format(port=port, ask="?listen=1"), **server):
+        if "tcp" in url or "http" in url:
+            listening(port)
+        return Watch(t, url.format(port=port, ask=""), "-o", output, "--brick", "1s", "--window", "3", *SIZE, *options).end()
+
+
+def test_watch_over_tcp(t):
+    source(t)
+    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s")
+    now = figures(said)
+    check(now["dropped"] == 0 and now["reconnections"] == 0 and now["pictures"] >= 2, said)
+    for i in range(int(now["pictures"])):
+        t.expect_picture(f"out.{i}.png", size=(320, 200))
+    check("brick 1, 20" in said, said)
+
+
+def test_watch_over_udp(t):
+    source(t)
+    said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
+    check(figures(said)["pictures"] >= 1, said)
+
+
+def test_watch_over_http(t):
+    source(t)
+    port = free_port()
+    with Server(t, f"http://127.0.0.1:{port}/cam.ts", form=("-f", "mpegts", "-listen", "1")):
+        listening(port)
+        said = Watch(t, f"http://127.0.0.1:{port}/cam.ts?token=secret", "-o", "out.png", "--brick", "1s", *SIZE, "--duration",
+                     "5s").end()
+    check(figures(said)["pictures"] >= 2 and "secret" not in said, said)
+    t.expect_picture(size=(320, 200))
+
+
+def test_watch_over_rtsp(t):
+    """From a server of Debian's, rtsp-server-perl."""
+    if not shutil.which("rtsp-server-perl"):
+        pytest.skip("rtsp-server-perl is not installed; scripts/test --all does it")
+    source(t, seconds=20)
+    clients, sources, rtp = free_port(), free_port(), 20000 + 2 * (os.getpid() % 10000)
+    server = subprocess.Popen(["rtsp-server-perl", "--clientport", str(clients), "--serverport", str(sources), "--rtp_start_port",
+                               str(rtp), "--client_listen_address", "127.0.0.1", "--source_listen_address", "127.0.0.1"],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        listening(sources)
+        with Server(t, f"rtsp://127.0.0.1:{sources}/cam", form=("-f", "rtsp", "-rtsp_transport", "udp")):
+            time.sleep(2)
+            said = Watch(t, f"rtsp://user:secret@127.0.0.1:{clients}/cam", "-o", "out.png", "--brick", "1s", *SIZE, "--duration",
+                         "6s").end()
+    finally:
+        server.kill()
+        server.wait()
+    check(figures(said)["pictures"] >= 2 and "secret" not in said, said)
+
+
+def test_watch_a_pipe_drops_nothing(t):
+    source(t, seconds=8)
+    with t.path("cam.ts").open("rb") as clip:
+        cat = subprocess.Popen(["cat"], stdin=clip, stdout=subprocess.PIPE)
+        said = Watch(t, "-", "-o", "out.{brick}.png", "--brick", "2s", *SIZE, stdin=cat.stdout).end()
+        cat.stdout.close()
+        cat.wait()
+    now = figures(said)
+    check(now["dropped"] == 0 and now["frames"] == 150 and now["pictures"] == 3, said)
+    # A named pipe and a file, which end as well.
+    os.mkfifo(t.path("fifo"))
+    feeder = subprocess.Popen(["bash", "-c", "cat cam.ts >fifo"], cwd=t.folder)
+    check(figures(Watch(t, "fifo", "-o", "fifo.png", "--brick", "2s", *SIZE).end())["frames"] == 150, "named pipe")
+    feeder.wait()
+    said = Watch(t, "cam.ts", "-o", "file.png", "--brick", "2s", "--reference", "first", *SIZE).end()
+    check(figures(said)["frames"] == 199, said)
+    check(t.path("fifo.png").read_bytes()[:4] == b"\x89PNG", "no picture of the named pipe")
+
+
+def test_watch_shows_gaps(t):
+    source(t, seconds=30)
+    port = free_port()
+    url = f"tcp://127.0.0.1:{port}"
+    with Server(t, url + "?listen=1"):
+        listening(port)
+        watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "1s", "--window", "16", *SIZE, "--duration", "17s", "--start-time",
+                      "2026-11-21 08:00:00")
+        watch.wait_for("brick 0")
+    before = sorted(name for name in t.files() if name.startswith("out."))
+    check(red_pixels(t, before[-1]) < 5, f"hatched without a gap: {red_pixels(t, before[-1])}")
+    for begin in (8, 16):
+        time.sleep(1.5)
+        with Server(t, url + "?listen=1", begin=begin):
+            watch.wait_for(f"connected again", 20)
+            time.sleep(3.5)
+    said = watch.end()
+    now = figures(said)
+    check(now["reconnections"] >= 2 and said.count("lost after") >= 2, said)
+    numbers = sorted(int(name.split(".")[1]) for name in t.files() if name.startswith("out."))
+    check(len(numbers) == now["pictures"] and numbers[-1] > len(numbers), f"bricks without a frame have pictures: {numbers}")
+    check(red_pixels(t, f"out.{numbers[-1]}.png") > 40, f"no hatching in out.{numbers[-1]}.png")
+
+
+def test_watch_ends_when_asked(t):
+    source(t, seconds=30)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        port = free_port()
+        with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
+            listening(port)
+            watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "10s", *SIZE, "--log-file", "watch.log")
+            watch.wait_for("frames per second")
+            time.sleep(3.5)
+            watch.child.send_signal(number)
+            said = watch.end(0, seconds=10)
+        check(figures(said)["pictures"] == 1, said)
+        t.expect_picture(size=(320, 200))
+        t.path("out.png").unlink()
+    # Before there is anything to be seen.
+    port = free_port()
+    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
+        listening(port)
+        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", *SIZE)
+        watch.wait_for("frames per second")
+        watch.child.send_signal(signal.SIGTERM)
+        check("0 pictures of 0 frames" in watch.end(0, seconds=10), watch.said())
+    t.expect_files("cam.ts", "stderr", "watch.log")
+
+
+def test_watch_while_nobody_sends_ends_too(t):
+    source(t)
+    port = free_port()
+    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
+        listening(port)
+        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "1s", *SIZE)
+        watch.wait_for("trying again")
+    watch.child.send_signal(signal.SIGTERM)
+    check(figures(watch.end(0, seconds=5))["pictures"] >= 1, watch.said())
+
+
+def test_watch_falls_behind_gracefully(t):
+    # Sent as fast as can be, at a size at which no machine keeps up.
+    source(t, seconds=20, size="1280x720")
+    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--field-size", "source", "--lag", "0.2", "--duration", "18s", "--reference",
+                   "first", real_time=False)
+    now = figures(said)
+    check(now["dropped"] > 20 and now["frames"] + now["dropped"] > 300, said)
+    check(now["longest"] < 8, said)
+
+
+def test_watch_a_page(t):
+    source(t)
+    said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s", "--title", "<b>Gate</b>", output="live.html")
+    page = t.path("live.html").read_text(encoding="utf-8")
+    check('http-equiv="refresh" content="1"' in page and "&lt;b&gt;Gate&lt;/b&gt;" in page and "<b>Gate" not in page, page[:2000])
+    check("'live.html': brick 1" in said and "data:image/png;base64," in page, said)
+
+
+def test_watch_refuses(t):
+    t.clip()
+    t.write("text.txt", "no video")
+    t.path("folder").mkdir()
+    for arguments, status, *texts in [
+        (("clip.avi",), 1, "no output: say where the picture goes with -o FILE"),
+        (("-o", "out.png"), 1, "no INPUT"),
+        (("clip.avi", "-o", "out.gif"), 1, "'out.gif': an animated file is written when it ends, and a stream does not"),
+        (("clip.avi", "-o", "out.png", "--start", "3s"), 1, "--start: a stream begins now"),
+        (("clip.avi", "-o", "out.png", "--end", "3s"), 1, "--end: --duration ends a stream"),
+        (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "--reference median: it takes the whole clip"),
+        (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "a stream is not recorded"),
+        (("clip.avi", "-o", "out.png", "--keyframes", "3"), 1, "--keyframes is for one picture"),
+        (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "--duration: '30x' is not a length of time like 90s"),
+        (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "--lag"),
+        (("missing.ts", "-o", "out.png"), 2, "cannot read 'missing.ts': No such file", "give a URL such as rtsp://camera/stream"),
+        (("tcp://127.0.0.1:1", "-o", "out.png"), 2, "cannot read 'tcp://127.0.0.1:1': Connection refused"),
+        (("folder", "-o", "out.png"), 1, "'folder' is a folder, not a stream"),
+        (("clip.avi", "-o", "none/out.png"), 2, "there is no folder 'none'"),
+        (("text.txt", "-o", "out.png"), 3, "'text.txt' is not a video"),
+        (("/dev/null", "-o", "out.png"), 3 if device_library() else 1, "/dev/null"),
+        (("clip.avi", "-o", "out.png", "--log-format", "xml"), 1, "--log-format: 'xml'"),
+        (("clip.avi", "-o", "out.png", "--log-file", "none/log"), 2, "cannot write the log 'none/log'"),
+    ]:
+        t.vvr("watch", *arguments).expect(status, *texts)
+    t.ffmpeg("-i", "clip.avi", "-t", "1", "short.avi")
+    t.vvr("watch", "short.avi", "-o", "out.png").expect(3, "'short.avi' ended before the first picture")
+    port = free_port()
+    with socket.socket() as mute:
+        mute.bind(("127.0.0.1", port))
+        mute.listen()
+        t.vvr("watch", f"tcp://127.0.0.1:{port}", "-o", "out.png", "--patience", "1").expect(2, "nothing came in time")
+    t.expect_files("clip.avi", "folder", "short.avi", "text.txt")
+
+
+def device_library():
+    return "libavdevice.so" in subprocess.run(["/sbin/ldconfig", "-p"], stdout=subprocess.PIPE, check=False).stdout.decode()
+
+
+def test_logs_for_machines(t):
+    t.clip()
+    t.render("clip.avi", "--log-file", "log.json", "--log-format", "json", "--quiet").expect(0)
+    lines = [json.loads(line) for line in t.path("log.json").read_text(encoding="utf-8").splitlines()]
+    check(lines and lines[-1]["level"] == "info" and "'out.png': 20 frames" in lines[-1]["message"], f"{lines}")
+    check(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z", lines[-1]["time"]), f"{lines}")
+    told = t.render("clip.avi", "--log-format", "json").expect(0)
+    check(json.loads(told.err)["level"] == "info", str(told))
+    t.render("missing.avi", "--log-file", "log.txt", "--quiet").expect(2)
+    t.render("clip.avi", "--log-file", "log.txt").expect(0, "vvr: 'out.png'")
+    text = t.path("log.txt").read_text(encoding="utf-8")
+    check(len(text.splitlines()) == 2 and "Z vvr: cannot read 'missing.avi'" in text, text)
+
+
+def test_logs_that_are_rotated(t):
+    source(t, seconds=8)
+    port = free_port()
+    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
+        listening(port)
+        watch = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "1s", *SIZE, "--log-file", "log", "--duration", "6s")
+        watch.wait_for("brick 0")
+        t.path("log").rename(t.path("log.1"))
+        watch.end()
+    check("brick 0" in t.path("log.1").read_text(encoding="utf-8"), "nothing in the old log")
+    check("pictures of" in t.path("log").read_text(encoding="utf-8"), "nothing in the new log")
+
+
+@pytest.mark.slow
+def test_watch_latency(t):
+    """Half a second from the last frame of a brick to its picture, at the picture's usual size."""
+    source(t, seconds=40)
+    port = free_port()
+    with Server(t, f"tcp://127.0.0.1:{port}?listen=1"):
+        listening(port)
+        said = Watch(t, f"tcp://127.0.0.1:{port}", "-o", "out.png", "--brick", "2s", "--duration", "36s").end()
+    now = figures(said)
+    print(now)
+    check(now["median"] < 0.5 and now["dropped"] == 0 and now["pictures"] >= 16, said)
+
+
+def memory_of(t, minutes):
+    """Peak bytes of watching so much of a stream that comes as fast as it is taken."""
+    feed = subprocess.Popen(["ffmpeg", "-v", "error", "-stream_loop", "-1", "-i", "cam.ts", "-c", "copy", "-t", str(60 * minutes), "-f", "mpegts", "-"],
+                            cwd=t.folder, stdout=subprocess.PIPE)
+    child = subprocess.Popen([t.vvr_path, "watch", "-", "-o", "out.png", "--brick", "20s", "--window", "2", *SIZE, "--quiet",
+                              "--reference", "first"], cwd=t.folder, stdin=feed.stdout)
+    feed.stdout.close()
+    _, status, usage = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    feed.wait()
+    check(child.returncode == 0, f"status {child.returncode}")
+    return usage.ru_maxrss * 1024
+
+
+@pytest.mark.slow
+def test_watch_takes_the_memory_of_its_window(t):
+    source(t, seconds=30)
+    short, long = memory_of(t, 2), memory_of(t, 20)
+    print(f"{short / 1e6:.1f} MB for 2 minutes, {long / 1e6:.1f} MB for 20")
+    check(long < 1.05 * short, f"{short / 1e6:.1f} and {long / 1e6:.1f} MB")

@@ -1,0 +1,153 @@
+"""Checks who includes whom: includes.py [ROOT] prints what breaks the rules.
+
+- A file includes only headers of its own library and of those that this library links, directly or through others.
+- Libraries link only what comes before them: the rooms of core in the order of core/CMakeLists.txt (docs/design.md
+  lists them in that order too), then gl, then cli/render, then the rest of cli.
+- Folders do not include each other in a cycle.
+- core, gl and cli/render use neither the library for the command line nor the one for logs.
+"""
+
+import collections
+import itertools
+import pathlib
+import re
+import sys
+
+FLOORS = ("core", "gl", "cli")
+PROCESS_HEADERS = ("CLI/", "spdlog/")
+NO_PROCESS = ("core", "gl", "cli/render")
+
+
+def commands(file):
+    """The commands of a CMake file as pairs of a name and its arguments."""
+    text = re.sub(r"#.*", "", file.read_text(encoding="utf-8"))
+    return [(name, arguments.split()) for name, arguments in re.findall(r"(\w+)\(([^()]*)\)", text)]
+
+
+class House:
+    """The libraries that the CMake files declare, and the includes of their sources."""
+
+    def __init__(self, root):
+        self.root = pathlib.Path(root)
+        self.library_of = {}  # by folder
+        self.home = {}  # the folder of a library's first source
+        self.links = collections.defaultdict(set)
+        self.program_of = {}  # by source of an executable; nothing includes it, so no cycle goes through it
+        for floor in FLOORS:
+            for file in sorted((self.root / floor).rglob("CMakeLists.txt")):
+                self._read(file)
+        rooms = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
+        self.rooms = [f"core/{room}" for room in itertools.chain(*rooms)]
+        self.order = ["core", *self.rooms, "gl", "cli/render", "cli"]
+        self.includes = list(self._includes())
+
+    def _read(self, file):
+        for name, arguments in commands(file):
+            if name == "vvr_room":
+                rooms = itertools.takewhile(lambda word: word != "LIBRARIES", self._after(arguments, "ROOMS"))
+                self._declare(file.parent, f"vvr_{arguments[0]}", arguments, [f"vvr_{room}" for room in rooms])
+            elif name in ("add_library", "target_sources", "target_link_libraries", "add_executable"):
+                links = [word for word in arguments[1:] if word.startswith("vvr_")]
+                self._declare(file.parent, arguments[0], arguments, links, name == "add_executable")
+
+    @staticmethod
+    def _after(words, key):
+        return words[words.index(key) + 1:] if key in words else []
+
+    def _declare(self, folder, target, words, links, program=False):
+        self.links[target].update(links)
+        for word in words:
+            if word.endswith(".cpp") and "$" not in word:
+                source = (folder / word).relative_to(self.root)
+                if program:
+                    self.program_of[source] = target
+                else:
+                    self.home.setdefault(target, str(source.parent))
+                    self.library_of.setdefault(str(source.parent), target)
+
+    def _includes(self):
+        """File, line number, the name in the include, and the folder of one of our headers (else None)."""
+        for floor in FLOORS:
+            for file in sorted((self.root / floor).rglob("*")):
+                if file.suffix not in (".h", ".cpp"):
+                    continue
+                for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                    if found := re.match(r'#\s*include\s+(["<])([^">]+)', line):
+                        header = pathlib.Path(found[2])
+                        ours = found[1] == '"' and len(header.parts) > 1
+                        yield file.relative_to(self.root), number, found[2], str(header.parent) if ours else None
+
+    def reach(self, target):
+        """The target and all that it links, directly or through others."""
+        found, left = set(), [target]
+        while left:
+            each = left.pop()
+            if each not in found:
+                found.add(each)
+                left += self.links[each]
+        return found
+
+    def rank(self, folder):
+        """The place of the room that a folder belongs to, from below."""
+        return max((i for i, room in enumerate(self.order) if pathlib.Path(folder).is_relative_to(room)),
+                   key=lambda i: len(self.order[i]))
+
+
+def wrong_includes(house):
+    for file, number, header, folder in house.includes:
+        place = f"{file}:{number}: includes {header}"
+        if folder is None:
+            if header.startswith(PROCESS_HEADERS) and any(file.is_relative_to(room) for room in NO_PROCESS):
+                yield f"{place}, which only the rest of cli may use"
+            continue
+        mine, other = house.program_of.get(file, house.library_of.get(str(file.parent))), house.library_of.get(folder)
+        if mine is None or other is None:
+            yield f"{place}: no library has sources in {file.parent if mine is None else folder}"
+        elif other not in house.reach(mine):
+            yield f"{place} of {other}, which {mine} doesn't link"
+
+
+def wrong_links(house):
+    for library, home in sorted(house.home.items()):
+        for other in sorted(house.links[library]):
+            if other in house.home and house.rank(house.home[other]) > house.rank(home):
+                yield f"{library} in {home} links {other} in {house.home[other]}, which comes after it"
+
+
+def cycles(house):
+    """For each folder of a cycle the shortest way back to it, once for each set of folders."""
+    edges = collections.defaultdict(dict)
+    for file, number, _, folder in house.includes:
+        if folder not in (None, str(file.parent)) and file not in house.program_of:
+            edges[str(file.parent)].setdefault(folder, f"{file}:{number}")
+    found = {}
+    for begin in sorted(edges):
+        ways, known = collections.deque([[begin]]), set()
+        while ways:
+            way = ways.popleft()
+            for folder in edges[way[-1]]:
+                if folder == begin:
+                    found.setdefault(frozenset(way), [*way, begin])
+                elif folder not in known:
+                    known.add(folder)
+                    ways.append([*way, folder])
+    for way in found.values():
+        yield f"cycle {' -> '.join(way)}: {', '.join(edges[one][other] for one, other in itertools.pairwise(way))}"
+
+
+def wrong_docs(house):
+    """docs/design.md lists the rooms of core in another order, or other rooms."""
+    text = (house.root / "docs/design.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^\| `(core/\w+)/` \|", text, flags=re.MULTILINE)
+    if listed != house.rooms:
+        yield f"docs/design.md lists {listed}, core/CMakeLists.txt {house.rooms}"
+
+
+def complaints(root):
+    house = House(root)
+    return [text for rule in (wrong_includes, wrong_links, cycles, wrong_docs) for text in rule(house)]
+
+
+if __name__ == "__main__":
+    said = complaints(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+    sys.exit("\n".join(said) if said else 0)

@@ -1,0 +1,63 @@
+"""The sources obey the rules of includes.py, and a file that breaks one is found."""
+
+import pathlib
+
+import pytest
+from includes import complaints
+
+HOUSE = {
+    "docs/design.md": "| `core/video/` | frames |\n| `core/fields/` | fields |\n",
+    "core/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\nforeach(room video fields)\nendforeach()\n",
+    "core/version.cpp": "#include <string>\n",
+    "core/video/CMakeLists.txt": "vvr_room(video frame.cpp ROOMS base LIBRARIES fmt::fmt)\n",
+    "core/video/frame.cpp": '#include "core/version.h"\n',
+    "core/fields/CMakeLists.txt": "vvr_room(fields flow.cpp ROOMS video)\n",
+    "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/version.h"\n',
+    "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
+    "gl/context.cpp": '#include "shaders.h"\n',
+    "cli/CMakeLists.txt": """add_library(vvr_render STATIC render/job.cpp)
+target_link_libraries(vvr_render PUBLIC vvr_gl vvr_fields)
+add_library(vvr_cli STATIC log.cpp commands/render.cpp)
+target_link_libraries(vvr_cli PUBLIC vvr_render CLI11::CLI11)
+add_executable(vvr main.cpp)
+target_link_libraries(vvr PRIVATE vvr_cli)
+""",
+    "cli/render/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
+    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/render/job.h"\n',
+    "cli/main.cpp": '#include "cli/commands/render.h"\n',
+    "cli/log.cpp": "#include <spdlog/spdlog.h>\n",
+}
+
+
+def house(folder, **changed):
+    for name, text in (HOUSE | changed).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+def test_the_sources_obey():
+    said = complaints(pathlib.Path(__file__).parents[2])
+    assert not said, "\n" + "\n".join(said)
+
+
+def test_a_house_in_order_passes(tmp_path):
+    assert complaints(house(tmp_path)) == []
+
+
+@pytest.mark.parametrize("name, text, complaint", [
+    ("core/video/late.cpp", '#include "core/fields/flow.h"\n', "core/video/late.cpp:1: includes core/fields/flow.h of vvr_fields, which vvr_video"),
+    ("core/fields/late.cpp", '#include "gl/context.h"\n', "includes gl/context.h of vvr_gl, which vvr_fields doesn't link"),
+    ("gl/late.cpp", '#include "core/fields/flow.h"\n', "of vvr_fields, which vvr_gl doesn't link"),
+    ("gl/late.cpp", '\n#include "cli/log.h"\n', "gl/late.cpp:2: includes cli/log.h of vvr_cli"),
+    ("cli/render/late.h", "#include <CLI/CLI.hpp>\n", "cli/render/late.h:1: includes CLI/CLI.hpp, which only the rest of cli"),
+    ("cli/render/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
+    ("cli/render/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_render doesn't link"),
+    ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
+    ("cli/late.h", '#include "page/late.h"\n', "no library has sources in page"),
+    ("core/video/CMakeLists.txt", "vvr_room(video frame.cpp ROOMS base gl)\n", "vvr_video in core/video links vvr_gl in gl, which comes after it"),
+    ("docs/design.md", "| `core/fields/` | |\n| `core/video/` | |\n", "docs/design.md lists ['core/fields', 'core/video']"),
+])
+def test_what_breaks_a_rule_is_found(tmp_path, name, text, complaint):
+    said = complaints(house(tmp_path, **{name: text}))
+    assert any(complaint in each for each in said), said

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/space/layout.h"
+
+namespace vvr::test {
+
+/// The names of all layouts.
+inline std::vector<std::string> layout_names() {
+    std::vector<std::string> names;
+    for (const LayoutRow& row : layouts()) names.push_back(row.name);
+    return names;
+}
+
+}  // namespace vvr::test

@@ -1,0 +1,457 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/archive/claim.h"
+#include "core/archive/clip_names.h"
+#include "core/archive/index.h"
+#include "core/archive/names.h"
+#include "core/archive/plain_name.h"
+#include "core/archive/prune.h"
+#include "core/archive/scan.h"
+#include "core/archive/shard.h"
+#include "core/archive/sidecar.h"
+#include "core/archive/verdict.h"
+#include "core/error.h"
+#include "core/fnv.h"
+#include "core/image/atomic_file.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class Archive : public ::testing::Test {
+  protected:
+    Archive() : top_(fs::temp_directory_path() / ("vvr-archive-" + std::to_string(::getpid()))) {
+        fs::remove_all(top_);
+        fs::create_directories(in());
+        fs::create_directories(out());
+    }
+    ~Archive() override { fs::remove_all(top_); }
+
+    fs::path in() const { return top_ / "in"; }
+    fs::path out() const { return top_ / "out"; }
+
+    static void write(const fs::path& path, const std::string& text = "x") {
+        fs::create_directories(path.parent_path());
+        std::ofstream(path) << text;
+    }
+
+    /// The file of a claim to `name`, as one who was killed leaves it, with any text in it.
+    fs::path leave_claim(const std::string& name, const std::string& text) const {
+        char file[64];
+        std::snprintf(file, sizeof file, ".vvr-%016lx.lock", static_cast<unsigned long>(fnv1a(name)));
+        write(out() / file, text);
+        return out() / file;
+    }
+
+    std::vector<std::string> found(const ClipNames& names = ClipNames()) const {
+        std::vector<std::string> paths;
+        for (const Clip& clip : scan_archive(in(), out(), names).clips) paths.push_back(clip.path);
+        return paths;
+    }
+
+    Sidecar done(const std::string& clip, const std::vector<OutputKind>& files = {OutputKind::picture}) const {
+        Sidecar sidecar;
+        sidecar.clip = {clip, 3, 1'000'000'000};
+        sidecar.settings = "s";
+        sidecar.version = "1.2.3";
+        sidecar.files = files;
+        for (const OutputKind kind : files) write(output_path(out(), clip, kind));
+        fs::create_directories(sidecar_path(out(), clip).parent_path());
+        write_sidecar(out(), sidecar);
+        return sidecar;
+    }
+
+  private:
+    fs::path top_;
+};
+
+TEST(ArchiveNames, AreTextAndBackWhateverTheirBytes) {
+    EXPECT_EQ(text_of_path("cam1/Büro 2.avi"), "cam1/Büro 2.avi");
+    EXPECT_EQ(text_of_path("a\xFF\n%.avi"), "a%FF%0A%25.avi");
+    // Longer than needed, half of a pair, beyond Unicode, cut off.
+    for (const std::string bad : {"\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xF0\x9F\x98"}) {
+        EXPECT_EQ(text_of_path(bad).find_first_not_of("%0123456789ABCDEF"), std::string::npos) << bad;
+    }
+    std::string all;
+    for (int byte = 1; byte < 256; ++byte) all += static_cast<char>(byte);
+    for (const std::string& path : {all, std::string("%41"), std::string("€😀\xE2")}) {
+        EXPECT_EQ(path_of_text(text_of_path(path)), path);
+        EXPECT_NO_THROW(nlohmann::json(text_of_path(path)).dump());
+    }
+}
+
+TEST(ArchiveNames, ArePlainOrNotTaken) {
+    for (const std::string& name : {std::string("a"), std::string("..."), std::string(".a"), std::string("a\n\xFF"),
+                                    std::string(longest_name, 'n')}) {
+        EXPECT_TRUE(is_plain_name(name)) << name;
+        EXPECT_TRUE(is_plain_path("cam/" + name)) << name;
+    }
+    for (const std::string& name : {std::string(), std::string("."), std::string(".."), std::string("a\0", 2),
+                                    std::string(longest_name + 1, 'n')}) {
+        EXPECT_FALSE(is_plain_name(name)) << name;
+        for (const std::string& path : {name, name + "/x", "x/" + name, "x/" + name + "/x"}) {
+            EXPECT_FALSE(is_plain_path(path)) << path;
+        }
+    }
+    for (const char* path : {"/x", "../x", "x/../../y", "x/", "/"}) {
+        EXPECT_FALSE(is_plain_name(path)) << path;
+        EXPECT_FALSE(is_plain_path(path)) << path;
+    }
+}
+
+TEST(ArchiveNames, KnowTheCamera) {
+    EXPECT_EQ(camera_of("x.avi"), "");
+    EXPECT_EQ(camera_of("cam1/x.avi"), "cam1");
+    EXPECT_EQ(camera_of("house/gate/x.avi"), "house/gate");
+    for (const char* date : {"2026", "2026-11", "20261121", "2026_11_21", "2026/11/21", "1999.12.31/morning"}) {
+        EXPECT_EQ(camera_of("house/gate/" + std::string(date) + "/x.avi"), "house/gate") << date;
+    }
+    for (const char* name : {"101", "20", "2026x", "20261", "2026 old"}) {
+        EXPECT_EQ(camera_of(std::string(name) + "/x.avi"), name);
+    }
+    EXPECT_EQ(camera_of("2026-11-21/x.avi"), "");
+}
+
+TEST(ArchiveNames, TellClips) {
+    EXPECT_TRUE(std::ranges::is_sorted(video_endings()));
+    const ClipNames videos;
+    for (const char* name : {"a.avi", "cam/b.MP4", "c.d.mkv", "e.ts"}) EXPECT_TRUE(videos.matches(name)) << name;
+    for (const char* name : {"a.avi.png", "avi", ".avi", "cam.avi/b", "c.txt", "d.jpg", "e"}) {
+        EXPECT_FALSE(videos.matches(name)) << name;
+    }
+    const ClipNames some({"*.dat", "cam?/*.avi"});
+    EXPECT_TRUE(some.matches("deep/down/x.dat"));
+    EXPECT_TRUE(some.matches("cam1/x.avi"));
+    EXPECT_FALSE(some.matches("cam1/deep/x.avi"));
+    EXPECT_FALSE(some.matches("x.avi"));
+}
+
+TEST(ArchiveShards, ShareOutEveryClipOnce) {
+    // As published by those who made it.
+    EXPECT_EQ(fnv1a(""), 0xcbf29ce484222325);
+    EXPECT_EQ(fnv1a("a"), 0xaf63dc4c8601ec8c);
+    EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8);
+    std::vector<int> clips(7);
+    for (int k = 0; k < 7000; ++k) {
+        int holders = 0;
+        for (std::uint64_t shard = 0; shard < 7; ++shard) {
+            if (!Shard{shard, 7}.holds("cam/" + std::to_string(k) + ".avi")) continue;
+            ++holders;
+            ++clips[shard];
+        }
+        EXPECT_EQ(holders, 1);
+    }
+    for (const int count : clips) EXPECT_NEAR(count, 1000, 120);
+}
+
+TEST_F(Archive, FindsClipsInFolders) {
+    for (const char* name :
+         {"a.avi", "cam/b.mp4", "cam/2026-11-21/c.mkv", "notes.txt", ".hidden.avi", ".trash/d.avi"}) {
+        write(in() / name);
+    }
+    EXPECT_EQ(found(), (std::vector<std::string>{"a.avi", "cam/2026-11-21/c.mkv", "cam/b.mp4"}));
+    EXPECT_EQ(found(ClipNames({"*.txt"})), (std::vector<std::string>{"notes.txt"}));
+    const Clip clip = scan_archive(in(), out(), ClipNames()).clips.front();
+    EXPECT_EQ(clip.size, 1);
+    EXPECT_EQ(look_at_clip(in(), "a.avi")->modified, clip.modified);
+    EXPECT_FALSE(look_at_clip(in(), "z.avi"));
+}
+
+TEST_F(Archive, FollowsEachFolderOnce) {
+    write(in() / "cam/a.avi");
+    write(in().parent_path() / "elsewhere/b.avi");
+    fs::create_directory_symlink("..", in() / "cam/up");
+    fs::create_directory_symlink("cam", in() / "a link that comes first");
+    fs::create_directory_symlink("../elsewhere", in() / "away");
+    fs::create_directory_symlink("../elsewhere", in() / "away again");
+    fs::create_symlink("turn.avi", in() / "round.avi");
+    fs::create_symlink("round.avi", in() / "turn.avi");
+    fs::create_symlink("cam/a.avi", in() / "one.avi");
+    EXPECT_EQ(found(), (std::vector<std::string>{"away/b.avi", "cam/a.avi", "one.avi"}));
+    const Scan scan = scan_archive(in(), out(), ClipNames());
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[0].path, "round.avi");
+}
+
+TEST_F(Archive, NeverTakesItsOwnPicturesForClips) {
+    const fs::path pictures = in() / "pictures";
+    write(pictures / "cam/a.avi");
+    write(in() / "b.avi");
+    EXPECT_EQ(scan_archive(in(), pictures, ClipNames({"*"})).clips.size(), 1);
+    EXPECT_THROW(scan_archive(in(), in(), ClipNames()), Error);
+    EXPECT_THROW(scan_archive(in() / "none", out(), ClipNames()), Error);
+    EXPECT_THROW(scan_archive(in() / "b.avi", out(), ClipNames()), Error);
+}
+
+TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
+    for (const char* name : {"index", "a", "a.report", "b.avi", "b.mp4", "c", "c.png/d"}) write(in() / name);
+    const Scan scan = scan_archive(in(), out(), ClipNames({"*"}));
+    std::set<std::string> refused;
+    for (const ScanProblem& problem : scan.problems) refused.insert(problem.path);
+    EXPECT_EQ(refused, (std::set<std::string>{"index", "a.report", "c"}));
+    EXPECT_EQ(scan.clips.size(), 4);
+}
+
+TEST_F(Archive, RefusesNamesThatAreTooLong) {
+    const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
+    for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
+    const Scan scan = scan_archive(in(), out(), ClipNames());
+    EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
+    EXPECT_EQ(scan.problems[1].reason, "its '" + long_one +
+                                           ".report.json' would be too long a name (256 bytes, 255 are "
+                                           "possible); rename the clip");
+}
+
+TEST_F(Archive, ReadsWhatItWroteOfAClip) {
+    Sidecar sidecar = done("cam/\xFF.avi", {OutputKind::picture, OutputKind::report});
+    sidecar.events = 3;
+    sidecar.recorded = "2026-11-21 08:00:07";
+    sidecar.seconds = 12.5;
+    write_sidecar(out(), sidecar);
+    const auto read = read_sidecar(out(), sidecar.clip.path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(format_sidecar(*read), format_sidecar(sidecar));
+    EXPECT_EQ(read->clip.path, "cam/\xFF.avi");
+    EXPECT_EQ(read->files, sidecar.files);
+
+    sidecar.state = Sidecar::State::failed;
+    sidecar.reason = "no \"video\" \xFF";
+    sidecar.tries = 2;
+    write_sidecar(out(), sidecar);
+    EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->tries, 2);
+    EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->state, Sidecar::State::failed);
+}
+
+TEST_F(Archive, TakesNothingElseForASidecar) {
+    const std::string text = format_sidecar(done("a.avi"));
+    write(out() / "b.avi.json", text);  // a copy speaks of another clip
+    for (const char* other : {"", "{", "[]", "{\"vvr-archive\": 1}", "{\"clip\": 3}", "null"}) {
+        EXPECT_FALSE(read_sidecar(out(), "b.avi"));
+        write(out() / "b.avi.json", other);
+    }
+    std::string newer = text;
+    newer.replace(newer.find("\"vvr-archive\": 1"), 16, "\"vvr-archive\": 2");
+    write(out() / "a.avi.json", newer);
+    EXPECT_FALSE(read_sidecar(out(), "a.avi"));
+    std::string strange = text;
+    strange.replace(strange.find("\"a.avi.png\""), 11, "\"../../x\"");
+    write(out() / "a.avi.json", strange);
+    EXPECT_TRUE(read_sidecar(out(), "a.avi")->files.empty()) << "names a file that is not its own";
+}
+
+TEST_F(Archive, DecidesWhatIsToBeDone) {
+    const auto now = std::chrono::system_clock::now();
+    const ArchiveRules rules{"s", "1.2.3", {OutputKind::picture}, 3, 60s};
+    Sidecar sidecar = done("a.avi");
+    const Clip clip = sidecar.clip;
+    const auto need = [&](const Clip& there, const std::optional<Sidecar>& known) {
+        return need_of(there, known, out(), rules, now);
+    };
+    EXPECT_EQ(need(clip, sidecar), Need::nothing);
+    EXPECT_EQ(need(clip, {}), Need::added);
+    EXPECT_EQ(need({"a.avi", 4, clip.modified}, sidecar), Need::changed);
+    EXPECT_EQ(need({"a.avi", 3, clip.modified + 1}, sidecar), Need::changed);
+    Sidecar other = sidecar;
+    other.settings = "t";
+    EXPECT_EQ(need(clip, other), Need::settings);
+    other = sidecar;
+    other.version = "1.0.0";
+    EXPECT_EQ(need(clip, other), Need::nothing) << "a picture that is there stays, whatever drew it";
+    fs::remove(output_path(out(), "a.avi", OutputKind::picture));
+    EXPECT_EQ(need(clip, sidecar), Need::missing);
+
+    sidecar.state = Sidecar::State::failed;
+    sidecar.tries = 2;
+    EXPECT_EQ(need(clip, sidecar), Need::retry);
+    sidecar.tries = 3;
+    EXPECT_EQ(need(clip, sidecar), Need::given_up);
+    sidecar.version = "1.0.0";
+    EXPECT_EQ(need(clip, sidecar), Need::retry) << "another version may know better";
+
+    const auto modified = [&](std::chrono::nanoseconds ago) {
+        return Clip{"a.avi", 3, (now.time_since_epoch() - ago).count()};
+    };
+    EXPECT_EQ(need(modified(1s), {}), Need::still_written);
+    EXPECT_EQ(need(modified(59s), sidecar), Need::still_written);
+    EXPECT_EQ(need(modified(61s), {}), Need::added);
+    EXPECT_EQ(need(modified(-30s), {}), Need::still_written);
+    EXPECT_EQ(need(modified(-24h), {}), Need::added) << "a clock that runs ahead";
+}
+
+TEST_F(Archive, IsClaimedByOneAtATime) {
+    auto first = Claim::try_take(out(), "a.avi");
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(first->was_left_behind());
+    EXPECT_FALSE(Claim::try_take(out(), "a.avi"));
+    EXPECT_TRUE(Claim::try_take(out(), "b.avi"));
+    const fs::path file = fs::directory_iterator(out())->path();
+    EXPECT_TRUE(Claim::is_claim(file));
+    EXPECT_FALSE(Claim::take_over(file));
+    first.reset();
+    EXPECT_TRUE(fs::is_empty(out())) << "a claim leaves no file";
+    EXPECT_TRUE(Claim::try_take(out(), std::string(255, 'a')));
+    EXPECT_THROW(Claim::try_take(out() / "none", "a"), Error);
+}
+
+TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto claim = Claim::try_take(out(), "a.avi");
+        ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+    write(out() / "a.avi.png");
+    write(out() / "other.png");
+    {
+        const auto claim = Claim::try_take(out(), "a.avi");
+        ASSERT_TRUE(claim);
+        EXPECT_TRUE(claim->was_left_behind());
+        tidy(out(), list_outputs(out(), in()));
+        EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
+    }
+    const pid_t other = ::fork();
+    if (other == 0) {
+        const auto claim = Claim::try_take(out(), "a.avi");
+        ::_exit(claim ? 0 : 1);
+    }
+    ASSERT_EQ(::waitpid(other, &status, 0), other);
+    tidy(out(), list_outputs(out(), in()));
+    EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
+    EXPECT_TRUE(fs::exists(out() / "other.png"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+}
+
+TEST_F(Archive, TakesOverNoClaimThatIsNone) {
+    write(out() / "victim/photo.png");
+    write(out() / "photo.png");
+    std::vector<fs::path> files;
+    for (const std::string& name : {std::string("victim/photo"), std::string("../out/victim/photo"), std::string("."),
+                                    (out() / "victim/photo").string(), std::string(".."), std::string(),
+                                    std::string("photo\0", 6), std::string(longest_name + 1, 'n')}) {
+        files.push_back(leave_claim(name, name));
+    }
+    files.push_back(leave_claim("another name", "photo"));
+    write(out() / "elsewhere", "photo");
+    files.push_back(leave_claim("photo", ""));
+    fs::remove(files.back());
+    fs::create_symlink("elsewhere", files.back());
+    files.push_back(leave_claim("pipe", ""));
+    fs::remove(files.back());
+    ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
+    for (const fs::path& file : files) {
+        EXPECT_TRUE(Claim::is_claim(file));
+        EXPECT_FALSE(Claim::take_over(file)) << file;
+        EXPECT_TRUE(fs::exists(file)) << file;
+    }
+    tidy(out(), list_outputs(out(), in()));
+    EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
+    EXPECT_TRUE(fs::exists(out() / "photo.png"));
+    EXPECT_TRUE(Claim::take_over(leave_claim("good", "good")));
+}
+
+TEST_F(Archive, ClaimsThroughNoLink) {
+    const fs::path file = leave_claim("a.avi", "");
+    for (const char* target : {"nowhere", "empty"}) {
+        write(out() / "empty", "");
+        fs::remove(file);
+        fs::create_symlink(target, file);
+        EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+        EXPECT_FALSE(fs::exists(out() / "nowhere"));
+        EXPECT_TRUE(fs::is_empty(out() / "empty"));
+        EXPECT_TRUE(fs::is_symlink(file));
+    }
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
+    done("x.report");
+    leave_claim("x", "x");
+    leave_claim("index", "index");
+    write(out() / "index.html");
+    write(out() / "x.png");
+    fs::create_symlink("index.html", out() / "x.html");
+    fs::create_directory(out() / "x.jpg");
+    tidy(out(), list_outputs(out(), in()));
+    EXPECT_FALSE(fs::exists(out() / "x.png"));
+    EXPECT_TRUE(fs::is_symlink(out() / "x.html"));
+    EXPECT_TRUE(fs::exists(out() / "x.jpg"));
+    EXPECT_TRUE(fs::exists(out() / "index.html"));
+    EXPECT_TRUE(read_sidecar(out(), "x.report")) << "where the report of x would be";
+    EXPECT_TRUE(list_outputs(out(), in()).claims.empty());
+}
+
+TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
+    const auto hidden = [&](const std::string& name) {
+        char text[64];
+        std::snprintf(text, sizeof text, ".vvr-%016lx-1-0.part", static_cast<unsigned long>(fnv1a(name)));
+        write(out() / text);
+        return out() / text;
+    };
+    const fs::path ours = hidden("a.avi.png"), theirs = hidden("b.avi.png");
+    const std::vector<std::string> names = written_names("a.avi");
+    remove_leftovers(out(), names);
+    EXPECT_FALSE(fs::exists(ours));
+    EXPECT_TRUE(fs::exists(theirs));
+}
+
+TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
+    write(in() / "there.avi");
+    fs::create_directories(in() / "unmounted");
+    write(in() / "shut/x.avi");
+    std::vector<Sidecar> sidecars;
+    for (const char* clip : {"there.avi", "gone.avi", "unmounted/a.avi", "no folder/b.avi"})
+        sidecars.push_back(done(clip));
+    const Gone gone = find_gone(in(), sidecars, 1);
+    ASSERT_EQ(gone.sidecars.size(), 2);
+    EXPECT_EQ(gone.sidecars[0].clip.path, "gone.avi");
+    EXPECT_EQ(gone.sidecars[1].clip.path, "no folder/b.avi");
+    EXPECT_EQ(gone.empty_folders, (std::vector<std::string>{"unmounted"}));
+    EXPECT_THROW(find_gone(in(), sidecars, 0), Error);
+    EXPECT_NO_THROW(find_gone(in(), {}, 0));
+
+    write(out() / "gone.avi.txt");
+    remove_outputs(out(), gone.sidecars[0]);
+    EXPECT_FALSE(fs::exists(out() / "gone.avi.png"));
+    EXPECT_FALSE(fs::exists(out() / "gone.avi.json"));
+    EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
+}
+
+TEST_F(Archive, IsIndexedByItsSidecars) {
+    Sidecar sidecar = done("cam/a</script>\"\xFF.avi");
+    sidecar.recorded = "2026-11-21 08:00:07";
+    sidecar.seconds = 12.5;
+    EXPECT_EQ(begin_of(sidecar), 1795248007);
+    sidecar.recorded = "soon";
+    EXPECT_EQ(begin_of(sidecar), 1 - 13);
+    Sidecar failed = done("b.avi", {});
+    failed.state = Sidecar::State::failed;
+    failed.reason = "<img src=x onerror=alert(1)>";
+    const std::string text = make_index({failed, sidecar});
+    EXPECT_EQ(text, make_index({failed, sidecar}));
+    EXPECT_EQ(text.find("<img src=x"), std::string::npos);
+    EXPECT_NE(text.find("./cam/a%3C/script%3E%22%FF.avi"), std::string::npos);
+    EXPECT_NE(text.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
+    EXPECT_NO_THROW(make_index({}));
+}
+
+}  // namespace
+}  // namespace vvr

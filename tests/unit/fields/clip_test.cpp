@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/fields/pipeline.h"
+#include "tests/unit/fields/pictures.h"
+
+namespace vvr {
+namespace {
+
+/// A folder of numbered pictures, gone at the end: a dark scene through which a bright square walks.
+class Clip : public testing::Test {
+  protected:
+    static constexpr Size size{64, 48};
+    static constexpr int count = 12;
+
+    void SetUp() override {
+        std::string pattern = (std::filesystem::temp_directory_path() / "vvr-clip-XXXXXX").string();
+        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        std::filesystem::create_directory(folder_ / "clip");
+        for (int f = 0; f < count; ++f) write(fmt_name(f), [&](int i, int j) { return walker(f, i, j) ? 200 : 50; });
+        write("empty.pgm", [](int, int) { return 50; });
+        write("full.pgm", [](int, int) { return 200; });
+    }
+
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    static bool walker(int frame, int i, int j) { return i >= 5 * frame && i < 5 * frame + 8 && j >= 16 && j < 32; }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    FieldSummary run(const FieldOptions& options, const FieldSink& sink) const {
+        return compute_fields(*open_source(path("clip")), options, sink);
+    }
+
+  private:
+    static std::string fmt_name(int frame) { return "clip/" + std::to_string(1000 + frame) + ".pgm"; }
+
+    template <class Function>
+    void write(const std::string& name, Function value) const {
+        const Plane<std::uint8_t> plane = test::grey_plane(size, value);
+        std::ofstream file(folder_ / name, std::ios::binary);
+        file << "P5\n" << size.width << " " << size.height << "\n255\n";
+        file.write(reinterpret_cast<const char*>(plane.pixels().data()), std::ssize(plane.pixels()));
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
+    const FieldSummary summary = run({.threads = 2}, [&](const SharedFrame& frame, Field&& field) {
+        const auto f = static_cast<int>(frame->index);
+        EXPECT_NE(field.scalar.at(5 * f + 2, 24), 0) << "the walker in frame " << f;
+        EXPECT_EQ(field.scalar.at((5 * f + 30) % 64, 24), 0) << "where it isn't in frame " << f;
+    });
+    EXPECT_EQ(summary.frames, count);
+    EXPECT_EQ(summary.damaged, 0);
+    for (const int p : summary.reference.grey.pixels()) ASSERT_NEAR(p, 50, 1);
+}
+
+TEST_F(Clip, ReferenceFromAPicture) {
+    std::int64_t lit = 0;
+    FieldOptions options{.reference = path("full.pgm"), .illumination = "none", .threads = 2};
+    run(options, [&](const SharedFrame&, Field&& field) { lit += field.scalar.at(63, 2) > 0; });
+    EXPECT_EQ(lit, count);
+    options.reference = path("empty.pgm");
+    run(options, [&](const SharedFrame&, Field&& field) { lit -= field.scalar.at(63, 2) == 0; });
+    EXPECT_EQ(lit, 0);
+}
+
+TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
+    for (const char* const filter : {"difference", "temporal", "bands"}) {
+        for (const char* const solver : {"pyramid", "multigrid", "jacobi"}) {
+            FieldOptions options{.filter = filter, .threads = 2};
+            options.flow.solver = solver;
+            options.seeds.grid = 4;
+            std::vector<Field> whole, parts;
+            run(options, [&](const SharedFrame&, Field&& field) { whole.push_back(std::move(field)); });
+            const double seconds = count / 25.0;
+            for (int k = 0; k < 4; ++k) {
+                options.span.start = k * seconds / 4;
+                options.span.end = (k + 1) * seconds / 4;
+                const FieldSummary summary =
+                    run(options, [&](const SharedFrame&, Field&& field) { parts.push_back(std::move(field)); });
+                EXPECT_EQ(summary.frames, count / 4);
+            }
+            ASSERT_EQ(parts.size(), whole.size());
+            for (std::size_t f = 0; f < whole.size(); ++f) {
+                ASSERT_EQ(parts[f].index, whole[f].index);
+                ASSERT_TRUE(std::ranges::equal(parts[f].scalar.pixels(), whole[f].scalar.pixels())) << filter << f;
+                ASSERT_TRUE(std::ranges::equal(parts[f].flow.u.pixels(), whole[f].flow.u.pixels())) << solver << f;
+                ASSERT_EQ(parts[f].seeds, whole[f].seeds) << solver << f;
+            }
+            EXPECT_FALSE(whole[5].seeds.empty());
+        }
+    }
+}
+
+TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
+    const auto still = [&](const char* area) {
+        FieldOptions options{.threads = 2};
+        options.flow.area = area;
+        std::int64_t zeros = 0;
+        run(options,
+            [&](const SharedFrame&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
+        return zeros;
+    };
+    EXPECT_EQ(still("auto"), still("all"));
+    EXPECT_GT(still("moving"), 2 * still("all"));
+}
+
+TEST_F(Clip, APartWithoutFramesIsAnError) {
+    FieldOptions options;
+    options.span.start = 100;
+    try {
+        run(options, [](const SharedFrame&, Field&&) {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(error.what()).find("has no frame from 100 s to its end: it has"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(Clip, WhatIsMaskedIsNotLookedAt) {
+    FieldOptions options{.mask = "0,0 64,0 64,24 0,24", .threads = 2};
+    run(options, [&](const SharedFrame&, Field&& field) {
+        for (int j = 0; j < 23; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width);
+        EXPECT_NE(field.scalar.at(5 * static_cast<int>(field.index) + 3, 28), 0);
+    });
+    options.mask = path("full.pgm");  // all of it is bright
+    run(options, [&](const SharedFrame&, Field&& field) {
+        EXPECT_EQ(std::ranges::count(field.scalar.pixels(), 0), size.width * size.height);
+    });
+}
+
+TEST_F(Clip, ReferenceThatIsNotThere) {
+    try {
+        run({.reference = path("nowhere.png")}, [](const SharedFrame&, Field&&) {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("nowhere.png"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/fields/object.h"
+#include "tests/unit/fields/pictures.h"
+
+namespace vvr {
+namespace {
+
+constexpr Size size{96, 64};
+constexpr int pixels = size.width * size.height;
+
+Plane<std::uint8_t> object_in(const Frame& frame, const Frame& empty, const FieldOptions& options,
+                              const Plane<std::uint8_t>& region = {}) {
+    const ObjectFinder finder(options, 24, {empty.grey, empty.colour}, region);
+    return finder.find(smoothed(frame.grey, frame.colour, options.smooth));
+}
+
+/// Every pixel counts, in whatever light.
+FieldOptions plain() {
+    FieldOptions options;
+    options.smooth = 0;
+    options.min_area = 0;
+    options.illumination = "none";
+    return options;
+}
+
+std::ptrdiff_t lit(const Plane<std::uint8_t>& object) {
+    return std::ranges::count_if(object.pixels(), [](int p) { return p > 0; });
+}
+
+Frame dark_texture() {
+    Frame frame = test::texture_frame(size, 0, 0, 0);
+    for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(20 + p / 2);
+    return frame;
+}
+
+/// A square of 20 × 20 pixels that is brighter than what is behind it.
+Frame with_object(const Frame& empty) {
+    Frame frame = empty;
+    for (int j = 20; j < 40; ++j) {
+        for (int i = 40; i < 60; ++i) frame.grey.at(i, j) = static_cast<std::uint8_t>(empty.grey.at(i, j) + 90);
+    }
+    return frame;
+}
+
+/// As a camera would see it: in another light, with noise.
+Frame seen(const Frame& frame, double gain, double offset, double sigma, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, sigma);
+    Frame result = frame;
+    for (std::uint8_t& p : result.grey.pixels()) {
+        p = static_cast<std::uint8_t>(std::lround(std::clamp(gain * p + offset + noise(random), 0.0, 255.0)));
+    }
+    return result;
+}
+
+void expect_only_the_object(const Plane<std::uint8_t>& object) {
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            const bool well_inside = i >= 41 && i < 59 && j >= 21 && j < 39;
+            const bool well_outside = i < 38 || i > 61 || j < 18 || j > 41;
+            EXPECT_GE(object.at(i, j), well_inside ? 48 : 0) << i << ", " << j;
+            EXPECT_LE(object.at(i, j), well_outside ? 0 : 255) << i << ", " << j;
+        }
+    }
+}
+
+TEST(Difference, ShowsAnObjectAndNothingElse) {
+    const Frame empty = dark_texture();
+    expect_only_the_object(object_in(with_object(empty), empty, {}));
+}
+
+TEST(Difference, StartsAtTheThreshold) {
+    const Frame dark = test::flat_frame(size, 0, 100);
+    EXPECT_EQ(object_in(test::flat_frame(size, 0, 123), dark, plain()).at(5, 5), 0);
+    EXPECT_EQ(object_in(test::flat_frame(size, 0, 124), dark, plain()).at(5, 5), 48);
+    EXPECT_EQ(object_in(test::flat_frame(size, 0, 76), dark, plain()).at(5, 5), 48) << "darker counts like brighter";
+    EXPECT_EQ(object_in(test::flat_frame(size, 0, 227), dark, plain()).at(5, 5), 254);
+    EXPECT_EQ(object_in(test::flat_frame(size, 0, 255), dark, plain()).at(5, 5), 255);
+}
+
+TEST(Difference, ColourCounts) {
+    for (const Size odd : {size, Size{67, 3}, Size{1, 1}}) {
+        Frame empty = test::flat_frame(odd, 0, 100);
+        Frame frame = empty;
+        empty.colour = Plane<Bgr>(odd, {100, 100, 100});
+        frame.colour = Plane<Bgr>(odd, {140, 80, 100});
+        const Plane<std::uint8_t> object = object_in(frame, empty, plain());
+        EXPECT_EQ(std::ranges::count(object.pixels(), 80), std::ssize(object.pixels()))
+            << "the largest of the channels'";
+        frame.colour = {};
+        EXPECT_EQ(lit(object_in(frame, empty, plain())), 0) << "grey alone sees nothing";
+    }
+}
+
+TEST(Difference, SmallBlobsAreRemoved) {
+    const Frame empty = test::flat_frame(size, 0, 100);
+    Frame frame = empty;
+    for (int i = 10; i < 19; ++i) frame.grey.at(i, 30) = 200;          // nine in a row
+    for (int k = 0; k < 10; ++k) frame.grey.at(50 + k, 20 + k) = 200;  // ten that touch at their corners
+    FieldOptions options = plain();
+    options.min_area = 10;
+    const Plane<std::uint8_t> object = object_in(frame, empty, options);
+    EXPECT_EQ(lit(object), 10);
+    EXPECT_NE(object.at(55, 25), 0);
+    options.min_area = 11;
+    EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
+}
+
+TEST(Difference, BlobsOfAnyShapeAreOne) {
+    const Frame empty = test::flat_frame(size, 0, 100);
+    Frame frame = empty;
+    int drawn = 0;
+    for (int j = 5; j < 35; ++j) {  // a comb, whose teeth meet only in its last row, and a lone ring around nothing
+        for (int i = 5; i < 45; ++i) {
+            if (j < 34 && i % 4 != 0) continue;
+            frame.grey.at(i, j) = 200;
+            ++drawn;
+        }
+    }
+    FieldOptions options = plain();
+    options.min_area = drawn;
+    EXPECT_EQ(lit(object_in(frame, empty, options)), drawn);
+    options.min_area = drawn + 1;
+    EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
+}
+
+TEST(Difference, OnlyTheRegionIsLookedAt) {
+    Plane<std::uint8_t> region(size, 255);
+    for (int j = 0; j < 30; ++j) std::ranges::fill(region.row(j), std::uint8_t{0});
+    const Plane<std::uint8_t> object =
+        object_in(test::flat_frame(size, 0, 200), test::flat_frame(size, 0, 100), plain(), region);
+    EXPECT_EQ(lit(object), pixels - 30 * size.width);
+    EXPECT_EQ(object.at(40, 29), 0);
+}
+
+TEST(Difference, SensorNoiseStaysDark) {
+    const Frame empty = dark_texture();
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        EXPECT_EQ(lit(object_in(seen(empty, 1, 0, 5, seed), empty, {})), 0);
+    }
+}
+
+struct Change {
+    double gain;
+    double offset;
+};
+
+TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
+    const Frame empty = dark_texture();
+    for (const char* const kind : {"global", "local"}) {
+        FieldOptions options;
+        options.illumination = kind;
+        for (const auto& [gain, offset] :
+             {Change{1.2, 0}, Change{0.8, 0}, Change{1, 40}, Change{1, -15}, Change{1.3, -20}, Change{0.6, 30}}) {
+            SCOPED_TRACE(testing::Message() << kind << " " << gain << " L + " << offset);
+            EXPECT_EQ(lit(object_in(seen(empty, gain, offset, 5, 3), empty, options)), 0);
+            expect_only_the_object(object_in(seen(with_object(empty), gain, offset, 0, 3), empty, options));
+        }
+    }
+    FieldOptions options;
+    options.illumination = "none";
+    EXPECT_GT(lit(object_in(seen(empty, 1.4, 0, 0, 3), empty, options)), pixels / 4)
+        << "without it nearly all lights up";
+}
+
+TEST(Illumination, LocalFollowsALampAtOneSide) {
+    Frame empty = dark_texture();
+    Frame frame = empty;
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            frame.grey.at(i, j) =
+                static_cast<std::uint8_t>(std::lround(empty.grey.at(i, j) * (0.75 + 0.5 * i / size.width)));
+        }
+    }
+    FieldOptions options;
+    options.illumination = "local";
+    EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
+    options.illumination = "none";
+    EXPECT_GT(lit(object_in(frame, empty, options)), 0);
+}
+
+TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
+    Frame empty = dark_texture();
+    for (int j = 5; j < 20; ++j) {
+        for (int i = 5; i < 30; ++i) empty.grey.at(i, j) = 255;
+    }
+    Frame frame = seen(empty, 0.8, 0, 0, 1);
+    for (int j = 5; j < 20; ++j) {
+        for (int i = 5; i < 30; ++i) frame.grey.at(i, j) = 255;
+    }
+    FieldOptions options;
+    options.smooth = 0;  // or the cut off places' edges would be something between
+    EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
+}
+
+TEST(Illumination, NothingToLearnFromIsNoChange) {
+    const Planes black{Plane<std::uint8_t>(size, 0), {}};
+    const Planes white{Plane<std::uint8_t>(size, 255), {}};
+    const Planes tiny{Plane<std::uint8_t>({2, 1}, 100), {}};
+    EXPECT_EQ(light_between(black, white), Light{});
+    EXPECT_EQ(light_between(white, white), Light{});
+    EXPECT_EQ(light_between(tiny, tiny), Light{});
+}
+
+TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
+    Frame empty = dark_texture();
+    empty.colour = Plane<Bgr>(size);
+    for (std::size_t i = 0; i < empty.colour.pixels().size(); ++i) {
+        const auto level = empty.grey.pixels()[i];
+        empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + 20),
+                                    static_cast<std::uint8_t>(level + 40)};
+    }
+    Frame frame = empty;
+    const auto darken = [&](int left, double b, double g, double r) {
+        for (int j = 10; j < 40; ++j) {
+            for (int i = left; i < left + 20; ++i) {
+                Bgr& p = frame.colour.at(i, j);
+                p = {static_cast<std::uint8_t>(std::lround(b * p[0])), static_cast<std::uint8_t>(std::lround(g * p[1])),
+                     static_cast<std::uint8_t>(std::lround(r * p[2]))};
+            }
+        }
+    };
+    darken(5, 0.68, 0.65, 0.64);  // a shadow
+    darken(35, 0.3, 0.28, 0.3);   // a dark coat
+    darken(65, 0.45, 0.65, 0.8);  // something red
+    FieldOptions options;
+    options.illumination = "none";
+    const Plane<std::uint8_t> object = object_in(frame, empty, options);
+    EXPECT_EQ(object.at(15, 25), 0);
+    EXPECT_NE(object.at(45, 25), 0);
+    EXPECT_NE(object.at(75, 25), 0);
+    options.shadows = true;
+    EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0);
+}
+
+TEST(Difference, SmallestPictures) {
+    for (const Size tiny : {Size{1, 1}, Size{3, 2}, Size{1, 7}}) {
+        for (const char* const kind : {"none", "global", "local"}) {
+            FieldOptions options;
+            options.illumination = kind;
+            options.min_area = 0;
+            const Plane<std::uint8_t> object =
+                object_in(test::flat_frame(tiny, 0, 200), test::flat_frame(tiny, 0, 100), options);
+            EXPECT_EQ(object.size(), tiny);
+            EXPECT_EQ(lit(object), std::ssize(object.pixels())) << kind;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vvr

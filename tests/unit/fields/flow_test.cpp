@@ -1,0 +1,282 @@
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/fields/flow.h"
+#include "core/fields/flows/derivatives.h"
+#include "core/fields/flows/linear_system.h"
+#include "core/fields/flows/median.h"
+#include "core/fields/solvers.h"
+#include "tests/support/errors.h"
+#include "tests/unit/fields/flow_tools.h"
+#include "tests/unit/fields/plain_jacobi.h"
+
+namespace vvr {
+namespace {
+
+/// Every method and solver that gives a flow.
+std::vector<FlowOptions> all_methods() {
+    std::vector<FlowOptions> all;
+    for (const FlowRow& row : flow_methods()) {
+        if (row.name == "none") continue;
+        FlowOptions options;
+        options.method = row.name;
+        for (const SolverRow& solver : flow_solvers()) {
+            options.solver = solver.name;
+            all.push_back(options);
+            if (row.name != "horn-schunck") break;
+        }
+    }
+    return all;
+}
+
+std::string name_of(const FlowOptions& options) {
+    return options.method + " " + options.solver;
+}
+
+void expect_finite(const Flow& flow, Size size) {
+    ASSERT_EQ(flow.u.size(), size);
+    ASSERT_EQ(flow.v.size(), size);
+    for (const float value : flow.u.pixels()) ASSERT_TRUE(std::isfinite(value));
+    for (const float value : flow.v.pixels()) ASSERT_TRUE(std::isfinite(value));
+}
+
+PlaneStack derivatives_of(Size size, double u, double v) {
+    const std::vector<float> taps = gaussian_taps(1.5);
+    std::vector<Plane<float>> planes;
+    for (const Plane<std::uint8_t>& grey : test::moving_texture(size, 15, u, v)) planes.push_back(smoothed(grey, taps));
+    std::vector<const Plane<float>*> frames;
+    for (const Plane<float>& plane : planes) frames.push_back(&plane);
+    PlaneStack result;
+    barron_derivatives(frames, taps, test::whole(size), result);
+    return result;
+}
+
+TEST(Flow, EveryMethodFollowsASlowTexture) {
+    const auto frames = test::moving_texture({96, 80}, 15, 0.8, -0.5);
+    for (FlowOptions options : all_methods()) {
+        // The paper's 60 steps from zero stay far from where they lead.
+        if (options.solver == "jacobi" && options.method == "horn-schunck") options.iterations = 2000;
+        EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 0.8, -0.5, 14).end_point, 0.2) << name_of(options);
+    }
+}
+
+TEST(Flow, NoMotionNoFlow) {
+    const auto frames = test::moving_texture({64, 48}, 15, 0, 0);
+    for (const FlowOptions& options : all_methods()) {
+        // OpenCV's Farneback leaves 0.12 px near the edges of a still picture; a seed needs 0.3.
+        const double allowed = options.method == "horn-schunck" ? 1e-4 : 0.25;
+        const Flow flow = test::flow_of(frames, 7, options);
+        for (const float value : flow.u.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
+        for (const float value : flow.v.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
+    }
+}
+
+TEST(Flow, SmallestPicturesHaveFiniteFlow) {
+    for (const FlowOptions& options : all_methods()) {
+        SCOPED_TRACE(name_of(options));
+        for (const Size size : {Size{1, 1}, Size{3, 40}, Size{40, 3}, Size{2, 2}, Size{33, 17}}) {
+            for (const int count : {1, 2, 15}) {
+                expect_finite(test::flow_of(test::moving_texture(size, count, 1, 1), 0, options), size);
+            }
+        }
+    }
+}
+
+TEST(Flow, TheLastFrameMovesLikeTheOneBefore) {
+    const auto frames = test::moving_texture({96, 80}, 3, 1.5, 0.5);
+    FlowOptions options;
+    options.derivatives = "cube";
+    options.pre_smooth = 0.8;
+    for (const SolverRow& solver : flow_solvers()) {
+        if (solver.name == "jacobi") continue;
+        options.solver = solver.name;
+        EXPECT_LT(test::error_of(test::flow_of(frames, 2, options), 1.5, 0.5, 14).end_point, 0.8) << name_of(options);
+    }
+}
+
+TEST(Flow, BlackAndWhiteChessboardsStayFinite) {
+    std::vector<Plane<std::uint8_t>> frames;
+    for (int f = 0; f < 15; ++f) {
+        frames.push_back(test::grey_plane({65, 47}, [&](int i, int j) { return (i + j + f) % 2 == 0 ? 0 : 255; }));
+    }
+    for (FlowOptions options : all_methods()) {
+        SCOPED_TRACE(name_of(options));
+        options.alpha = 0.01;
+        expect_finite(test::flow_of(frames, 7, options), {65, 47});
+    }
+}
+
+TEST(Pyramid, FollowsFastMotionWhereTheLinearEquationsFail) {
+    const auto frames = test::moving_rough_texture({192, 144}, 15, 4.8, -3.6);
+    FlowOptions options;
+    EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 4.8, -3.6, 14).end_point, 0.3);
+    options.solver = "jacobi";
+    EXPECT_GT(test::error_of(test::flow_of(frames, 7, options), 4.8, -3.6, 14).end_point, 3);
+}
+
+TEST(Jacobi, EqualsThePlainLoop) {
+    for (const Size size : {Size{97, 61}, Size{384, 70}, Size{5, 3}}) {
+        const PlaneStack d = derivatives_of(size, 0.7, 0.4);
+        for (const float alpha : {0.5F, 10.F}) {
+            for (const int steps : {1, 60, 77}) {
+                LinearSystem system(size, alpha * alpha);
+                system.load(d);
+                system.clear();
+                system.relax(steps);
+                const Flow fast = system.flow();
+                const Flow plain =
+                    test::plain_jacobi(d.plane(along_x), d.plane(along_y), d.plane(along_t), alpha, steps);
+                for (std::size_t i = 0; i < fast.u.pixels().size(); ++i) {
+                    ASSERT_NEAR(fast.u.pixels()[i], plain.u.pixels()[i], 1e-4) << size.width << " " << alpha;
+                    ASSERT_NEAR(fast.v.pixels()[i], plain.v.pixels()[i], 1e-4) << size.width << " " << alpha;
+                }
+            }
+        }
+    }
+}
+
+TEST(Multigrid, SolvesTheEquations) {
+    for (const Size size : {Size{128, 96}, Size{97, 61}, Size{384, 288}}) {
+        const PlaneStack d = derivatives_of(size, 0.7, 0.4);
+        for (const float alpha : {2.F, 10.F, 15.F}) {
+            LinearSystem zero(size, alpha * alpha);
+            zero.load(d);
+            zero.clear();
+            const double before = zero.residual();
+            Multigrid grids;
+            grids.solve(d, alpha * alpha, 2);
+            EXPECT_LT(grids.finest().residual(), before / 1000) << size.width << " α = " << alpha;
+        }
+    }
+}
+
+TEST(Multigrid, AgreesWithJacobiAtItsEnd) {
+    const PlaneStack d = derivatives_of({64, 48}, 0.7, 0.4);
+    Multigrid grids;
+    grids.solve(derivatives_of({97, 61}, 0.7, 0.4), 4, 1);  // what it held before must not matter
+    grids.solve(d, 100, 12);
+    LinearSystem system({64, 48}, 100);
+    system.load(d);
+    system.clear();
+    system.relax(20000);
+    const Flow a = grids.finest().flow();
+    const Flow b = system.flow();
+    for (std::size_t i = 0; i < a.u.pixels().size(); ++i) ASSERT_NEAR(a.u.pixels()[i], b.u.pixels()[i], 1e-3);
+}
+
+// The flow in a part of the picture is the flow of the whole where it is shown: exactly so for Jacobi, whose steps
+// reach one pixel each.
+TEST(Parts, JacobiIsTheSameInAPart) {
+    const auto frames = test::moving_texture({160, 120}, 15, 0.8, -0.5);
+    FlowOptions options;
+    options.solver = "jacobi";
+    options.iterations = 20;
+    const auto method = make_flow(options);
+    std::vector<FlowFrame> prepared;
+    for (const auto& frame : frames) prepared.push_back(method->prepare(frame));
+    const auto about = test::about(prepared, 7, method->reach());
+    const Flow all = (*method)(about, test::whole({160, 120}));
+    const Rect part{33, 21, {70, 61}};
+    const Flow some = (*method)(about, part);
+    for (int j = method->margin(); j < part.size.height - method->margin(); ++j) {
+        for (int i = method->margin(); i < part.size.width - method->margin(); ++i) {
+            ASSERT_EQ(some.u.at(i, j), all.u.at(part.x + i, part.y + j));
+            ASSERT_EQ(some.v.at(i, j), all.v.at(part.x + i, part.y + j));
+        }
+    }
+}
+
+TEST(Parts, OthersDifferByLessThanCanBeSeen) {
+    const auto frames = test::moving_rough_texture({200, 160}, 15, 1.8, -0.9);
+    for (const FlowOptions& options : all_methods()) {
+        if (options.solver == "jacobi" && options.method == "horn-schunck") continue;
+        SCOPED_TRACE(name_of(options));
+        const auto method = make_flow(options);
+        std::vector<FlowFrame> prepared;
+        for (const auto& frame : frames) prepared.push_back(method->prepare(frame));
+        const auto about = test::about(prepared, 7, method->reach());
+        const Flow all = (*method)(about, test::whole({200, 160}));
+        const Rect part{41, 29, {120, 100}};
+        const Flow some = (*method)(about, part);
+        ASSERT_EQ(some.u.size(), part.size);
+        double sum = 0;
+        int count = 0;
+        for (int j = method->margin(); j < part.size.height - method->margin(); ++j) {
+            for (int i = method->margin(); i < part.size.width - method->margin(); ++i, ++count) {
+                sum += std::hypot(some.u.at(i, j) - all.u.at(part.x + i, part.y + j),
+                                  some.v.at(i, j) - all.v.at(part.x + i, part.y + j));
+            }
+        }
+        EXPECT_LT(sum / count, options.method == "horn-schunck" ? 0.01 : 0.1);
+    }
+}
+
+TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
+    Plane<std::uint8_t> object({320, 240});
+    EXPECT_TRUE(parts_about(object, 10).empty());
+    object.at(50, 60) = 1;
+    object.at(250, 200) = 1;
+    object.at(255, 203) = 1;
+    const std::vector<Rect> parts = parts_about(object, 10);
+    ASSERT_EQ(parts.size(), 2U);
+    for (const auto& [x, y] : {std::pair{50, 60}, std::pair{250, 200}, std::pair{255, 203}}) {
+        const bool inside = std::ranges::any_of(parts, [&](const Rect& p) {
+            return x - 10 >= p.x && x + 10 < p.x + p.size.width && y - 10 >= p.y && y + 10 < p.y + p.size.height;
+        });
+        EXPECT_TRUE(inside) << x << ", " << y;
+    }
+    object.at(0, 0) = 1;
+    object.at(319, 239) = 1;
+    for (const Rect& p : parts_about(object, 60)) {
+        EXPECT_GE(p.x, 0);
+        EXPECT_LE(p.x + p.size.width, 320);
+        EXPECT_LE(p.y + p.size.height, 240);
+    }
+    EXPECT_EQ(parts_about(Plane<std::uint8_t>({320, 240}, 1), 5), std::vector<Rect>{test::whole({320, 240})});
+}
+
+TEST(MedianOfNine, IsTheMiddleOfNine) {
+    Plane<float> plane({19, 5});
+    for (int j = 0; j < 5; ++j) {
+        for (int i = 0; i < 19; ++i) plane.at(i, j) = static_cast<float>((i * 7 + j * 13) % 11);
+    }
+    const Plane<float> median = median_of_nine(plane);
+    for (int j = 0; j < 5; ++j) {
+        for (int i = 0; i < 19; ++i) {
+            std::vector<float> values;
+            for (int y = j - 1; y <= j + 1; ++y) {
+                for (int x = i - 1; x <= i + 1; ++x)
+                    values.push_back(plane.at(std::clamp(x, 0, 18), std::clamp(y, 0, 4)));
+            }
+            std::ranges::sort(values);
+            ASSERT_EQ(median.at(i, j), values[4]) << i << ", " << j;
+        }
+    }
+}
+
+TEST(FlowTable, UnknownNamesSayWhatThereIs) {
+    const auto text_of = [](const FlowOptions& options) {
+        return test::error_text(ErrorKind::usage, [&] { make_flow(options); });
+    };
+    FlowOptions options;
+    options.method = "horn-schunk";
+    EXPECT_EQ(text_of(options),
+              "flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
+              "farneback, none");
+    options.method = "horn-schunck";
+    options.solver = "sor";
+    EXPECT_EQ(text_of(options), "solver: there is no 'sor'; it is one of: pyramid, multigrid, jacobi");
+    options.solver = "jacobi";
+    options.derivatives = "cubes";
+    EXPECT_EQ(text_of(options),
+              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+    options.method = "none";
+    EXPECT_EQ(make_flow(options), nullptr);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,88 @@
+#include <functional>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/fields/options.h"
+#include "tests/support/errors.h"
+
+namespace vvr {
+namespace {
+
+std::string error_of(const std::function<void(FieldOptions&)>& change) {
+    FieldOptions options;
+    change(options);
+    return test::error_text(ErrorKind::usage, [&] { validate(options); });
+}
+
+TEST(FieldOptions, DefaultsAreValid) {
+    EXPECT_EQ(error_of([](FieldOptions&) {}), "no error");
+}
+
+TEST(FieldOptions, NumbersOutOfRange) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(error_of([](auto& o) { o.threshold = 256; }), "threshold: 256 is not between 0 and 255");
+    EXPECT_EQ(error_of([](auto& o) { o.min_area = -1; }), "min-area: -1 is not between 0 and 1000000");
+    EXPECT_EQ(error_of([&](auto& o) { o.smooth = nan; }), "smooth: nan is not between 0 and 20");
+    EXPECT_EQ(error_of([&](auto& o) { o.flow.alpha = nan; }), "alpha: nan is not between 0.01 and 10000");
+    EXPECT_EQ(error_of([&](auto& o) { o.flow.alpha = infinity; }), "alpha: inf is not between 0.01 and 10000");
+    EXPECT_EQ(error_of([](auto& o) { o.flow.alpha = 0; }), "alpha: 0 is not between 0.01 and 10000");
+    EXPECT_EQ(error_of([](auto& o) { o.flow.iterations = 0; }), "iterations: 0 is not between 1 and 100000");
+    EXPECT_EQ(error_of([](auto& o) { o.flow.pre_smooth = -1; }), "pre-smooth: -1 is not between 0 and 5");
+    EXPECT_EQ(error_of([](auto& o) { o.seeds.grid = 0; }), "grid: 0 is not between 1 and 10000");
+    EXPECT_EQ(error_of([&](auto& o) { o.seeds.min_magnitude = -infinity; }),
+              "min-magnitude: -inf is not between 0 and 10000");
+    EXPECT_NE(error_of([](auto& o) { o.span.start = -1; }).find("start: -1"), std::string::npos);
+    EXPECT_EQ(error_of([](auto& o) { o.span.start = 2, o.span.end = 1; }), "end has to come after the start");
+    EXPECT_NE(error_of([](auto& o) { o.flow.every = 0; }).find("flow-every: 0"), std::string::npos);
+}
+
+TEST(FieldOptions, UnknownNames) {
+    EXPECT_EQ(
+        error_of([](auto& o) { o.filter = "diference"; }),
+        "filter: there is no 'diference' (did you mean 'difference'?); it is one of: difference, temporal, hull, "
+        "bands, edges, flow, luminance, mog2, knn");
+    EXPECT_EQ(
+        error_of([](auto& o) { o.reference = "medain"; }),
+        "reference: there is no 'medain' (did you mean 'median'?); it is one of: median, first, running, or the "
+        "name of a picture");
+    EXPECT_EQ(error_of([](auto& o) { o.illumination = "globl"; }),
+              "illumination: there is no 'globl' (did you mean 'global'?); it is one of: global, local, none");
+    EXPECT_EQ(error_of([](auto& o) { o.seeds.order = "size"; }),
+              "seed-order: there is no 'size'; it is one of: magnitude, difference, age");
+    EXPECT_EQ(error_of([](auto& o) { o.flow.solver = "pyramids"; }),
+              "solver: there is no 'pyramids' (did you mean 'pyramid'?); it is one of: pyramid, multigrid, jacobi");
+}
+
+TEST(FieldOptions, SeedSelections) {
+    for (const char* const good : {"all", "first:1", "first:0", "random:20", "random:20:7"}) {
+        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = good; }), "no error") << good;
+    }
+    for (const char* const bad :
+         {"", "All", "first", "first:", "first:-1", "first:1x", "random:", "random:1:", "random:1:x"}) {
+        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = bad; }),
+                  std::string("seed-select: '") + bad + "' is not one of: all, first:N, random:N, random:N:NUMBER");
+    }
+}
+
+TEST(FieldOptions, Polygons) {
+    for (const char* const good : {"", "0,0 10,0 10,10", "-5,-5 1e3,0.5 20,90 ; 1,1 2,2 3,1", "mask.png"}) {
+        EXPECT_EQ(error_of([&](auto& o) { o.roi = good; }), "no error") << good;
+    }
+    const auto polygon_error = [](const char* text) { return error_of([&](auto& o) { o.mask = text; }); };
+    EXPECT_NE(
+        polygon_error("0,0 10,0").find("mask: a polygon has at least three points at character 9 of \"0,0 10,0\""),
+        std::string::npos);
+    EXPECT_NE(polygon_error("0,0 10,0 5,5;").find("at least three points"), std::string::npos);
+    EXPECT_NE(polygon_error("0,0 10,0 5;5").find("expected ',' and the y of the point at character 11"),
+              std::string::npos);
+    EXPECT_NE(polygon_error("0,0 10,0 x,5").find("expected a number at character 10"), std::string::npos);
+    EXPECT_NE(polygon_error("0,nan 10,0 5,5").find("a coordinate must be within ±100000"), std::string::npos);
+    EXPECT_NE(polygon_error("0,0 inf,0 5,5").find("a coordinate must be within"), std::string::npos);
+    EXPECT_NE(polygon_error("0,0 1e9,0 5,5").find("a coordinate must be within"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/fields/pipeline.h"
+#include "tests/unit/fields/pictures.h"
+
+namespace vvr {
+namespace {
+
+constexpr Size size{64, 48};
+
+/// A textured square that crosses an empty scene.
+Frame walker(std::int64_t index) {
+    Frame frame = test::flat_frame(size, index, 90);
+    const double left = 2 + 1.5 * static_cast<double>(index);
+    for (int j = 12; j < 36; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            if (i < left || i >= left + 20) continue;
+            frame.grey.at(i, j) = static_cast<std::uint8_t>(140 + 0.4 * test::texture(i - left, j));
+        }
+    }
+    return frame;
+}
+
+FrameReader reader(int count, Frame (*make)(std::int64_t) = walker) {
+    return [count, make, next = 0]() mutable -> FrameJob {
+        if (next == count) return {};
+        return [make, index = next++] { return make(index); };
+    };
+}
+
+EmptyScene empty_scene() {
+    EmptyScene scene;
+    scene.reference.grey = Plane<std::uint8_t>(size, 90);
+    return scene;
+}
+
+std::vector<Field> fields_of(int count, const FieldOptions& options) {
+    std::vector<Field> fields;
+    compute_fields(reader(count), empty_scene(), options, [&](const SharedFrame& frame, Field&& field) {
+        EXPECT_EQ(frame->index, field.index);
+        EXPECT_EQ(frame->grey.size(), size);
+        fields.push_back(std::move(field));
+    });
+    return fields;
+}
+
+void expect_same(const Field& a, const Field& b) {
+    EXPECT_EQ(a.index, b.index);
+    EXPECT_EQ(a.pts, b.pts);
+    EXPECT_TRUE(std::ranges::equal(a.scalar.pixels(), b.scalar.pixels()));
+    EXPECT_TRUE(std::ranges::equal(a.flow.u.pixels(), b.flow.u.pixels()));
+    EXPECT_TRUE(std::ranges::equal(a.flow.v.pixels(), b.flow.v.pixels()));
+    EXPECT_EQ(a.seeds, b.seeds);
+}
+
+TEST(Pipeline, GivesEveryFrameOnceInOrder) {
+    const std::vector<Field> fields = fields_of(30, {.threads = 4});
+    ASSERT_EQ(fields.size(), 30U);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+        EXPECT_EQ(fields[f].index, static_cast<std::int64_t>(f));
+        EXPECT_DOUBLE_EQ(fields[f].pts, static_cast<double>(f) / 10);
+        EXPECT_EQ(fields[f].scalar.size(), size);
+        EXPECT_GT(std::ranges::count_if(fields[f].scalar.pixels(), [](int p) { return p > 0; }), 100);
+    }
+}
+
+TEST(Pipeline, DoesNotDependOnTheNumberOfThreads) {
+    const std::vector<Field> one = fields_of(30, {.threads = 1});
+    EXPECT_FALSE(one[15].seeds.empty());
+    for (const int threads : {2, 4}) {
+        const std::vector<Field> many = fields_of(30, {.threads = threads});
+        ASSERT_EQ(many.size(), one.size());
+        for (std::size_t f = 0; f < one.size(); ++f) expect_same(one[f], many[f]);
+    }
+}
+
+TEST(Pipeline, SeedsFollowTheWalker) {
+    const std::vector<Field> fields = fields_of(30, {.seeds = {.grid = 6, .min_magnitude = 0.5}, .threads = 2});
+    ASSERT_GT(fields[15].seeds.size(), 4U);
+    double u = 0;
+    for (const Seed& seed : fields[15].seeds) {
+        u += seed.u;
+        EXPECT_NE(fields[15].scalar.at(static_cast<int>(seed.x), static_cast<int>(seed.y)), 0);
+    }
+    EXPECT_GT(u / static_cast<double>(fields[15].seeds.size()), 0.5) << "to the right";
+}
+
+TEST(Pipeline, FlowOnlyWhereAskedFor) {
+    FieldOptions options{.threads = 2};
+    options.flow.every = 8;
+    const std::vector<Field> some = fields_of(30, options);
+    const std::vector<Field> all = fields_of(30, {.threads = 2});
+    for (std::size_t f = 0; f < some.size(); ++f) {
+        if (f % 8 == 0) {
+            expect_same(some[f], all[f]);
+        } else {
+            EXPECT_TRUE(some[f].flow.u.empty());
+            EXPECT_TRUE(some[f].seeds.empty());
+        }
+    }
+    options.flow.method = "none";
+    EXPECT_TRUE(fields_of(3, options)[0].flow.u.empty());
+}
+
+TEST(Pipeline, OneFrameAndNoFrame) {
+    EXPECT_EQ(fields_of(1, {.threads = 2}).size(), 1U);
+    EXPECT_EQ(fields_of(0, {.threads = 2}).size(), 0U);
+}
+
+TEST(Pipeline, SmallestPictures) {
+    EmptyScene scene;
+    scene.reference.grey = Plane<std::uint8_t>({3, 1}, 10);
+    FieldOptions options{.threads = 2};
+    options.min_area = 0;
+    options.illumination = "none";
+    std::int64_t seen = 0;
+    const FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
+    EXPECT_EQ(compute_fields(read, scene, options,
+                             [&](const SharedFrame&, Field&& field) {
+                                 ++seen;
+                                 EXPECT_EQ(field.scalar.at(2, 0), 255);
+                             }),
+              9);
+    EXPECT_EQ(seen, 9);
+}
+
+TEST(Pipeline, SinkIsNeverEnteredTwice) {
+    std::atomic<int> inside = 0;
+    compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](const SharedFrame&, Field&&) {
+        EXPECT_EQ(++inside, 1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        --inside;
+    });
+}
+
+TEST(Pipeline, MemoryIsBounded) {
+    std::atomic<std::int64_t> read = 0;
+    std::int64_t delivered = 0;
+    std::int64_t most = 0;
+    const FrameReader frames = [&, next = std::int64_t{0}]() mutable -> FrameJob {
+        if (next == 200) return {};
+        ++read;
+        return [index = next++] { return walker(index % 20); };
+    };
+    compute_fields(frames, empty_scene(), {.threads = 2}, [&](const SharedFrame&, Field&&) {
+        most = std::max(most, read - delivered++);
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    });
+    EXPECT_LT(most, 7 + 2 * 2 + 2) << "what the flow looks ahead and what is on its way";
+}
+
+TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
+    EXPECT_THROW(compute_fields(reader(40), empty_scene(), {.threads = 2},
+                                [](const SharedFrame&, Field&& field) {
+                                    if (field.index == 3) throw std::runtime_error("the disk is full");
+                                }),
+                 std::runtime_error);
+    const FrameReader broken = []() -> FrameJob { throw std::range_error("the cable is cut"); };
+    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+                 std::range_error);
+    const FrameReader bad_frame = []() -> FrameJob { return []() -> Frame { throw std::domain_error("bad frame"); }; };
+    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+                 std::domain_error);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,35 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/image/picture_file.h"
+#include "tests/support/errors.h"
+
+namespace vvr {
+namespace {
+
+std::string error_of(const std::string& name, Size size) {
+    return test::error_text(ErrorKind::io, [&] { encode_picture(name, Picture{Plane<Rgba>(size)}); });
+}
+
+TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
+    EXPECT_EQ(error_of("a.jpg", {70000, 1}),
+              "cannot encode 'a.jpg' of 70000x1 pixels: a .jpg file has at most 65500 per side; choose a smaller size "
+              "or another format");
+    EXPECT_NE(error_of("a.png", {0, 5}).find("cannot encode 'a.png': "), std::string::npos);
+}
+
+TEST(Encoders, CutADescriptionThatIsTooLong) {
+    const auto bytes = encode_picture("a.jpg", Picture{Plane<Rgba>({8, 8})}, {{"title", std::string(70000, 'x')}});
+    EXPECT_EQ(settings_of(decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
+}
+
+TEST(Encoders, GiveAFrameItsColours) {
+    const auto png = encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
+    const Samples samples = decode_samples("a.png", png);
+    EXPECT_EQ(samples.channels, (std::vector<std::string>{"R", "G", "B"}));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(255 * samples.at(2, 1)[c], 30 - 10 * static_cast<int>(c), 1e-3);
+}
+
+}  // namespace
+}  // namespace vvr

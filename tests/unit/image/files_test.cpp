@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/fnv.h"
+#include "core/image/atomic_file.h"
+#include "core/image/picture_file.h"
+#include "core/image/pixel_data_channels.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+/// A folder of its own for each test, gone at the end.
+class ImageTest : public testing::Test {
+  protected:
+    ImageTest() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string(test->name()) + "-" + std::to_string(::getpid());
+        std::ranges::replace(name, '/', '-');
+        folder_ = fs::temp_directory_path() / ("vvr-image-" + name);
+        fs::create_directories(folder_);
+    }
+    ~ImageTest() override { fs::remove_all(folder_); }
+    ImageTest(const ImageTest&) = delete;
+    ImageTest& operator=(const ImageTest&) = delete;
+
+    fs::path file(const std::string& name) const { return folder_ / name; }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+  private:
+    fs::path folder_;
+};
+
+class ImageFormatTest : public ImageTest, public testing::WithParamInterface<std::string> {};
+
+Picture gradient(Size size, float alpha = 1) {
+    Picture picture{Plane<Rgba>(size)};
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            const float x = static_cast<float>(i) / static_cast<float>(size.width);
+            const float y = static_cast<float>(j) / static_cast<float>(size.height);
+            picture.pixels.at(i, j) = {x * alpha, y * alpha, 0.25F * alpha, alpha};
+        }
+    }
+    return picture;
+}
+
+std::string bytes(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs `action` and gives the error that it throws.
+template <class Action>
+Error error_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error;
+    }
+    return Error(ErrorKind::usage, "nothing was thrown");
+}
+
+/// A file as the picture that was written.
+Picture read_picture(const fs::path& path) {
+    const Samples samples = read_samples(path);
+    const std::size_t channels = samples.channels.size();
+    const auto named = [&](std::string_view name) { return std::ranges::find(samples.channels, name); };
+    const auto index_of = [&](auto at) { return static_cast<std::size_t>(at - samples.channels.begin()); };
+    const auto alpha = named("A");
+    Picture picture{Plane<Rgba>(samples.size), samples.encoding};
+    for (const PixelDataChannel& channel : pixel_data_channels) {
+        if (named(channel.name) != samples.channels.end()) {
+            picture.pixel_data.*channel.plane = Plane<float>(samples.size);
+        }
+    }
+    for (std::size_t i = 0; i < picture.pixels.pixels().size(); ++i) {
+        const auto from = std::span(samples.values).subspan(i * channels, channels);
+        picture.pixels.pixels()[i] = {from[0], from[1], from[2],
+                                      alpha == samples.channels.end() ? 1 : from[index_of(alpha)]};
+        for (const PixelDataChannel& channel : pixel_data_channels) {
+            Plane<float>& plane = picture.pixel_data.*channel.plane;
+            if (!plane.empty()) plane.pixels()[i] = from[index_of(named(channel.name))];
+        }
+    }
+    return picture;
+}
+
+/// The largest difference of any value.
+float apart(const Picture& a, const Picture& b) {
+    if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<float>::infinity();
+    float most = 0;
+    for (std::size_t i = 0; i < a.pixels.pixels().size(); ++i) {
+        for (int c = 0; c < 4; ++c) {
+            most = std::max(most, std::abs(a.pixels.pixels()[i][c] - b.pixels.pixels()[i][c]));
+        }
+    }
+    return most;
+}
+
+void expect_text(const Error& error, const std::string& part) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+}
+
+TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
+    const Picture picture = gradient({64, 48});
+    const Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
+    write_picture(file("a" + GetParam()), picture, metadata);
+
+    EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))),
+              GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
+    Metadata read = settings_of(read_samples(file("a" + GetParam())));
+    std::ranges::sort(read);
+    EXPECT_EQ(read, (Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_P(ImageFormatTest, SameBytesAtAnotherTime) {
+    write_picture(file("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    ::sleep(1);  // dates in pictures count seconds
+    write_picture(file("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    EXPECT_EQ(bytes(file("a" + GetParam())), bytes(file("b" + GetParam())));
+}
+
+TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
+    const auto old_action = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit old_limit{};
+    getrlimit(RLIMIT_FSIZE, &old_limit);
+    const rlimit limit{100, old_limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const Error error = error_of([&] { write_picture(file("a" + GetParam()), gradient({64, 48})); });
+    setrlimit(RLIMIT_FSIZE, &old_limit);
+    std::signal(SIGXFSZ, old_action);
+
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    expect_text(error, "File too large");
+    expect_text(error, "free some space");
+    EXPECT_EQ(files(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(picture_endings()),
+                         [](const auto& format) { return format.param.substr(1); });
+
+TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
+    const Picture picture = gradient({16, 16}, 0.5F);
+    for (const std::string name : {"a.png", "a.tif", "a.exr"}) {
+        write_picture(file(name), picture);
+        EXPECT_LT(apart(picture, read_picture(file(name))), 1.01 / 255) << name;
+    }
+}
+
+TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (const float alpha : {1.0F, 0.5F}) {
+        Picture picture = gradient({5, 3}, alpha);
+        picture.pixel_data = {Plane<float>({5, 3}, none), Plane<float>({5, 3}, none), Plane<float>({5, 3}, -1)};
+        picture.pixel_data.depth.at(4, 1) = 2.7182818F;
+        picture.pixel_data.time.at(4, 1) = 86399.96F;
+        picture.pixel_data.frame.at(4, 1) = 2159999;  // more than a half float holds
+        write_picture(file("a.exr"), picture);
+        const Picture read = read_picture(file("a.exr"));
+        EXPECT_LT(apart(picture, read), 1.0 / 255) << "colours and alpha as ever";
+        for (const auto plane : {&PixelData::depth, &PixelData::time, &PixelData::frame}) {
+            ASSERT_EQ((read.pixel_data.*plane).size(), picture.pixels.size());
+            EXPECT_EQ((read.pixel_data.*plane).at(4, 1), (picture.pixel_data.*plane).at(4, 1));
+        }
+        EXPECT_TRUE(std::isnan(read.pixel_data.time.at(0, 0)) && std::isnan(read.pixel_data.depth.at(0, 0)));
+        EXPECT_EQ(read.pixel_data.frame.at(0, 0), -1);
+
+        write_picture(file("a.png"), picture);
+        EXPECT_TRUE(read_picture(file("a.png")).pixel_data.empty());
+    }
+    EXPECT_TRUE(holds_pixel_data("out.EXR"));
+    EXPECT_FALSE(holds_pixel_data("out.tif"));
+}
+
+TEST_F(ImageTest, LinearValuesAreEncodedForIntegers) {
+    Picture picture{Plane<Rgba>({4, 4}, Rgba{0.2140F, 0.2140F, 0.2140F, 1}), Encoding::linear};
+    write_picture(file("a.png"), picture);
+    EXPECT_NEAR(read_picture(file("a.png")).pixels.at(0, 0)[0], 0.5, 1.0 / 255);
+    write_picture(file("a.exr"), picture);
+    EXPECT_NEAR(read_picture(file("a.exr")).pixels.at(0, 0)[0], 0.2140, 0.0005);
+    EXPECT_EQ(read_picture(file("a.exr")).encoding, Encoding::linear);
+}
+
+TEST_F(ImageTest, ReplacesAsAWholeAndFollowsLinks) {
+    write_picture(file("a.png"), gradient({8, 8}));
+    fs::create_symlink(file("a.png"), file("link.png"));
+    write_picture(file("link.png"), gradient({16, 8}));
+    EXPECT_TRUE(fs::is_symlink(file("link.png")));
+    EXPECT_EQ(read_picture(file("a.png")).pixels.size(), (Size{16, 8}));
+    EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(ImageTest, EndingsInCapitalsCount) {
+    EXPECT_NO_THROW(check_picture_path(file("A.PNG")));
+}
+
+TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
+    const Error error = error_of([&] { check_picture_path(file("a.pgn")); });
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    expect_text(error,
+                "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg");
+    expect_text(error_of([&] { check_picture_path(file("a")); }), "a name without an ending");
+}
+
+TEST_F(ImageTest, MissingFolderSaysHowToMakeIt) {
+    const Error error = error_of([&] { check_picture_path(file("none/a.png")); });
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    expect_text(error, "mkdir -p '" + file("none").string() + "'");
+}
+
+TEST_F(ImageTest, RefusesWhatIsNoPlaceForAFile) {
+    fs::create_directories(file("folder.png"));
+    expect_text(error_of([&] { check_picture_path(file("folder.png")); }), "it is a folder");
+    std::ofstream(file("plain")) << "text";
+    expect_text(error_of([&] { check_picture_path(file("plain/a.png")); }), "a.png");
+    // No one may make files here, not even root.
+    EXPECT_EQ(error_of([&] { check_picture_path("/proc/a.png"); }).kind(), ErrorKind::io);
+}
+
+TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
+    std::ofstream(file("text.png")) << "not a picture";
+    expect_text(error_of([&] { read_picture(file("text.png")); }), "cannot read picture");
+    expect_text(error_of([&] { read_picture(file("none.png")); }), "none.png");
+}
+
+TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
+    const auto part = [&](int number) {
+        char name[64];
+        std::snprintf(name, sizeof name, ".vvr-%016lx-%d.part", static_cast<unsigned long>(fnv1a("x")), number);
+        return file(name);
+    };
+    const auto leave = [&](int number) {
+        std::ofstream(part(number)) << "half";
+        fs::last_write_time(part(number), fs::file_time_type::clock::now() - 61min);
+    };
+    const auto replace = [&](const std::string& text) {
+        replace_file(file("x"), std::as_bytes(std::span(text)));
+        EXPECT_EQ(bytes(file("x")), text);
+    };
+    leave(0);
+    leave(1);
+    replace("first");
+    EXPECT_EQ(files(), 1) << "two that were left";
+    leave(0);
+    const int writer = ::open(part(0).c_str(), O_WRONLY);
+    ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+    replace("second");
+    const std::vector<std::string> names{"x"};
+    remove_leftovers(file("."), names);
+    EXPECT_EQ(bytes(part(0)), "half") << "somebody is writing it";
+    ::close(writer);
+    check_file_path(file("x"));
+    EXPECT_EQ(files(), 1);
+    std::ofstream(part(0)) << "half";
+    remove_leftovers(file("."), names);
+    EXPECT_EQ(files(), 1) << "young, but known to be nobody's";
+}
+
+TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
+    fs::create_symlink("round", file("round"));
+    const std::string text = "text";
+    const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
+    EXPECT_EQ(error.kind(), ErrorKind::io);
+    EXPECT_NE(std::string(error.what()).find("it is a link that can't be followed"), std::string::npos);
+    EXPECT_EQ(files(), 1);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,156 @@
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/scene/glyph.h"
+#include "core/scene/slices.h"
+#include "core/scene/transfer_function.h"
+
+namespace vvr {
+namespace {
+
+TEST(TransferFunction, InterpolatesBetweenItsPoints) {
+    const TransferFunction transfer({{10, {0, 0, 0}, 0}, {20, {1, 0.5, 0}, 8}});
+    EXPECT_DOUBLE_EQ(transfer.at(0).w, 0);
+    EXPECT_DOUBLE_EQ(transfer.at(15).w, 4);
+    EXPECT_DOUBLE_EQ(transfer.at(15).y, 0.25);
+    EXPECT_DOUBLE_EQ(transfer.at(200).w, 8);
+    EXPECT_DOUBLE_EQ(transfer.scaled(0.5).at(20).w, 4);
+}
+
+TEST(TransferFunction, KnowsWhichRangesAreVisible) {
+    const TransferFunction transfer({{0, {}, 0}, {10, {}, 0}, {20, {}, 8}, {30, {}, 0}, {255, {}, 0}});
+    EXPECT_FALSE(transfer.visible({0, 10}));
+    EXPECT_TRUE(transfer.visible({0, 11}));
+    EXPECT_TRUE(transfer.visible({0, 255})) << "interpolation passes through the visible values";
+    EXPECT_FALSE(transfer.visible({30, 255}));
+    EXPECT_FALSE(transfer.visible(ValueRange{})) << "no value at all";
+}
+
+TEST(TransferFunction, RefusesNonsense) {
+    EXPECT_THROW(TransferFunction({}), Error);
+    EXPECT_THROW(TransferFunction({{10, {}, 0}, {5, {}, 0}}), Error);
+    EXPECT_THROW(TransferFunction({{10, {}, -1}}), Error);
+    EXPECT_THROW(TransferFunction({{10, {}, std::numeric_limits<double>::quiet_NaN()}}), Error);
+}
+
+/// Area of all pieces of one brick's slices.
+double area_of(const SliceMesh& mesh) {
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.vertices[mesh.indices[i]].p;
+        const glm::dvec3 b = mesh.vertices[mesh.indices[i + 1]].p;
+        const glm::dvec3 c = mesh.vertices[mesh.indices[i + 2]].p;
+        area += glm::length(glm::cross(b - a, c - a)) / 2;
+    }
+    return area;
+}
+
+TEST(Slices, FillTheVolumeExactlyOnce) {
+    for (const std::string name : {"box", "horseshoe"}) {
+        Volume volume({48, 40}, 64);
+        for (int i = 0; i < 64; ++i) {
+            Field field;
+            field.index = i;
+            field.scalar = Plane<std::uint8_t>({48, 40}, 255);
+            volume.add(field);
+        }
+        const auto layout = make_layout(name, {0.45, 1, 0.4});
+        const double depth = 0.55;
+        const double length = std::numbers::pi * (0.45 + 1) / 2;
+        const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
+        for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
+            for (const double elevation : {0.0, 38.0, 90.0}) {
+                const std::vector<glm::dvec3> outline = outline_points(*layout);
+                const Camera camera = fit_camera({azimuth, elevation, 30}, outline, {640, 480});
+                const SliceStack stack = stack_slices(camera, *layout, 300, 0);
+                const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
+                                                  default_transfer_function(), camera, stack);
+                EXPECT_NEAR(area_of(mesh) * stack.spacing / (depth * 0.4 * length), 1, 0.01)
+                    << name << " " << azimuth << " " << elevation;
+            }
+        }
+    }
+}
+
+TEST(Slices, GoFromFarToNear) {
+    Volume volume({32, 32}, 32);
+    for (int i = 0; i < 32; ++i) {
+        Field field;
+        field.index = i;
+        field.scalar = Plane<std::uint8_t>({32, 32}, 255);
+        volume.add(field);
+    }
+    const auto layout = make_horseshoe({0.45, 1, 0.4});
+    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 32}), 1, *layout);
+    const std::vector<glm::dvec3> outline = outline_points(*layout);
+    const Camera camera = fit_camera({}, outline, {640, 480});
+    const SliceStack stack = stack_slices(camera, *layout, 50, 0);
+    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
+                                      default_transfer_function(), camera, stack);
+    ASSERT_FALSE(mesh.indices.empty());
+    double before = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t index : mesh.indices) {
+        const double away = glm::dot(glm::dvec3(mesh.vertices[index].p) - camera.eye, camera.forward);
+        EXPECT_LE(away, before + 1e-5);
+        before = away;
+    }
+}
+
+TEST(Slices, PassOverWhatCannotBeSeen) {
+    Volume volume({64, 64}, 64);
+    for (int i = 0; i < 64; ++i) {
+        Field field;
+        field.index = i;
+        field.scalar = Plane<std::uint8_t>({64, 64}, 0);
+        volume.add(field);
+    }
+    const auto layout = make_horseshoe({0.45, 1, 0.4});
+    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
+    const std::vector<glm::dvec3> outline = outline_points(*layout);
+    const Camera camera = fit_camera({}, outline, {640, 480});
+    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
+                                      default_transfer_function(), camera, stack_slices(camera, *layout, 50, 0));
+    EXPECT_TRUE(mesh.indices.empty());
+}
+
+TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
+    Volume volume({100, 80}, 64);
+    Field field;
+    field.scalar = Plane<std::uint8_t>({100, 80});
+    field.seeds = {{20, 30, 1.5F, -0.5F}};
+    volume.add(field);
+    field.seeds.clear();
+    for (int i = 1; i < 64; ++i) {
+        field.index = i;
+        volume.add(field);
+    }
+    const auto layout = make_horseshoe({0.45, 1, 0.4});
+    const std::vector<Glyph> glyphs = arrows(volume, *layout, {.frames = 1, .cap = 1});
+    ASSERT_EQ(glyphs.size(), 1U);
+    const glm::dvec3 c = {1 - 20.5 / 100, 1 - 30.5 / 80, 0.5 / 64};
+    EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from), layout->p_from_c(c)), 1e-6);
+    const glm::dvec3 tip = layout->p_from_c(c + glm::dvec3(-1.5 / 100, 0.5 / 80, 0));
+    EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from + glyphs[0].vector), tip), 1e-6)
+        << "without motion along time the map is straight, so the arrow ends where the map puts its end";
+    const std::vector<Glyph> capped = arrows(volume, *layout, {.frames = 1000, .cap = 0.09});
+    EXPECT_NEAR(glm::length(capped[0].vector), 0.09, 1e-6);
+}
+
+TEST(ArrowMesh, ReachesFromZeroToOne) {
+    const GlyphMesh mesh = arrow_mesh();
+    float low = 1;
+    float high = 0;
+    for (const GlyphVertex& vertex : mesh.vertices) {
+        low = std::min(low, vertex.position.z);
+        high = std::max(high, vertex.position.z);
+    }
+    EXPECT_EQ(low, 0);
+    EXPECT_EQ(high, 1);
+    for (const std::uint32_t index : mesh.indices) EXPECT_LT(index, mesh.vertices.size());
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/fields/busy_fields.h"
+#include "core/store/data_folder.h"
+#include "core/fields/listed_seeds.h"
+#include "core/store/stored_fields.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Size size{9, 5};
+
+Field field_of(std::int64_t index) {
+    Field field{index, 0.04 * static_cast<double>(index) + 1.0 / 3, Plane<std::uint8_t>(size), {}, {}};
+    for (std::size_t i = 0; i < field.scalar.pixels().size(); ++i) {
+        field.scalar.pixels()[i] = static_cast<std::uint8_t>(7 * i + static_cast<std::size_t>(index));
+    }
+    field.flow = {Plane<float>(size, 0.1F), Plane<float>(size, static_cast<float>(index))};
+    field.seeds = {{1, 2, 0.1F, static_cast<float>(index), true}};
+    return field;
+}
+
+Frame frame_of(std::int64_t index) {
+    const auto level = static_cast<std::uint8_t>(index);
+    return {index, field_of(index).pts, Plane<std::uint8_t>(size), Plane<Bgr>(size, {level, 20, 200})};
+}
+
+Manifest manifest_of() {
+    Manifest manifest;
+    manifest.clip = {
+        .name = {}, .container = "avi", .codec = "ffv1", .size = {90, 50}, .rate = 25, .duration = 0.4, .frames = 10};
+    manifest.field_size = size;
+    manifest.settings = {{"filter", "difference"}};
+    return manifest;
+}
+
+class Store : public testing::Test {
+  protected:
+    Store() : folder_(fs::temp_directory_path() / ("vvr-store-" + std::to_string(::getpid()))) {
+        fs::remove_all(folder_);
+        fs::create_directory(folder_);
+    }
+    ~Store() override { fs::remove_all(folder_); }
+    Store(const Store&) = delete;
+    Store& operator=(const Store&) = delete;
+
+    std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
+        DataFolder data(folder_ / name, 2, false);
+        for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
+        data.close(manifest_of(), {});
+        return (folder_ / name).string();
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Store, GivesBackWhatItTook) {
+    const std::vector<std::string> parts{write("a", 0, 4), write("b", 4, 10)};
+    StoredFields stored(parts);
+    EXPECT_EQ(stored.info().frames, 10);
+    EXPECT_EQ(stored.interval(3), 4);
+    std::int64_t next = 0;
+    const FieldSummary summary = stored.read({.every = 2}, [&](const SharedFrame& frame, Field&& field) {
+        const Field expected = field_of(next);
+        EXPECT_EQ(field.index, next);
+        EXPECT_EQ(field.pts, expected.pts);
+        EXPECT_TRUE(std::ranges::equal(field.scalar.pixels(), expected.scalar.pixels()));
+        EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<Seed>{});
+        EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
+        if (next == 0 || next == 9) {
+            EXPECT_TRUE(std::ranges::equal(frame->colour.pixels(), frame_of(next).colour.pixels()));
+        }
+        ++next;
+    });
+    EXPECT_EQ(summary.frames, 10);
+}
+
+TEST_F(Store, WithoutCloseNothingStays) {
+    {
+        DataFolder data(folder_ / "a", 1, false);
+        data.add(frame_of(0), field_of(0));
+        EXPECT_TRUE(is_data_folder(folder_ / "a"));
+        const std::vector<std::string> names{(folder_ / "a").string()};
+        EXPECT_THROW(StoredFields{names}, Error);
+    }
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Store, ListsReplaceSeeds) {
+    const std::vector<std::string> whole{write("a", 0, 10)};
+    const std::vector<std::string> rest{write("b", 4, 10)};
+    ListedSeeds listed(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    EXPECT_EQ(listed.interval(4), 2);
+    fs::remove(folder_ / "a" / stored::seed_file(6));
+    ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    std::size_t seeds = 0;
+    fewer.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) { seeds += field.seeds.size(); });
+    EXPECT_EQ(seeds, 2U);
+}
+
+TEST(ManifestText, ReadsWhatItWrote) {
+    Manifest manifest = manifest_of();
+    manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}};
+    const Manifest read = parse_manifest(format_manifest(manifest), "m");
+    EXPECT_EQ(read.frames, manifest.frames);
+    EXPECT_EQ(read.settings, manifest.settings);
+    EXPECT_EQ(read.field_size, size);
+    EXPECT_EQ(format_manifest(read), format_manifest(manifest));
+}
+
+/// A scene of so many frames, ten a second, in which a block moves in some of them and then lies where it is.
+class Scene final : public FieldSource {
+  public:
+    Scene(std::int64_t frames, std::vector<std::pair<std::int64_t, std::int64_t>> motions)
+        : frames_(frames), motions_(std::move(motions)) {}
+
+    const VideoInfo& info() const override { return info_; }
+    Size field_size() const override { return {64, 32}; }
+    std::int64_t expected_frames() const override { return frames_; }
+
+    FieldSummary read(const FieldNeeds&, const FieldSink& sink) override {
+        int place = 0;
+        for (std::int64_t i = 0; i < frames_; ++i) {
+            const bool moves = std::ranges::any_of(
+                motions_, [i](const auto& motion) { return motion.first <= i && i < motion.second; });
+            place = (place + (moves ? 2 : 0)) % 48;
+            Field field{i, 0.1 * static_cast<double>(i), Plane<std::uint8_t>(field_size()), {}, {}};
+            for (int j = 8; j < 24; ++j) {
+                for (int x = 0; x < 16; ++x) field.scalar.row(j)[static_cast<std::size_t>(place + x)] = 200;
+            }
+            field.scalar.row(3)[static_cast<std::size_t>(i % 64)] = 90;  // noise
+            sink(std::make_shared<const Frame>(Frame{i, field.pts, {}, {}}), std::move(field));
+        }
+        return {.frames = frames_, .damaged = 3, .reference = {}};
+    }
+
+  private:
+    VideoInfo info_;
+    std::int64_t frames_;
+    std::vector<std::pair<std::int64_t, std::int64_t>> motions_;
+};
+
+std::vector<std::int64_t> kept(std::int64_t frames, std::vector<std::pair<std::int64_t, std::int64_t>> motions,
+                               double longest) {
+    std::vector<std::int64_t> numbers;
+    BusyFields busy(std::make_unique<Scene>(frames, std::move(motions)), longest);
+    const FieldSummary summary = busy.read({}, [&](const SharedFrame& frame, Field&& field) {
+        EXPECT_EQ(frame->index, field.index);
+        numbers.push_back(field.index);
+    });
+    EXPECT_EQ(summary.frames, std::ssize(numbers));
+    EXPECT_EQ(summary.damaged, 3);
+    EXPECT_TRUE(std::ranges::is_sorted(numbers));
+    return numbers;
+}
+
+TEST(BusyFields, LeaveOutWhereNothingMoves) {
+    const auto numbers = kept(1000, {{300, 350}, {700, 720}}, 4);
+    const auto has = [&](std::int64_t number) { return std::ranges::binary_search(numbers, number); };
+    for (std::int64_t i = 281; i < 371; ++i) EXPECT_TRUE(has(i)) << i << ": motion, and two seconds on both sides";
+    for (std::int64_t i = 682; i < 741; ++i) EXPECT_TRUE(has(i)) << i;
+    EXPECT_TRUE(has(0) && has(20) && has(999) && has(980)) << "both ends of the clip";
+    for (const std::int64_t i : {40, 200, 270, 390, 600, 670, 760, 970}) EXPECT_FALSE(has(i)) << i;
+}
+
+TEST(BusyFields, KeepShortPausesAndAllThatMoves) {
+    EXPECT_EQ(std::ssize(kept(200, {{0, 200}}, 1)), 200);
+    EXPECT_EQ(std::ssize(kept(200, {{0, 60}, {85, 200}}, 3)), 200) << "a pause of two and a half seconds";
+    EXPECT_LT(std::ssize(kept(200, {{0, 60}, {120, 200}}, 3)), 190);
+    EXPECT_EQ(std::ssize(kept(10, {}, 3)), 10) << "a clip shorter than that";
+    EXPECT_EQ(std::ssize(kept(1, {}, 3)), 1);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,364 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/video/packet_scan.h"
+#include "tests/unit/video/clips.h"
+
+namespace vvr {
+namespace {
+
+using namespace test;
+
+struct Encoding {
+    std::string name;
+    std::string arguments;
+    std::string container;
+    std::string codec;
+};
+
+class Encodings : public testing::TestWithParam<Encoding> {};
+
+TEST_P(Encodings, GiveEveryFrameInOrderWithItsTime) {
+    const TempFolder folder;
+    const auto& encoding = GetParam();
+    const auto source = open_source(counting_clip(folder, encoding.name, encoding.arguments));
+    EXPECT_EQ(source->info().container, encoding.container);
+    EXPECT_EQ(source->info().codec, encoding.codec);
+    EXPECT_EQ(source->info().size, (Size{64, 48}));
+    EXPECT_NEAR(source->info().rate, 25, 0.01);
+    EXPECT_NEAR(source->info().duration, 4, 0.1);
+    EXPECT_NEAR(static_cast<double>(source->info().frames), 100, 3);
+
+    const auto frames = read_all(*source);
+    ASSERT_EQ(frames.size(), 100u);
+    EXPECT_EQ(source->damaged(), 0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(frames[i].index, static_cast<std::int64_t>(i));
+        EXPECT_NEAR(frames[i].pts, static_cast<double>(i) / 25, 0.0011);
+        EXPECT_NEAR(middle_of(frames[i]), level(frames[i].index), 2);
+    }
+    source->rewind();
+    EXPECT_EQ(fingerprint(read_all(*source)), fingerprint(frames));
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, Encodings,
+                         testing::Values(Encoding{"clip.avi", "-c:v mpeg4 -q:v 2", "avi", "mpeg4"},
+                                         Encoding{"clip.mp4", "-c:v libx264 -qp 4 -g 12 -bf 3", "mov", "h264"},
+                                         Encoding{"clip.mkv", "-c:v libx264 -qp 4 -g 12 -bf 3 -x264-params open-gop=1",
+                                                  "matroska", "h264"},
+                                         Encoding{"clip.ts", "-c:v libx264 -qp 4 -g 25 -bf 2", "mpegts", "h264"},
+                                         Encoding{"lossless.mkv", "-c:v ffv1", "matroska", "ffv1"},
+                                         Encoding{"motion.avi", "-c:v mjpeg -q:v 2", "avi", "mjpeg"}),
+                         [](const auto& test) {
+                             std::string name = test.param.name;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+TEST(VideoFile, KeepsTheTimesOfAVariableFrameRate) {
+    const TempFolder folder;
+    // Every frame up to 40, then each tenth.
+    const auto name =
+        counting_clip(folder, "vfr.mkv", "-vf \"select='lt(n,40)+not(mod(n,10))'\" -vsync vfr -c:v libx264 -qp 4");
+    const auto frames = read_all(*open_source(name));
+    ASSERT_EQ(frames.size(), 46u);
+    EXPECT_NEAR(frames[39].pts, 39 / 25.0, 0.002);
+    EXPECT_NEAR(frames[41].pts, 50 / 25.0, 0.002);
+    EXPECT_NEAR(frames[45].pts, 90 / 25.0, 0.002);
+    EXPECT_EQ(frames[45].index, 45);
+}
+
+TEST(VideoFile, TimesCountFromTheFirstFrame) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "late.mkv", "-c:v libx264 -output_ts_offset 3600");
+    const auto source = open_source(name);
+    EXPECT_DOUBLE_EQ(source->next()->pts, 0);
+}
+
+struct Place {
+    double seconds;
+    std::int64_t first;
+};
+
+class Seeking : public testing::TestWithParam<std::tuple<std::string, Place>> {};
+
+TEST_P(Seeking, GoesOnWithTheFramesOfTheWholeClip) {
+    static const TempFolder folder;
+    const auto& [encoding, place] = GetParam();
+    const auto file = std::to_string(std::hash<std::string>()(encoding)) + ".mkv";
+    const auto name = std::filesystem::exists(folder / file) ? folder / file : counting_clip(folder, file, encoding);
+    const auto all = read_all(*open_source(name));
+    const auto source = open_source(name);
+    for (int pass = 0; pass < 2; ++pass) {
+        source->seek(place.seconds);
+        const auto frames = read_all(*source);
+        ASSERT_FALSE(frames.empty());
+        // Where nothing tells a frame's number the clip is read from its beginning.
+        EXPECT_TRUE(frames.front().index == 0 || frames.front().index == place.first) << frames.front().index;
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const auto& same = all[static_cast<std::size_t>(frames.front().index) + i];
+            EXPECT_EQ(frames[i].index, same.index);
+            EXPECT_DOUBLE_EQ(frames[i].pts, same.pts);
+            EXPECT_EQ(fingerprint({frames[i]}), fingerprint({same}));
+        }
+        EXPECT_EQ(frames.back().index, all.back().index);
+        EXPECT_EQ(source->damaged(), 0);
+    }
+    source->seek(1000);
+    const auto none = source->next();
+    EXPECT_TRUE(!none || none->index == 0);
+    source->rewind();
+    EXPECT_EQ(read_all(*source).size(), all.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, Seeking,
+                         testing::Combine(testing::Values("-c:v libx264 -qp 4 -g 12 -bf 3",
+                                                          "-c:v libx264 -g 12 -bf 3 -x264-params open-gop=1",
+                                                          "-c:v libx264 -g 1000 -x264-params intra-refresh=1"),
+                                          testing::Values(Place{-1, 0}, Place{0, 0}, Place{1.0, 25}, Place{2.5, 63},
+                                                          Place{3.96, 99})));
+
+TEST(VideoFile, TurnsPicturesUpright) {
+    const TempFolder folder;
+    scene::Options options;
+    options.frames = 2;
+    options.size = {64, 32};
+    options.u = options.v = 0;
+    const auto scene = scene::make_shifted_texture(options);
+    write_scene(scene, folder / "flat.y4m");
+    ffmpeg("-i " + quoted(folder / "flat.y4m") + " -c:v libx264 -qp 0 " + quoted(folder / "flat.mp4"));
+    const auto flat = read_all(*open_source(folder / "flat.mp4"));
+    for (const int degrees : {90, 180, 270}) {
+        const auto name = folder / ("turned" + std::to_string(degrees) + ".mp4");
+        ffmpeg("-i " + quoted(folder / "flat.mp4") + " -c copy -metadata:s:v rotate=" + std::to_string(degrees) + " " +
+               quoted(name));
+        // What ffmpeg itself makes of the turn.
+        ffmpeg("-i " + quoted(name) + " -c:v ffv1 " + quoted(folder / "truth.mkv"));
+        const auto source = open_source(name);
+        const auto turned = read_all(*source);
+        const auto truth = read_all(*open_source(folder / "truth.mkv"));
+        EXPECT_EQ(source->info().size, degrees == 180 ? (Size{64, 32}) : (Size{32, 64}));
+        EXPECT_EQ(fingerprint(turned), fingerprint(truth)) << degrees;
+        EXPECT_NE(fingerprint(turned), fingerprint(flat)) << degrees;
+    }
+}
+
+TEST(VideoFile, MakesPixelsSquare) {
+    const TempFolder folder;
+    EXPECT_EQ(open_source(counting_clip(folder, "wide.mkv", "-c:v ffv1 -aspect 16:9"))->info().size, (Size{85, 48}));
+    EXPECT_EQ(open_source(counting_clip(folder, "tall.mkv", "-c:v ffv1 -aspect 1:1"))->info().size, (Size{64, 64}));
+}
+
+TEST(VideoFile, TakesTinyAndOddSizes) {
+    const TempFolder folder;
+    for (const Size size : {Size{1, 1}, Size{1, 40}, Size{40, 1}, Size{33, 17}}) {
+        SourceOptions options;
+        options.colour = true;
+        const auto name = folder / "odd.y4m";
+        scene::Options drawn;
+        drawn.size = size;
+        drawn.frames = 3;
+        write_scene({drawn, std::make_shared<Counting>(size)}, name);
+        const auto source = open_source(name, options);
+        const auto frames = read_all(*source);
+        ASSERT_EQ(frames.size(), 3u);
+        EXPECT_EQ(frames[0].grey.size(), size);
+        EXPECT_EQ(frames[0].colour.size(), size);
+        EXPECT_NEAR(middle_of(frames[2]), level(2), 1);
+        EXPECT_EQ(source->sample(8).size(), 3u);
+    }
+}
+
+TEST(VideoFile, TakesOneFrame) {
+    const TempFolder folder;
+    const auto source = open_source(counting_clip(folder, "one.mp4", "-frames:v 1 -c:v libx264"));
+    EXPECT_EQ(source->sample(5).size(), 1u);
+    EXPECT_EQ(read_all(*source).size(), 1u);
+}
+
+TEST(VideoFile, TakesEightThousandPixels) {
+    const TempFolder folder;
+    ffmpeg("-f lavfi -i color=gray:s=7680x4320:r=1:d=2 -c:v libx264 -preset ultrafast " + quoted(folder / "8k.mp4"));
+    const auto frames = read_all(*open_source(folder / "8k.mp4"));
+    ASSERT_EQ(frames.size(), 2u);
+    EXPECT_EQ(frames[0].grey.size(), (Size{384, 216}));
+}
+
+TEST(VideoFile, NamesWithColonsAndPercentsAreFiles) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "clip.mkv", "-c:v ffv1 -frames:v 3");
+    for (const std::string odd : {"cam:1.mkv", "100%d.mkv", "a*b.mkv", "file:x.mkv"}) {
+        std::filesystem::copy_file(name, folder / odd);
+        EXPECT_EQ(read_all(*open_source(folder / odd)).size(), 3u) << odd;
+    }
+}
+
+DecodingPlan samples_of(const ClipPackets& clip, int count) {
+    return plan_decoding(clip, sampled_stamps(clip, count));
+}
+
+TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
+    const TempFolder folder;
+    const auto source = open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
+    const auto frames = source->sample(20);
+    EXPECT_LE(frames.size(), 20u);
+    EXPECT_GE(frames.size(), 7u);
+    EXPECT_DOUBLE_EQ(frames.front().pts, 0);
+    EXPECT_GT(frames.back().pts, 3.4);
+    for (const auto& frame : frames) EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
+    EXPECT_EQ(read_all(*source).size(), 100u);
+}
+
+TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
+          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
+          "-c:v msmpeg4 -g 30 -sc_threshold 1000000000"}) {
+        const auto name = counting_clip(folder, "clip.mkv", encoding);
+        const auto source = open_source(name);
+        const auto quick = source->sample(7);
+        const auto all = source->FrameSource::sample(7);
+        ASSERT_EQ(quick.size(), all.size()) << encoding;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            EXPECT_NEAR(quick[i].pts, all[i].pts, 1e-6) << encoding;
+            EXPECT_TRUE(std::ranges::equal(quick[i].grey.pixels(), all[i].grey.pixels())) << encoding;
+        }
+        Demuxer demuxer(open_input(name), Demuxer::Kind::video, 25);
+        const DecodingPlan plan = samples_of(scan_packets(demuxer), 7);
+        EXPECT_EQ(std::ranges::count(plan.uses, PacketUse::frame), std::ssize(all)) << encoding;
+        EXPECT_GT(std::ranges::count(plan.uses, PacketUse::none), 5) << encoding;
+    }
+}
+
+TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 20 -bf 3 -sc_threshold 0", "-c:v libx264 -g 20 -bf 3 -x264-params open-gop=1",
+          "-c:v mpeg4 -g 10 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 1000"}) {
+        Demuxer demuxer(open_input(counting_clip(folder, "clip.mkv", encoding)), Demuxer::Kind::video, 25);
+        const DecodingPlan plan = samples_of(scan_packets(demuxer), 31);
+        for (const int parts : {1, 2, 3, 50}) {
+            const auto cut = cut_plan(plan, parts);
+            EXPECT_LE(std::ssize(cut), parts);
+            EXPECT_EQ(cut.size() > 1, parts > 1 && !plan.starts.empty()) << encoding << ", " << parts;
+            std::vector<std::int64_t> stamps;
+            std::vector<PacketUse> uses(plan.uses.size(), PacketUse::none);
+            for (const DecodingPlan& part : cut) {
+                stamps.insert(stamps.end(), part.stamps.begin(), part.stamps.end());
+                EXPECT_EQ(std::ranges::count(part.uses, PacketUse::frame), std::ssize(part.stamps)) << encoding;
+                for (std::size_t i = 0; i < uses.size(); ++i) {
+                    if (part.uses[i] == PacketUse::none) continue;
+                    EXPECT_EQ(uses[i], PacketUse::none) << "a packet is decoded twice";
+                    uses[i] = part.uses[i];
+                }
+            }
+            EXPECT_EQ(stamps, plan.stamps) << encoding;
+            EXPECT_EQ(uses, plan.uses) << encoding;
+        }
+    }
+}
+
+std::size_t colours(const std::vector<Frame>& frames) {
+    std::size_t sum = 14695981039346656037u;
+    for (const auto& frame : frames)
+        for (const auto& pixel : frame.colour.pixels())
+            for (const auto value : pixel) sum = (sum ^ value) * 1099511628211u;
+    return sum;
+}
+
+void expect_same(const std::vector<Frame>& frames, const std::vector<Frame>& wanted, const std::string& which) {
+    ASSERT_EQ(frames.size(), wanted.size()) << which;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_EQ(frames[i].index, wanted[i].index) << which;
+        EXPECT_DOUBLE_EQ(frames[i].pts, wanted[i].pts) << which;
+    }
+    EXPECT_EQ(fingerprint(frames), fingerprint(wanted)) << which;
+    EXPECT_EQ(colours(frames), colours(wanted)) << which;
+}
+
+TEST(Sample, KeepsAShortClipSoThatItIsDecodedOnce) {
+    const TempFolder folder;
+    for (const char* encoding :
+         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
+          "-c:v libx264 -g 40 -bf 3 -intra-refresh 1", "-c:v libx265 -g 30 -bf 3 -x265-params log-level=none",
+          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
+          "-c:v libx264 -g 40 -pix_fmt yuv422p10le", "-vf noise=alls=40:allf=t -c:v mpeg4 -q:v 2 -g 35",
+          "-c:v libx264 -g 40 -color_range pc -colorspace bt709", "-c:v libvpx-vp9 -b:v 0 -crf 30 -g 40"}) {
+        const std::string name = walkers_clip(folder, "clip.mkv", encoding);
+        for (const Size size : {Size{0, 0}, Size{101, 77}, Size{400, 300}}) {
+            SourceOptions options;
+            options.colour = true;
+            options.field_size = size;
+            const auto fresh = read_all(*open_source(name, options));
+            const auto source = open_source(name, options);
+            source->sample(7);
+            // What has been kept needs no file any more.
+            std::filesystem::rename(name, folder / "away.mkv");
+            expect_same(read_all(*source), fresh, encoding);
+            EXPECT_EQ(source->next(), nullptr);
+            EXPECT_EQ(source->damaged(), 0);
+            std::filesystem::rename(folder / "away.mkv", name);
+            source->rewind();
+            expect_same(read_all(*source), fresh, encoding);
+            source->sample(7);
+            source->seek(1.5);
+            const auto later = read_all(*source);
+            ASSERT_FALSE(later.empty());
+            expect_same(later, {fresh.end() - std::ssize(later), fresh.end()}, encoding);
+            EXPECT_NEAR(later.front().pts, 1.5, 0.041);
+            source->seek(0.5);
+            EXPECT_LT(source->next()->pts, 0.6) << encoding;
+        }
+    }
+}
+
+TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
+    const TempFolder folder;
+    const std::string noise = folder / "noise.mkv";
+    ffmpeg("-f lavfi -i color=gray:s=1280x720:r=25:d=4 -vf noise=alls=100:allf=t -c:v mpeg4 -q:v 2 -g 1000 " +
+           quoted(noise));
+    const std::string whole = walkers_clip(folder, "whole.avi", "-c:v mpeg4 -q:v 2 -g 30");
+    for (const std::string& name : {noise, spoiled(folder, whole), cut(folder, whole, 0.7)}) {
+        SourceOptions options;
+        options.field_size = {-1, -1};
+        const auto fresh = open_source(name, options);
+        const auto wanted = read_all(*fresh);
+        const auto source = open_source(name, options);
+        EXPECT_GE(source->sample(9).size(), 4u);
+        expect_same(read_all(*source), wanted, name);
+        EXPECT_EQ(source->damaged(), fresh->damaged());
+        source->sample(9);
+        std::filesystem::resize_file(name, 4096);
+        EXPECT_LT(read_all(*source).size(), wanted.size());
+    }
+}
+
+TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
+    const TempFolder folder;
+    const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -bf 2 -sc_threshold 0");
+    const auto source = open_source(name);
+    const auto frames = source->sample(8);
+    EXPECT_LE(frames.size(), 8u);
+    EXPECT_GE(frames.size(), 4u);
+    for (const auto& frame : frames) {
+        EXPECT_EQ(std::lround(frame.pts * 25) % 5, 0);
+        EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
+    }
+    EXPECT_EQ(read_all(*source).front().index, 0);
+}
+
+TEST(Sample, DoesNotTrustTheHeadersDuration) {
+    const TempFolder folder;
+    // An AVI cut in the middle still has the frame count of the whole in its header.
+    const auto whole = counting_clip(folder, "clip.avi", "-c:v mjpeg -q:v 2");
+    const auto source = open_source(cut(folder, whole, 0.5));
+    const auto frames = source->sample(10);
+    EXPECT_GE(frames.size(), 4u);
+    EXPECT_GT(frames.back().pts, 1.2);
+}
+
+}  // namespace
+}  // namespace vvr

@@ -1,0 +1,128 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/video/clips.h"
+
+namespace vvr {
+namespace {
+
+using namespace test;
+
+/// Left half red, right half a grey ramp from top to bottom.
+class Chart final : public scene::Story {
+  public:
+    explicit Chart(Size size) : size_(size) {}
+    Plane<Bgr> paint(int) const override {
+        Plane<Bgr> picture(size_);
+        for (int j = 0; j < size_.height; ++j)
+            for (int i = 0; i < size_.width; ++i) {
+                const auto grey = static_cast<std::uint8_t>(255 * j / (size_.height - 1));
+                picture.at(i, j) = i < size_.width / 2 ? Bgr{30, 40, 200} : Bgr{grey, grey, grey};
+            }
+        return picture;
+    }
+    scene::Truth truth(int) const override { return {}; }
+
+  private:
+    Size size_;
+};
+
+void write_chart(const std::string& name, Size size) {
+    scene::Options options;
+    options.size = size;
+    options.frames = 2;
+    write_scene({options, std::make_shared<Chart>(size)}, name);
+}
+
+class PixelFormats : public testing::TestWithParam<std::string> {};
+
+TEST_P(PixelFormats, GiveTheSameGreyAndColour) {
+    const TempFolder folder;
+    write_chart(folder / "chart.y4m", {64, 64});
+    const std::string format = GetParam();
+    const std::string codec = format.starts_with("yuvj") ? "mjpeg -q:v 1" : format == "nv12" ? "rawvideo" : "ffv1";
+    // Formats that ffv1 doesn't hold go into pictures.
+    const bool is_picture = format == "pal8" || format == "rgb24" || format == "rgba" || format == "rgb48be";
+    const auto name = is_picture ? folder / "c%d.png" : folder / "chart.nut";
+    ffmpeg("-i " + quoted(folder / "chart.y4m") + (is_picture ? "" : " -c:v " + codec) + " -pix_fmt " + format + " " +
+           quoted(name));
+    SourceOptions options;
+    options.colour = true;
+    options.field_size = {32, 32};
+    const auto frames = read_all(*open_source(name, options));
+    ASSERT_EQ(frames.size(), 2u);
+    const auto& frame = frames[1];
+    const bool is_grey = format == "gray" || format == "gray10le";
+    const int tolerance = format == "pal8" ? 14 : 3;
+    const double red = 0.114 * 30 + 0.587 * 40 + 0.299 * 200;
+    EXPECT_NEAR(frame.grey.at(6, 16), red, tolerance);
+    for (const int j : {1, 8, 16, 24, 30}) {
+        const double ramp = 255 * (2 * j + 0.5) / 63;
+        EXPECT_NEAR(frame.grey.at(26, j), ramp, tolerance) << "row " << j;
+        for (const auto channel : frame.colour.at(26, j)) EXPECT_NEAR(channel, ramp, tolerance + 1);
+    }
+    if (is_grey) return;
+    const Bgr colour = frame.colour.at(6, 16);
+    EXPECT_NEAR(colour[0], 30, tolerance + 3);
+    EXPECT_NEAR(colour[1], 40, tolerance + 3);
+    EXPECT_NEAR(colour[2], 200, tolerance + 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Video, PixelFormats,
+                         testing::Values("yuv420p", "yuv422p", "yuv444p", "yuvj420p", "nv12", "gray", "yuv420p10le",
+                                         "yuv444p16le", "gray10le", "yuva420p", "bgr0", "rgb24", "rgba", "rgb48be",
+                                         "pal8"),
+                         [](const auto& test) { return test.param; });
+
+/// Each pixel the exact mean of the area that it covers.
+double area_mean(const Plane<Bgr>& picture, Size to, int i, int j) {
+    const double sx = static_cast<double>(picture.width()) / to.width;
+    const double sy = static_cast<double>(picture.height()) / to.height;
+    double sum = 0;
+    double weight = 0;
+    for (int y = static_cast<int>(j * sy); y < std::min<double>((j + 1) * sy, picture.height()); ++y)
+        for (int x = static_cast<int>(i * sx); x < std::min<double>((i + 1) * sx, picture.width()); ++x) {
+            const double wx = std::min<double>(x + 1, (i + 1) * sx) - std::max<double>(x, i * sx);
+            const double wy = std::min<double>(y + 1, (j + 1) * sy) - std::max<double>(y, j * sy);
+            sum += wx * wy * picture.at(x, y)[0];
+            weight += wx * wy;
+        }
+    return sum / weight;
+}
+
+TEST(Scaler, AveragesAreas) {
+    const TempFolder folder;
+    scene::Options drawn;
+    drawn.size = {300, 200};
+    drawn.frames = 2;
+    const auto scene = scene::make_shifted_texture(drawn);
+    write_scene(scene, folder / "texture.y4m");
+    const auto truth = scene.frame(1);
+    for (const Size size : {Size{150, 100}, Size{100, 50}, Size{133, 89}, Size{299, 199}, Size{3, 2}, Size{1, 1}}) {
+        SourceOptions options;
+        options.field_size = size;
+        const auto frames = read_all(*open_source(folder / "texture.y4m", options));
+        ASSERT_EQ(frames.size(), 2u);
+        double worst = 0;
+        for (int j = 0; j < size.height; ++j)
+            for (int i = 0; i < size.width; ++i)
+                worst = std::max(worst, std::abs(frames[1].grey.at(i, j) - area_mean(truth, size, i, j)));
+        // swscale's area filter is as long as the area rounded up to pixels: less exact near the source's own size.
+        EXPECT_LE(worst, size.width > 250 ? 12 : 3) << size.width << "x" << size.height;
+    }
+}
+
+TEST(Scaler, EnlargesToo) {
+    const TempFolder folder;
+    write_chart(folder / "chart.y4m", {16, 16});
+    SourceOptions options;
+    options.field_size = {100, 8};
+    options.colour = true;
+    const auto frames = read_all(*open_source(folder / "chart.y4m", options));
+    EXPECT_EQ(frames[0].grey.size(), (Size{100, 8}));
+    EXPECT_NEAR(frames[0].grey.at(10, 4), 87, 3);
+}
+
+}  // namespace
+}  // namespace vvr
