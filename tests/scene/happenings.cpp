@@ -35,7 +35,7 @@ class Happening final : public Story {
   public:
     Happening(const Options& options, std::vector<Actor> actors)
         : scale_(options.size.height / story_height),
-          hall_(paint_hall(options.size, options.seed)),
+          hall_(paint_hall(options.size, options.seed, options.detail)),
           actors_(std::move(actors)) {}
 
     Plane<Bgr> paint(int frame) const override {
