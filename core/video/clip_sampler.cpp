@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
-#include <memory>
 #include <utility>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include "core/video/decoder.h"
@@ -40,13 +37,6 @@ class Decoding {
     Decoder decoder_;
 };
 
-/// A decoded frame that is going to be kept.
-struct Small {
-    std::int64_t stamp;
-    DecodedFrame frame;
-    std::optional<Frame> sample;
-};
-
 std::vector<Frame> joined(std::vector<std::vector<Frame>> parts) {
     std::vector<Frame> frames;
     for (std::vector<Frame>& part : parts) std::ranges::move(part, std::back_inserter(frames));
@@ -55,47 +45,50 @@ std::vector<Frame> joined(std::vector<std::vector<Frame>> parts) {
 
 }  // namespace
 
-/// The room for a clip that is decoded but once, for all threads that fill it.
-class KeepingRoom {
+/// What a clip takes that is being stored, counted by all threads that decode it.
+class StoredBytes {
   public:
-    explicit KeepingRoom(std::size_t frames) : frames_(static_cast<double>(frames)) {}
+    explicit StoredBytes(std::size_t frames) : frames_(static_cast<double>(frames)) {}
 
-    /// Takes so many bytes for one frame more. There is room as long as there is some, by what came so far, for all
-    /// that are to come.
-    void take(std::size_t bytes) {
-        constexpr std::size_t room = 100'000'000;  // less than drawing takes when they have been given back
-        constexpr std::size_t telling = 50;
+    /// Counts one frame more. Gives up where the clip takes too much, or, by its frames so far, is going to.
+    void add(std::size_t bytes) {
+        constexpr std::size_t limit = 100'000'000;  // less than drawing takes after they have been freed
+        constexpr std::size_t frames_to_judge = 50;
         const std::size_t taken = bytes_ += bytes;
         const std::size_t count = ++count_;
-        if (taken > room) close();
-        if (count >= telling && static_cast<double>(taken) / static_cast<double>(count) * frames_ > 1.2 * room) close();
+        if (taken > limit) give_up();
+        if (count >= frames_to_judge &&
+            static_cast<double>(taken) / static_cast<double>(count) * frames_ > 1.2 * limit) {
+            give_up();
+        }
     }
 
-    void close() { open_ = false; }
-    bool open() const { return open_; }
+    void give_up() { given_up_ = true; }
+    bool given_up() const { return given_up_; }
 
   private:
     double frames_;
     std::atomic<std::size_t> bytes_ = 0;
     std::atomic<std::size_t> count_ = 0;
-    std::atomic<bool> open_ = true;
+    std::atomic<bool> given_up_ = false;
 };
 
-DecodedFrame KeptClip::next() {
+std::unique_ptr<DecodedFrame> StoredClip::next() {
     for (FrameStore& part : parts_) {
-        AvFrame image = part.pop();
-        if (!image) continue;
-        const std::size_t index = given_++;
-        return {static_cast<std::int64_t>(index), times_[index], orientation_, std::move(image)};
+        auto picture = part.pop();
+        if (!picture) continue;
+        const std::size_t index = read_++;
+        return std::make_unique<DecodedFrame>(
+            DecodedFrame{static_cast<std::int64_t>(index), times_[index], orientation_, nullptr, std::move(picture)});
     }
-    return {};
+    return nullptr;
 }
 
-void KeptClip::pass(double time) {
-    while (given_ < times_.size() && times_[given_] < time) next();
+void StoredClip::skip(double time) {
+    while (read_ < times_.size() && times_[read_] < time) next();
 }
 
-std::vector<Frame> ClipSampler::sample(int count, std::optional<KeptClip>& kept) const {
+std::vector<Frame> ClipSampler::sample(int count, std::optional<StoredClip>& stored) const {
     std::vector<Frame> frames = sample_key_frames(count);
     if (!frames.empty()) return frames;
     const ClipPackets packets = [&] {
@@ -103,7 +96,7 @@ std::vector<Frame> ClipSampler::sample(int count, std::optional<KeptClip>& kept)
         return scan_packets(scan);
     }();
     if (packets.stamps.empty()) return {};
-    frames = sample_keeping(packets, count, kept);
+    frames = sample_all(packets, count, stored);
     return frames.empty() ? sample_planned(packets, count) : frames;
 }
 
@@ -116,93 +109,78 @@ std::vector<Frame> ClipSampler::sample_key_frames(int count) const {
     Decoder decoder(scan, clip_.input.name, 1);
     Scaler scale(clip_.field_size, clip_.options.colour);
     std::vector<Frame> frames;
-    for (const auto& packet : keys.kept)
+    for (const auto& packet : keys.kept) {
         if (auto image = decoder.decode_alone(*packet)) frames.push_back(scale(without_index(scan, std::move(image))));
+    }
     if (frames.size() < keys.kept.size() / 2 + 1) return {};
     return frames;
 }
 
-/// The frames that sampling all of them would give, where there is room to keep the clip, so that it is decoded but
-/// once. None where there isn't, where the clip is damaged, or its packets' times are not its frames'.
-std::vector<Frame> ClipSampler::sample_keeping(const ClipPackets& packets, int count,
-                                               std::optional<KeptClip>& kept) const {
+/// Decodes and stores the whole clip, so that it is decoded only once. Nothing where it takes too much memory, is
+/// damaged, or has other frames than its packets' times say.
+std::vector<Frame> ClipSampler::sample_all(const ClipPackets& packets, int count,
+                                           std::optional<StoredClip>& stored) const {
     const std::vector<std::int64_t> samples = sampled_stamps(packets, count);
-    auto plans = share_out(plan_decoding(packets, packets.stamps));
-    KeepingRoom room(packets.stamps.size());
+    const auto plans = share_out(plan_decoding(packets, packets.stamps));
+    StoredBytes bytes(packets.stamps.size());
     std::vector<FrameStore> stores(plans.size());
     std::vector<std::vector<Frame>> parts(plans.size());
     oneapi::tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
-        if (!decode(std::move(plans[i]), samples, room, stores[i], parts[i])) room.close();
+        if (!decode(plans[i], samples, bytes, stores[i], parts[i])) bytes.give_up();
     });
-    if (!room.open()) return {};
-    kept.emplace(std::move(stores), packets.times, clip_.orientation);
+    if (bytes.given_up()) return {};
+    stored.emplace(std::move(stores), packets.times, clip_.orientation);
     return joined(std::move(parts));
 }
 
-/// The same without what they don't depend on.
+/// Decodes only the samples and the frames that they depend on.
 std::vector<Frame> ClipSampler::sample_planned(const ClipPackets& packets, int count) const {
-    auto plans = share_out(plan_decoding(packets, sampled_stamps(packets, count)));
+    const auto plans = share_out(plan_decoding(packets, sampled_stamps(packets, count)));
     std::vector<std::vector<Frame>> parts(plans.size());
     std::atomic<bool> whole = true;
     oneapi::tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
-        if (!decode(std::move(plans[i]), parts[i])) whole = false;
+        if (!decode(plans[i], parts[i])) whole = false;
     });
     return whole ? joined(std::move(parts)) : std::vector<Frame>{};
 }
 
-/// Where one decoder has no threads of its own, several share the clip; a server is asked but once at a time.
+/// Cuts a plan into parts for several decoders, unless one decoder has threads of its own. A server is asked by one
+/// decoder at a time.
 std::vector<DecodingPlan> ClipSampler::share_out(const DecodingPlan& plan) const {
     const bool alone = clip_.threaded || !is_local(clip_.input);
     return cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
 }
 
 /// \returns false where not all of the plan's frames come
-bool ClipSampler::decode(DecodingPlan plan, std::vector<Frame>& frames) const {
-    Decoding decoding(clip_.input, clip_.options, std::move(plan.uses));
+bool ClipSampler::decode(const DecodingPlan& plan, std::vector<Frame>& frames) const {
+    Decoding decoding(clip_.input, clip_.options, plan.uses);
     Scaler scale(clip_.field_size, clip_.options.colour);
     while (frames.size() < plan.stamps.size()) {
         AvFrame image = decoding.next();
         if (!image) return false;
-        if (image->best_effort_timestamp == plan.stamps[frames.size()])
+        if (image->best_effort_timestamp == plan.stamps[frames.size()]) {
             frames.push_back(scale(without_index(decoding.demuxer(), std::move(image))));
+        }
     }
     return true;
 }
 
-/// Keeps all frames of a plan, and gives those that are samples.
-/// \returns false where others come, or there is no room
-bool ClipSampler::decode(DecodingPlan plan, const std::vector<std::int64_t>& samples, KeepingRoom& room,
+/// Stores all frames of a plan, and adds its samples to `frames`.
+/// \returns false where other frames come, or storing them was given up
+bool ClipSampler::decode(const DecodingPlan& plan, const std::vector<std::int64_t>& samples, StoredBytes& bytes,
                          FrameStore& store, std::vector<Frame>& frames) const {
-    using oneapi::tbb::filter_mode;
-    using oneapi::tbb::make_filter;
-    Decoding decoding(clip_.input, clip_.options, std::move(plan.uses));
-    oneapi::tbb::enumerable_thread_specific<Scaler> scalers(
-        [this] { return Scaler(clip_.field_size, clip_.options.colour); });
-    const auto read = make_filter<void, std::shared_ptr<DecodedFrame>>(
-        filter_mode::serial_in_order, [&](oneapi::tbb::flow_control& control) -> std::shared_ptr<DecodedFrame> {
-            AvFrame image = room.open() ? decoding.next() : nullptr;
-            if (image) return std::make_shared<DecodedFrame>(without_index(decoding.demuxer(), std::move(image)));
-            control.stop();
-            return nullptr;
-        });
-    const auto shrink = make_filter<std::shared_ptr<DecodedFrame>, std::shared_ptr<Small>>(
-        filter_mode::parallel, [&](const std::shared_ptr<DecodedFrame>& decoded) {
-            Scaler& scale = scalers.local();
-            Small small{decoded->image->best_effort_timestamp, scale.shrink(*decoded), {}};
-            if (std::ranges::binary_search(samples, small.stamp)) small.sample = scale(small.frame);
-            return std::make_shared<Small>(std::move(small));
-        });
-    const auto keep = make_filter<std::shared_ptr<Small>, void>(
-        filter_mode::serial_in_order, [&](const std::shared_ptr<Small>& small) {
-            const bool expected = store.size() < plan.stamps.size() && plan.stamps[store.size()] == small->stamp;
-            const std::size_t before = store.bytes();
-            if (!expected || !store.push(*small->frame.image)) return room.close();
-            room.take(store.bytes() - before);
-            if (small->sample) frames.push_back(std::move(*small->sample));
-        });
-    const int threads = oneapi::tbb::this_task_arena::max_concurrency();
-    oneapi::tbb::parallel_pipeline(2 * static_cast<std::size_t>(threads), read & shrink & keep);
-    return decoding.intact() && store.size() == plan.stamps.size();
+    Decoding decoding(clip_.input, clip_.options, plan.uses);
+    Scaler scale(clip_.field_size, clip_.options.colour);
+    for (const std::int64_t stamp : plan.stamps) {
+        AvFrame image = bytes.given_up() ? nullptr : decoding.next();
+        if (!image || image->best_effort_timestamp != stamp) return false;
+        DecodedFrame frame = scale.shrink(without_index(decoding.demuxer(), std::move(image)));
+        if (std::ranges::binary_search(samples, stamp)) frames.push_back(scale(frame));
+        const std::size_t before = store.bytes();
+        if (!store.push(std::move(*frame.scaled))) return false;
+        bytes.add(store.bytes() - before);
+    }
+    return decoding.next() == nullptr && decoding.intact();
 }
 
 DecodedFrame ClipSampler::without_index(const Demuxer& demuxer, AvFrame image) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,30 +13,31 @@
 
 namespace vvr {
 
-class KeepingRoom;
+class StoredBytes;
 
-/// A clip that has been decoded, at the field size, and not yet been given out.
-class KeptClip {
+/// All frames of a clip, decoded and scaled, until they are read.
+class StoredClip {
   public:
     /// \param parts one after another
     /// \param times of all frames, seconds
     /// \param orientation of all frames
-    KeptClip(std::vector<FrameStore> parts, std::vector<double> times, Orientation orientation)
+    StoredClip(std::vector<FrameStore> parts, std::vector<double> times, Orientation orientation)
         : parts_(std::move(parts)), times_(std::move(times)), orientation_(orientation) {}
 
-    /// The next frame, not yet upright; without an image at the end.
-    DecodedFrame next();
+    /// The next frame; nothing after the last one.
+    std::unique_ptr<DecodedFrame> next();
 
-    /// Passes over frames before `time`.
-    void pass(double time);
+    /// Skips the frames before `time`, in seconds.
+    void skip(double time);
 
-    bool is_new() const { return given_ == 0; }
+    /// Whether no frame has been read yet.
+    bool is_whole() const { return read_ == 0; }
 
   private:
     std::vector<FrameStore> parts_;
     std::vector<double> times_;
     Orientation orientation_;
-    std::size_t given_ = 0;
+    std::size_t read_ = 0;
 };
 
 /// Takes samples of a clip (`FrameSource::sample`) by decoding as little of it as it can.
@@ -54,18 +56,18 @@ class ClipSampler {
     /// `clip` refers to what outlives this.
     explicit ClipSampler(const Clip& clip) : clip_(clip) {}
 
-    /// None where all has to be decoded in order to see what is there.
-    /// \param kept is set where the clip was decoded and is small enough to be kept
-    std::vector<Frame> sample(int count, std::optional<KeptClip>& kept) const;
+    /// \param stored is set where the whole clip had to be decoded and is small enough to be stored
+    /// \returns nothing if the packets don't say which frames there are
+    std::vector<Frame> sample(int count, std::optional<StoredClip>& stored) const;
 
   private:
     std::vector<Frame> sample_key_frames(int count) const;
-    std::vector<Frame> sample_keeping(const ClipPackets& packets, int count, std::optional<KeptClip>& kept) const;
+    std::vector<Frame> sample_all(const ClipPackets& packets, int count, std::optional<StoredClip>& stored) const;
     std::vector<Frame> sample_planned(const ClipPackets& packets, int count) const;
     std::vector<DecodingPlan> share_out(const DecodingPlan& plan) const;
-    bool decode(DecodingPlan plan, std::vector<Frame>& frames) const;
-    bool decode(DecodingPlan plan, const std::vector<std::int64_t>& samples, KeepingRoom& room, FrameStore& store,
-                std::vector<Frame>& frames) const;
+    bool decode(const DecodingPlan& plan, std::vector<Frame>& frames) const;
+    bool decode(const DecodingPlan& plan, const std::vector<std::int64_t>& samples, StoredBytes& bytes,
+                FrameStore& store, std::vector<Frame>& frames) const;
     DecodedFrame without_index(const Demuxer& demuxer, AvFrame image) const;
 
     Clip clip_;

@@ -2,6 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+
+#include "core/kernels/colour_rows.h"
+#include "core/plane.h"
 
 struct AVFrame;
 
@@ -21,13 +25,21 @@ struct Orientation {
     friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// A frame as it left the decoder: a reference to its buffers, not yet scaled. Cheap to move between threads;
-/// a `Scaler` makes the `Frame` of it.
+/// A picture at the field size, not yet upright.
+struct ScaledPicture {
+    Plane<std::uint8_t> planes;            ///< luma in full range; in colour, below it Cb and Cr, of the same size
+    std::optional<ColourMatrix> matrix{};  ///< only in colour
+
+    int height() const { return matrix ? planes.height() / 3 : planes.height(); }
+};
+
+/// A frame of a source, cheap to move between threads; a `Scaler` makes a `Frame` of it. It has one of two pictures.
 struct DecodedFrame {
     std::int64_t index = 0;
     double pts = 0;  ///< seconds from the clip's first frame
     Orientation orientation;
-    AvFrame image;
+    AvFrame image;                          ///< as it left the decoder
+    std::optional<ScaledPicture> scaled{};  ///< where the clip was kept after it was sampled
 };
 
 }  // namespace vvr

@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_playlists = 64;                     // that one may name, its own name included
+constexpr int most_playlists = 64;                       // that one may name, its own name included
 constexpr std::uintmax_t most_bytes = 16 * 1024 * 1024;  // a day of segments of a second has 4 MB
 constexpr std::string_view first_line = "#EXTM3U";
-constexpr std::array<std::string_view, 7> playlist_formats{"hls", "concat", "dash", "imf", "sdp", "vobsub",
-                                                           "webm_dash_manifest"};
+constexpr std::array<std::string_view, 7> playlist_formats{
+    "hls", "concat", "dash", "imf", "sdp", "vobsub", "webm_dash_manifest"};
 
 /// The file of an address that libav made out of a playlist's name and a line of it; nothing for another protocol.
 std::optional<fs::path> file_of(std::string_view url) {
@@ -95,9 +95,10 @@ PlaylistFiles::PlaylistFiles(const fs::path& playlist)
     : folder_(fs::weakly_canonical(fs::absolute(playlist).parent_path())) {
     auto text = text_of(playlist);
     if (!text) {
-        throw Error(ErrorKind::limit, fmt::format("'{}' is too large for a playlist, or cannot be read: {} MB are read; "
-                                                  "give the video files themselves",
-                                                  playlist.string(), most_bytes / 1024 / 1024));
+        throw Error(ErrorKind::limit,
+                    fmt::format("'{}' is too large for a playlist, or cannot be read: {} MB are read; "
+                                "give the video files themselves",
+                                playlist.string(), most_bytes / 1024 / 1024));
     }
     texts_.push_back(std::make_unique<Text>(std::move(*text)));
 }

@@ -14,7 +14,7 @@ class FrameSource;
 /// Grey is luma in full range: limited ("tv") luma is stretched from 16..235 to 0..255, so that a threshold in grey
 /// levels means the same for every pixel format. Colour is made only when asked for.
 ///
-/// One for each thread: it holds buffers between frames.
+/// Each thread needs its own: it holds buffers between frames.
 class Scaler {
   public:
     Scaler(Size field_size, bool colour);
@@ -28,8 +28,8 @@ class Scaler {
     /// \throws Error not_video for a pixel format that can't be converted
     Frame operator()(const DecodedFrame& decoded);
 
-    /// The picture's planes at the field size, not yet upright: what `operator()` makes the same `Frame` of.
-    /// \throws Error as operator()
+    /// Does the scaling alone: the result has a `scaled` picture, of which `operator()` makes the same `Frame`.
+    /// \throws Error not_video for a pixel format that can't be converted
     DecodedFrame shrink(const DecodedFrame& decoded);
 
   private:

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tests/bench/scale.h"
 #include "core/fields/pipeline.h"
+#include "tests/bench/scale.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
 

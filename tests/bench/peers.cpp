@@ -15,8 +15,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/background_segm.hpp>
 
-#include "tests/bench/in_turn.h"
 #include "core/fields/flow.h"
+#include "tests/bench/in_turn.h"
 #include "tests/scene/scene.h"
 
 namespace {

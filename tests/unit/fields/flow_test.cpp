@@ -1,3 +1,5 @@
+#include "core/fields/flow.h"
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -5,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/flows/median.h"
 #include "core/fields/solvers.h"
 #include "tests/support/errors.h"
 #include "tests/unit/fields/flow_tools.h"
@@ -239,25 +239,6 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     EXPECT_EQ(parts_about(Plane<std::uint8_t>({320, 240}, 1), 5), std::vector<Rect>{test::whole({320, 240})});
 }
 
-TEST(MedianOfNine, IsTheMiddleOfNine) {
-    Plane<float> plane({19, 5});
-    for (int j = 0; j < 5; ++j) {
-        for (int i = 0; i < 19; ++i) plane.at(i, j) = static_cast<float>((i * 7 + j * 13) % 11);
-    }
-    const Plane<float> median = median_of_nine(plane);
-    for (int j = 0; j < 5; ++j) {
-        for (int i = 0; i < 19; ++i) {
-            std::vector<float> values;
-            for (int y = j - 1; y <= j + 1; ++y) {
-                for (int x = i - 1; x <= i + 1; ++x)
-                    values.push_back(plane.at(std::clamp(x, 0, 18), std::clamp(y, 0, 4)));
-            }
-            std::ranges::sort(values);
-            ASSERT_EQ(median.at(i, j), values[4]) << i << ", " << j;
-        }
-    }
-}
-
 TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     const auto text_of = [](const FlowOptions& options) {
         return test::error_text(ErrorKind::usage, [&] { make_flow(options); });
@@ -272,8 +253,7 @@ TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     EXPECT_EQ(text_of(options), "solver: there is no 'sor'; it is one of: pyramid, multigrid, jacobi");
     options.solver = "jacobi";
     options.derivatives = "cubes";
-    EXPECT_EQ(text_of(options),
-              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+    EXPECT_EQ(text_of(options), "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
     options.method = "none";
     EXPECT_EQ(make_flow(options), nullptr);
 }

@@ -1,10 +1,11 @@
+#include "core/fields/options.h"
+
 #include <functional>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "core/fields/options.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
@@ -40,14 +41,12 @@ TEST(FieldOptions, NumbersOutOfRange) {
 }
 
 TEST(FieldOptions, UnknownNames) {
-    EXPECT_EQ(
-        error_of([](auto& o) { o.filter = "diference"; }),
-        "filter: there is no 'diference' (did you mean 'difference'?); it is one of: difference, temporal, hull, "
-        "bands, edges, flow, luminance, mog2, knn");
-    EXPECT_EQ(
-        error_of([](auto& o) { o.reference = "medain"; }),
-        "reference: there is no 'medain' (did you mean 'median'?); it is one of: median, first, running, or the "
-        "name of a picture");
+    EXPECT_EQ(error_of([](auto& o) { o.filter = "diference"; }),
+              "filter: there is no 'diference' (did you mean 'difference'?); it is one of: difference, temporal, hull, "
+              "bands, edges, flow, luminance, mog2, knn");
+    EXPECT_EQ(error_of([](auto& o) { o.reference = "medain"; }),
+              "reference: there is no 'medain' (did you mean 'median'?); it is one of: median, first, running, or the "
+              "name of a picture");
     EXPECT_EQ(error_of([](auto& o) { o.illumination = "globl"; }),
               "illumination: there is no 'globl' (did you mean 'global'?); it is one of: global, local, none");
     EXPECT_EQ(error_of([](auto& o) { o.seeds.order = "size"; }),

@@ -1,3 +1,5 @@
+#include "core/fields/pipeline.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -7,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/pipeline.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

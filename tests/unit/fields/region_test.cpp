@@ -1,8 +1,8 @@
+#include "core/fields/region.h"
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
-
-#include "core/fields/region.h"
 
 namespace vvr {
 namespace {

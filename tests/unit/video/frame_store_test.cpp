@@ -7,74 +7,43 @@
 #include <gtest/gtest.h>
 
 extern "C" {
-#include <libavutil/frame.h>
-#include <libavutil/imgutils.h>
+#include <libavutil/pixfmt.h>
 }
-
-#include "core/plane.h"
-#include "core/video/av.h"
 
 namespace vvr {
 namespace {
 
-AvFrame blank(Size size, AVPixelFormat format) {
-    AvFrame picture = av::make_frame();
-    picture->width = size.width;
-    picture->height = size.height;
-    picture->format = format;
-    picture->color_range = AVCOL_RANGE_MPEG;
-    picture->colorspace = AVCOL_SPC_BT709;
-    if (av_frame_get_buffer(picture.get(), 0) < 0) throw std::bad_alloc();
+ScaledPicture noise(Size size, std::mt19937& random) {
+    ScaledPicture picture{Plane<std::uint8_t>(size)};
+    for (std::uint8_t& value : picture.planes.pixels()) value = static_cast<std::uint8_t>(random());
     return picture;
 }
 
-std::vector<std::uint8_t> bytes_of(const AVFrame& picture) {
-    const auto format = static_cast<AVPixelFormat>(picture.format);
-    std::vector<std::uint8_t> bytes(
-        static_cast<std::size_t>(av_image_get_buffer_size(format, picture.width, picture.height, 1)));
-    av_image_copy_to_buffer(bytes.data(), static_cast<int>(bytes.size()), picture.data, picture.linesize, format,
-                            picture.width, picture.height, 1);
-    return bytes;
+bool same(const ScaledPicture& a, const ScaledPicture& b) {
+    return a.planes.size() == b.planes.size() && a.matrix == b.matrix &&
+           std::ranges::equal(a.planes.pixels(), b.planes.pixels());
 }
-
-void fill(const AVFrame& picture, std::vector<std::uint8_t>& bytes) {
-    std::uint8_t* planes[4];
-    int strides[4];
-    const auto format = static_cast<AVPixelFormat>(picture.format);
-    av_image_fill_arrays(planes, strides, bytes.data(), format, picture.width, picture.height, 1);
-    av_image_copy(const_cast<std::uint8_t**>(picture.data), const_cast<int*>(picture.linesize),
-                  const_cast<const std::uint8_t**>(planes), strides, format, picture.width, picture.height);
-}
-
-struct Kind {
-    Size size;
-    AVPixelFormat format;
-};
 
 TEST(FrameStore, GivesBackWhatItTookByteForByte) {
-    for (const Kind& kind :
-         {Kind{{384, 288}, AV_PIX_FMT_YUV444P}, Kind{{65, 17}, AV_PIX_FMT_YUV444P}, Kind{{33, 9}, AV_PIX_FMT_YUV420P},
-          Kind{{1, 1}, AV_PIX_FMT_GRAY8}, Kind{{40, 1}, AV_PIX_FMT_GRAY8}, Kind{{7, 200}, AV_PIX_FMT_NV12}}) {
+    for (const Size size : {Size{384, 864}, Size{65, 17}, Size{33, 9}, Size{1, 1}, Size{40, 1}, Size{7, 200}}) {
         std::mt19937 random(11);
         FrameStore store;
-        AvFrame picture = blank(kind.size, kind.format);
-        std::vector<std::uint8_t> bytes = bytes_of(*picture);
-        std::vector<std::vector<std::uint8_t>> wanted;
-        // Nothing, then differences at the edges of each width, and of all sizes, wrapping around at 0 and 255.
+        ScaledPicture picture{Plane<std::uint8_t>(size)};
+        if (size.height % 3 == 0) picture.matrix.emplace(AVCOL_SPC_BT709, false);
+        std::vector<ScaledPicture> wanted;
+        // Nothing, then small and large differences, wrapping around at 0 and 255.
         for (const int most : {0, 1, 2, 3, 7, 8, 9, 127, 128, 255, 0, 2}) {
             std::uniform_int_distribution<int> change(-most, most);
-            for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(byte + change(random));
-            fill(*picture, bytes);
-            ASSERT_TRUE(store.push(*picture));
-            wanted.push_back(bytes);
+            for (std::uint8_t& value : picture.planes.pixels()) {
+                value = static_cast<std::uint8_t>(value + change(random));
+            }
+            ASSERT_TRUE(store.push(picture));
+            wanted.push_back(picture);
         }
-        ASSERT_EQ(store.size(), wanted.size());
-        for (const auto& expected : wanted) {
-            const AvFrame got = store.pop();
+        for (const ScaledPicture& expected : wanted) {
+            const auto got = store.pop();
             ASSERT_TRUE(got);
-            EXPECT_EQ(got->color_range, AVCOL_RANGE_MPEG);
-            EXPECT_EQ(got->colorspace, AVCOL_SPC_BT709);
-            EXPECT_EQ(bytes_of(*got), expected) << kind.size.width << "x" << kind.size.height;
+            EXPECT_TRUE(same(*got, expected)) << size.width << "x" << size.height;
         }
         EXPECT_FALSE(store.pop());
         EXPECT_EQ(store.bytes(), 0u);
@@ -83,39 +52,35 @@ TEST(FrameStore, GivesBackWhatItTookByteForByte) {
 
 TEST(FrameStore, OneSideFillsWhileTheOtherEmpties) {
     FrameStore store;
-    AvFrame picture = blank({640, 480}, AV_PIX_FMT_YUV444P);
-    std::vector<std::uint8_t> bytes = bytes_of(*picture);
     std::mt19937 random(3);
     for (int i = 0; i < 20; ++i) {
-        for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
-        fill(*picture, bytes);
-        ASSERT_TRUE(store.push(*picture));
-        EXPECT_EQ(bytes_of(*store.pop()), bytes) << i;
-        EXPECT_LT(store.bytes(), 8u << 20U);
+        const ScaledPicture picture = noise({640, 1440}, random);
+        ASSERT_TRUE(store.push(picture));
+        EXPECT_TRUE(same(*store.pop(), picture)) << i;
+        EXPECT_EQ(store.bytes(), 0u);
     }
 }
 
 TEST(FrameStore, TakesLittleForWhatStandsStill) {
-    const AvFrame picture = blank({384, 288}, AV_PIX_FMT_YUV444P);
-    std::vector<std::uint8_t> bytes = bytes_of(*picture);
     std::mt19937 random(5);
-    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
-    fill(*picture, bytes);
+    const ScaledPicture picture = noise({384, 864}, random);
+    const std::size_t bytes = picture.planes.pixels().size();
     FrameStore store;
-    for (int i = 0; i < 100; ++i) ASSERT_TRUE(store.push(*picture));
-    EXPECT_GT(store.bytes(), bytes.size());
-    EXPECT_LT(store.bytes(), 3 * bytes.size() / 2);
+    for (int i = 0; i < 100; ++i) ASSERT_TRUE(store.push(picture));
+    EXPECT_GT(store.bytes(), bytes);
+    EXPECT_LT(store.bytes(), 3 * bytes / 2);
 }
 
 TEST(FrameStore, LeavesOutWhatIsNotLikeTheFirst) {
     FrameStore store;
-    ASSERT_TRUE(store.push(*blank({32, 32}, AV_PIX_FMT_GRAY8)));
-    EXPECT_FALSE(store.push(*blank({32, 40}, AV_PIX_FMT_GRAY8)));
-    EXPECT_FALSE(store.push(*blank({32, 32}, AV_PIX_FMT_YUV444P)));
-    const AvFrame other = blank({32, 32}, AV_PIX_FMT_GRAY8);
-    other->color_range = AVCOL_RANGE_JPEG;
-    EXPECT_FALSE(store.push(*other));
-    EXPECT_EQ(store.size(), 1u);
+    const auto picture = [](Size size, std::optional<ColourMatrix> matrix = {}) {
+        return ScaledPicture{Plane<std::uint8_t>(size), matrix};
+    };
+    ASSERT_TRUE(store.push(picture({32, 96})));
+    EXPECT_FALSE(store.push(picture({32, 40})));
+    EXPECT_FALSE(store.push(picture({32, 96}, ColourMatrix(AVCOL_SPC_BT709, false))));
+    EXPECT_TRUE(store.pop());
+    EXPECT_FALSE(store.pop());
 }
 
 }  // namespace

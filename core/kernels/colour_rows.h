@@ -20,6 +20,8 @@ struct ColourMatrix {
     std::int16_t blue_of_cb = 0;
     std::int16_t green_of_cb = 0;
     std::int16_t green_of_cr = 0;
+
+    friend bool operator==(const ColourMatrix&, const ColourMatrix&) = default;
 };
 
 /// A row of full-range luma and of chroma to BGR, in fixed point: the same on every machine. All spans are as long.
