@@ -21,7 +21,7 @@ std::shared_ptr<DecodedFrame> ClipReader::read() {
     return frame;
 }
 
-/// Until the first frame that counts, only the last few are kept, and not yet scaled.
+/// Reads up to the first frame of the span and keeps the last few before it, not yet scaled.
 void ClipReader::collect_context() {
     waiting_.clear();
     while (auto frame = read()) {

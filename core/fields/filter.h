@@ -61,9 +61,6 @@ std::span<const FilterRow> filters();
 /// \throws Error usage when there is none
 const FilterRow& find_filter(std::string_view name);
 
-/// Whether frames with colour make a better field: to be asked before a source is opened.
-bool wants_colour(const FieldOptions& options);
-
 /// Values of the `bands` filter, the 4-band difference volume of Daniel and Chen (IEEE Visualization 2003): what became
 /// of a pixel from one frame to the next. Nothing else is between them, so a transfer function can colour each.
 enum class Band : std::uint8_t { background = 0, uncovered = 85, still_covered = 170, newly_covered = 255 };

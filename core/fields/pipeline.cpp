@@ -14,7 +14,7 @@
 
 #include "core/error.h"
 #include "core/fields/clip_reader.h"
-#include "core/fields/frame_work.h"
+#include "core/fields/field_stages.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
 #include "core/words.h"
@@ -48,8 +48,8 @@ int threads_of(const FieldOptions& options) {
     return options.threads > 0 ? options.threads : cores;
 }
 
-/// Does what runs in parallel on so many threads. More than there are cores is the caller's choice; oneTBB would
-/// grumble about it on stderr.
+/// Runs `work` with this many threads. oneTBB would warn on stderr if they are more than the cores, which is the
+/// caller's choice.
 template <class Work>
 void on_threads(int threads, const Work& work) {
     using oneapi::tbb::global_control;
@@ -59,7 +59,7 @@ void on_threads(int threads, const Work& work) {
     oneapi::tbb::task_arena(threads).execute(work);
 }
 
-std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& options, const FieldSink& sink) {
+std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions& options, const FieldSink& sink) {
     int turns_left = work.reach();  // empty ones after the last frame, so that the last ones get their neighbours
     bool ended = false;
     std::int64_t frames = 0;
@@ -86,12 +86,12 @@ std::int64_t run(const FrameReader& read, FrameWork& work, const FieldOptions& o
             if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
             return std::make_shared<Result>(Result{here->frame, work.finish(about)});
         });
-    const auto deliver = make_filter<std::shared_ptr<Result>, void>(filter_mode::serial_in_order,
-                                                                    [&](const std::shared_ptr<Result>& result) {
-                                                                        if (!result) return;
-                                                                        ++frames;
-                                                                        sink(result->frame, std::move(result->field));
-                                                                    });
+    const auto hand_over = [&](const std::shared_ptr<Result>& result) {
+        if (!result) return;
+        ++frames;
+        sink(result->frame, std::move(result->field));
+    };
+    const auto deliver = make_filter<std::shared_ptr<Result>, void>(filter_mode::serial_in_order, hand_over);
     const int threads = threads_of(options);
     // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
     on_threads(threads, [&] {
@@ -107,7 +107,7 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
                             const FieldSink& sink) {
     validate(options);
     const OneThreadInOpenCv one_thread;
-    FrameWork work(scene, options);
+    FieldStages work(scene, options);
     return run(read, work, options, sink);
 }
 
@@ -120,7 +120,7 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     if (needs_reference(options)) {
         on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
     }
-    FrameWork work(scene, options);
+    FieldStages work(scene, options);
     ClipReader read(source, options.span, work.reach(), work.remembers());
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);

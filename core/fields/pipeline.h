@@ -44,7 +44,7 @@ using FrameJob = std::function<Frame()>;
 /// Gives the jobs of a clip's frames in order, never from two threads at once; an empty function at the end.
 using FrameReader = std::function<FrameJob()>;
 
-/// The same for frames that come from anywhere else; all must be of one size.
+/// Computes the fields of frames that no FrameSource gives; all must be of one size.
 /// \returns the number of frames that reached the sink
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink);

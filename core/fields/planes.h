@@ -14,8 +14,8 @@ struct Planes {
     bool empty() const { return grey.empty(); }
 };
 
-/// The same, smoothed with a Gaussian of `sigma` pixels; 0 leaves it as it is. Camera noise is a matter of single
-/// pixels: at the default of 0.7 it falls to a third, and objects keep their outlines.
+/// Smooths a picture with a Gaussian of `sigma` pixels; 0 leaves it as it is. Camera noise differs from pixel to pixel:
+/// at the default of 0.7 it falls to a third, and objects keep their outlines.
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma);
 
 /// The largest of the channels' differences at each pixel, or grey's where one of them has no colour.

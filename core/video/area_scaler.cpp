@@ -12,7 +12,6 @@ extern "C" {
 
 #include "core/error.h"
 #include "core/video/av.h"
-#include "core/video/doubled.h"
 
 namespace vvr {
 
@@ -25,11 +24,8 @@ cv::Mat AreaScaler::operator()(const cv::Mat& from, cv::Size to) {
     cv::Mat smaller = shrunk == from.size() ? from : shrink(from, shrunk);
     if (shrunk == to) return smaller;
     cv::Mat larger(to, smaller.type());
-    if (to == cv::Size(2 * smaller.cols, 2 * smaller.rows) && smaller.channels() == 1) {
-        double_plane({smaller.cols, smaller.rows}, smaller.data, smaller.step[0], {larger.data, larger.total()});
-        return larger;
-    }
-    cv::resize(smaller, larger, to, 0, 0, cv::INTER_LINEAR);
+    const bool is_double = to == cv::Size(2 * smaller.cols, 2 * smaller.rows) && smaller.channels() == 1;
+    cv::resize(smaller, larger, to, 0, 0, is_double ? cv::INTER_LINEAR_EXACT : cv::INTER_LINEAR);
     return larger;
 }
 
@@ -60,8 +56,9 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     scaled_->format = AV_PIX_FMT_GRAY8;
     context_.reset(sws_getContext(from.width, from.height, AV_PIX_FMT_GRAY8, to.width, to.height, AV_PIX_FMT_GRAY8,
                                   SWS_AREA | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr));
-    if (!context_ || av_frame_get_buffer(scaled_.get(), 0) < 0)
+    if (!context_ || av_frame_get_buffer(scaled_.get(), 0) < 0) {
         throw Error(ErrorKind::limit, "out of memory for scaling a picture");
+    }
     sizes_ = std::pair(from, to);
 }
 

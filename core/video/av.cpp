@@ -95,8 +95,9 @@ void Log::receive(void* context, int level, const char* format, va_list argument
     Log* log = nullptr;
     if (kind == avformat_get_class()) {
         const auto* owner = static_cast<const AVFormatContext*>(context);
-        if (owner->interrupt_callback.callback == &Log::interrupted)
+        if (owner->interrupt_callback.callback == &Log::interrupted) {
             log = static_cast<Log*>(owner->interrupt_callback.opaque);
+        }
     } else if (kind == avcodec_get_class()) {
         const auto* owner = static_cast<const AVCodecContext*>(context);
         if (owner->get_encode_buffer == &never_encode) log = static_cast<Log*>(owner->opaque);

@@ -7,7 +7,7 @@ namespace vvr {
 /// Makes the time stamps of a container into times that start at 0 and never run backwards.
 class Clock {
   public:
-    /// \param duration seconds from a frame to the next where a stamp is missing
+    /// \param duration seconds from one frame to the next, where a stamp is missing
     explicit Clock(double duration) : duration_(duration) {}
 
     /// Starts with the clip's first frame at `origin` on the container's clock.
@@ -17,7 +17,7 @@ class Clock {
     /// camera that set its clock anew, and time goes on from the last frame.
     double operator()(std::optional<double> stamp);
 
-    /// What the first frame's stamp was; nothing before a frame with a stamp.
+    /// The first frame's stamp; nothing until a frame has a stamp.
     std::optional<double> origin() const { return origin_; }
 
   private:

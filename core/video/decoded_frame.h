@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/kernels/colour_rows.h"
 #include "core/plane.h"
-#include "core/video/colour_rows.h"
 
 struct AVFrame;
 

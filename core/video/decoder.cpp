@@ -26,7 +26,7 @@ int thread_count(int asked, std::int64_t pixels) {
     return static_cast<int>(std::min<std::int64_t>(std::clamp(asked > 0 ? asked : cores, 1, 64), affordable));
 }
 
-// Decoders that stop at the first damage when they are told to, so that nothing of what they gave depends on a race.
+// Decoders that stop at the first damage if asked to, so that their frames never depend on a race.
 // Not so MPEG-4's, which fails an assertion with threads and ends the program, and those of HEVC and VP8, where damage
 // often passes unnoticed.
 bool stops_cleanly(AVCodecID codec) {
@@ -44,10 +44,11 @@ bool is_damaged(const AVFrame& frame) {
 Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demuxer_(&demuxer) {
     const auto& parameters = *demuxer.stream().codecpar;
     const AVCodec* codec = avcodec_find_decoder(parameters.codec_id);
-    if (!codec)
+    if (!codec) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}': this FFmpeg has no decoder for its video ({}); convert it to H.264 first", name,
                                 avcodec_get_name(parameters.codec_id)));
+    }
     codec_.reset(avcodec_alloc_context3(codec));
     if (!codec_) throw Error(ErrorKind::limit, "out of memory for a video decoder");
     demuxer.log().attach(*codec_);
@@ -60,10 +61,11 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     if (threaded_) codec_->err_recognition = AV_EF_EXPLODE;
     errors_at_start_ = demuxer.log().errors();
     if (code >= 0) code = avcodec_open2(codec_.get(), codec, nullptr);
-    if (code < 0)
+    if (code < 0) {
         throw Error(code == AVERROR(ENOMEM) ? ErrorKind::limit : ErrorKind::not_video,
                     fmt::format("'{}': the decoder for its video ({}) does not start: {}", name, codec->name,
                                 demuxer.log().text(code)));
+    }
 }
 
 /// The next packet that is to be decoded.
@@ -72,7 +74,7 @@ bool Decoder::read_packet() {
         if (uses_.empty()) return true;
         const PacketUse use = packets_ < uses_.size() ? uses_[packets_] : PacketUse::none;
         ++packets_;
-        // What no other frame is made from, the decoder itself tells best.
+        // The decoder itself knows best which frames no other frame depends on.
         codec_->skip_frame = use == PacketUse::frame ? AVDISCARD_DEFAULT : AVDISCARD_NONREF;
         if (use != PacketUse::none) return true;
     }
@@ -93,8 +95,9 @@ AvFrame Decoder::next() {
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
         }
-        if (code == AVERROR(ENOMEM))
+        if (code == AVERROR(ENOMEM)) {
             throw Error(ErrorKind::limit, "out of memory while decoding the video: try fewer threads", {"threads"});
+        }
 
         // Some decoders hide damage and say so only in the log. Threads may log before their turn; to stop too early
         // does no harm.

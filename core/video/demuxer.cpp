@@ -16,21 +16,25 @@ constexpr int max_read_errors = 100;  // in a row
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    if (words.starts_with("Format not on whitelist"))
+    if (words.starts_with("Format not on whitelist")) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' is a list of other files, not a video; give those files, or, if it is an HLS "
                                 "playlist, a name that ends in .m3u8",
                                 input.name));
-    if (is_playlist_name(input.name) && is_local(input))
+    }
+    if (is_playlist_name(input.name) && is_local(input)) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' is not a playlist that can be read: {}; its files have to lie in its folder or "
                                 "below it",
                                 input.name, words));
-    if (code == AVERROR(ENOMEM))
+    }
+    if (code == AVERROR(ENOMEM)) {
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
-    if (code == AVERROR_EXIT)
+    }
+    if (code == AVERROR_EXIT) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
+    }
     const bool is_io = code == AVERROR(EIO) || code == AVERROR(ENOENT) || code == AVERROR(EACCES) ||
                        code == AVERROR_PROTOCOL_NOT_FOUND || (is_url(input.url) && code != AVERROR_INVALIDDATA);
     if (is_io) throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
@@ -126,26 +130,31 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
 }
 
 void Demuxer::choose_stream(const Input& input, Kind kind) {
-    if (kind == Kind::picture && !is_picture_format(format_->iformat->name))
+    if (kind == Kind::picture && !is_picture_format(format_->iformat->name)) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' is not a picture but {}", input.name, format_->iformat->name));
+    }
 
     const int chosen = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
-    if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC)
+    if (chosen < 0 || format_->streams[chosen]->disposition & AV_DISPOSITION_ATTACHED_PIC) {
         throw Error(ErrorKind::not_video, fmt::format("'{}' has no video: found {}; give a file with a video stream",
                                                       input.name, streams_found(*format_)));
+    }
     stream_ = format_->streams[chosen];
 
     const auto& codec = *stream_->codecpar;
-    if (is_text_art(codec.codec_id))
+    if (is_text_art(codec.codec_id)) {
         throw Error(ErrorKind::not_video, fmt::format("'{}' is text, not video; give a video file", input.name));
-    if (std::int64_t{codec.width} * codec.height > av::max_pixels)
+    }
+    if (std::int64_t{codec.width} * codec.height > av::max_pixels) {
         throw Error(ErrorKind::limit,
                     fmt::format("'{}' says its pictures are {}x{}: more than the {} megapixels that vvr decodes; "
                                 "scale it down first",
                                 input.name, codec.width, codec.height, av::max_pixels / 1'000'000));
-    for (unsigned i = 0; i < format_->nb_streams; ++i)
+    }
+    for (unsigned i = 0; i < format_->nb_streams; ++i) {
         if (format_->streams[i] != stream_) format_->streams[i]->discard = AVDISCARD_ALL;
+    }
 }
 
 bool Demuxer::read(AVPacket& packet) {
@@ -171,8 +180,9 @@ std::optional<double> Demuxer::seconds(std::int64_t stamp) const {
 }
 
 double Demuxer::frame_duration() const {
-    for (const AVRational rate : {stream_->avg_frame_rate, stream_->r_frame_rate})
+    for (const AVRational rate : {stream_->avg_frame_rate, stream_->r_frame_rate}) {
         if (rate.num > 0 && rate.den > 0) return 1 / av_q2d(rate);
+    }
     return 1.0 / 25;
 }
 

@@ -37,7 +37,7 @@ class Demuxer {
     /// Seconds on the container's own clock; nothing where the stamp is missing.
     std::optional<double> seconds(std::int64_t stamp) const;
 
-    /// Seconds a frame, by the container's average; 1/25 where it says nothing.
+    /// Average seconds per frame by the container; 1/25 where it has no average.
     double frame_duration() const;
 
   private:

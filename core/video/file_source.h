@@ -34,12 +34,12 @@ class FileSource final : public FrameSource {
     Size field_size_;
     Orientation orientation_;
     double tick_ = 0;  ///< of the container's clock, seconds
-    double from_ = 0;  ///< seconds; frames before it are passed over
+    double from_ = 0;  ///< seconds; earlier frames are skipped
     Start start_;
 
     std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
-    std::optional<StoredClip> stored_;         ///< read instead of the file
+    std::optional<StoredClip> stored_;     ///< read instead of the file
 };
 
 }  // namespace vvr

@@ -23,8 +23,9 @@ std::vector<Frame> FrameSource::sample(int count) {
     rewind();
     Scaler scale(*this);
     TimeSampler<Frame> sampler(count);
-    while (const auto decoded = next())
+    while (const auto decoded = next()) {
         if (sampler.wants(decoded->pts)) sampler.keep(decoded->pts, scale(*decoded));
+    }
     rewind();
     return sampler.take();
 }
@@ -35,15 +36,17 @@ Size field_size_for(Size shown, Size asked) {
     constexpr Size source{-1, -1};
     Size size = asked == source ? shown : asked;
     if (asked == automatic) size = fit_into(shown, default_long_side);
-    if (size.width < 1 || size.height < 1)
+    if (size.width < 1 || size.height < 1) {
         throw Error(ErrorKind::usage,
                     fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
-    if (std::int64_t{size.width} * size.height > av::max_pixels)
+    }
+    if (std::int64_t{size.width} * size.height > av::max_pixels) {
         throw Error(
             ErrorKind::limit,
             fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
                         size.width, size.height, av::max_pixels / 1'000'000),
             {"field-size"});
+    }
     return size;
 }
 

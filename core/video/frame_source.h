@@ -13,16 +13,15 @@ namespace vvr {
 
 /// What a container says of its video, and its first frame. Headers lie: counts are estimates.
 struct VideoInfo {
-    std::string name;         ///< as the user gave it
-    std::string container;    ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
-    std::string codec;        ///< short name of the codec, e.g. "h264"
-    Size size;                ///< of the picture as it is to be seen: rotated, square pixels
-    double rate = 0;          ///< frames a second, the container's average; 0 = unknown
-    double duration = 0;      ///< seconds; 0 = unknown
-    std::int64_t frames = 0;  ///< estimate of the number of frames; 0 = unknown
-    std::optional<std::int64_t>
-        created{};        ///< seconds since 1970 (UTC), where the container tells when it was recorded
-    std::string title{};  ///< of the clip that data files were extracted from; empty = what the name tells
+    std::string name;                       ///< as the user gave it
+    std::string container;                  ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
+    std::string codec;                      ///< short name of the codec, e.g. "h264"
+    Size size;                              ///< of the picture as it is to be seen: rotated, square pixels
+    double rate = 0;                        ///< frames a second, the container's average; 0 = unknown
+    double duration = 0;                    ///< seconds; 0 = unknown
+    std::int64_t frames = 0;                ///< estimate of the number of frames; 0 = unknown
+    std::optional<std::int64_t> created{};  ///< time of recording by the container, seconds since 1970 (UTC)
+    std::string title{};                    ///< of the clip that data files were extracted from; empty = see the name
 };
 
 struct SourceOptions {
@@ -48,7 +47,7 @@ class FrameSource {
     /// Whether the frames of this source have colour.
     virtual bool colour() const = 0;
 
-    /// The next frame that decodes; nothing after the last one. Damaged packets are counted and passed over.
+    /// The next frame that decodes; nothing after the last one. Damaged packets are counted and skipped.
     virtual std::unique_ptr<DecodedFrame> next() = 0;
 
     /// Packets, or pictures of a sequence, that could not be decoded or came out damaged since the first frame.
@@ -57,14 +56,14 @@ class FrameSource {
     /// Starts again at the first frame.
     virtual void rewind() = 0;
 
-    /// Goes on with the first frame at or after `seconds`, where the way there is shorter than from the first frame
-    /// and the frame's number can be told; else starts again at the first frame.
+    /// Goes on with the first frame at or after `seconds`, if that is faster than reading from the first frame
+    /// and the frame's number is known; else starts again at the first frame.
     virtual void seek(double seconds);
 
     /// At most `count` frames spread in time over the whole of what is really there;
     /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
-    /// first frame. Holds no more than `count` frames at a time, and what it may keep for `next` of a short clip, in a
-    /// bounded number of bytes. The frames' `index` is not filled in.
+    /// first frame. Holds no more than `count` frames at a time; of a short clip it may store all, compressed, in a
+    /// bounded number of bytes, so that `next` need not decode them again. The frames' `index` is not filled in.
     virtual std::vector<Frame> sample(int count);
 };
 

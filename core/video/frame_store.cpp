@@ -12,7 +12,8 @@ namespace {
 
 using Bytes = Plane<std::uint8_t>;
 
-/// \returns what `to` holds then: the compressed bytes
+/// \param to memory for the result, larger than it
+/// \returns the compressed bytes, a part of `to`
 std::span<const char> compress(const Bytes& from, std::vector<char>& to) {
     const int length = static_cast<int>(from.pixels().size());
     to.resize(static_cast<std::size_t>(LZ4_compressBound(length)));
@@ -37,7 +38,7 @@ void difference(Bytes& here, const Bytes& other) {
     for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(from[i] - to[i]);
 }
 
-/// `here` becomes what differs from it by `change`.
+/// Undoes `difference`: adds the change, modulo 256.
 void add(const Bytes& change, Bytes& here) {
     std::uint8_t* const to = here.pixels().data();
     const std::uint8_t* const by = change.pixels().data();

@@ -19,9 +19,6 @@ class FrameStore {
     /// Takes out the first picture; nothing after the last one.
     std::optional<ScaledPicture> pop();
 
-    /// Pictures.
-    std::size_t size() const { return packed_.size(); }
-
     /// Compressed bytes.
     std::size_t bytes() const { return bytes_; }
 

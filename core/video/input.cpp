@@ -33,21 +33,24 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
 
 struct stat status_of(const Descriptor& file, const std::string& name) {
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0)
+    if (::fstat(file.get(), &status) != 0) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}", name, std::strerror(errno)));
+    }
     return status;
 }
 
 void require_bytes(const Descriptor& file, const std::string& name) {
-    if (status_of(file, name).st_size == 0)
+    if (status_of(file, name).st_size == 0) {
         throw Error(ErrorKind::not_video, fmt::format("'{}' is empty: 0 bytes where a video was expected; check what "
                                                       "was to write it",
                                                       name));
+    }
 }
 
 Input open_stdin() {
-    if (::isatty(STDIN_FILENO))
+    if (::isatty(STDIN_FILENO)) {
         throw Error(ErrorKind::usage, "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+    }
     const int fd = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
     if (fd < 0) throw Error(ErrorKind::io, fmt::format("cannot read stdin: {}", std::strerror(errno)));
     Input input{"-", {}, std::make_shared<Descriptor>(fd)};
@@ -93,8 +96,9 @@ Input open_input(const std::string& name) {
 
 Input open_file(const std::string& path) {
     Input input{path, {}, open_descriptor(path)};
-    if (!S_ISREG(status_of(*input.file, path).st_mode))
+    if (!S_ISREG(status_of(*input.file, path).st_mode)) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': not a regular file", path));
+    }
     return input;
 }
 

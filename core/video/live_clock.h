@@ -5,7 +5,7 @@
 namespace vvr {
 
 /// Makes the time stamps of a stream that may break off and begin again into times that start at 0 and never run
-/// backwards. Within a connection the stamps tell how time goes on, across a gap the clock of whoever reads does.
+/// backwards. Within a connection the stamps tell how time goes on, across a gap the clock of the reader does.
 class LiveClock {
   public:
     /// \param duration seconds from a frame to the next

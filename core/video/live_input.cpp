@@ -26,27 +26,30 @@ void load_devices(const std::string& name) {
     const std::string library = fmt::format("libavdevice.so.{}", LIBAVFORMAT_VERSION_MAJOR);
     void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL);
     void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, "avdevice_register_all");
-    if (found == nullptr)
+    if (found == nullptr) {
         throw Error(
             ErrorKind::usage,
             fmt::format("'{}' is a device, which takes {}, and it is not there: {}; install Debian's "
                         "libavdevice{}, or pipe the camera in: ffmpeg -f v4l2 -i {} -f matroska - | vvr watch -",
                         name, library, ::dlerror(), LIBAVFORMAT_VERSION_MAJOR, name));
+    }
     reinterpret_cast<void (*)()>(found)();
 }
 
 Input open_pipe(const std::string& name, int fd) {
-    if (fd < 0)
+    if (fd < 0) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the name and its permissions", name,
                                                std::strerror(errno)));
+    }
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }
 
 Input open_any(const std::string& name) {
     if (name == "-") {
-        if (::isatty(STDIN_FILENO))
+        if (::isatty(STDIN_FILENO)) {
             throw Error(ErrorKind::usage,
                         "input '-' is stdin, and stdin is a terminal: pipe or redirect a video into it");
+        }
         return open_pipe("-", ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0));
     }
     struct stat status {};
@@ -58,8 +61,9 @@ Input open_any(const std::string& name) {
                                 name, std::strerror(errno)));
     }
     if (S_ISREG(status.st_mode)) return open_input(name);
-    if (S_ISDIR(status.st_mode))
+    if (S_ISDIR(status.st_mode)) {
         throw Error(ErrorKind::usage, fmt::format("'{}' is a folder, not a stream; `vvr render` takes pictures", name));
+    }
     if (S_ISCHR(status.st_mode)) {
         load_devices(name);
         return {name, name, nullptr, nullptr, "video4linux2"};

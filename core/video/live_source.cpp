@@ -25,9 +25,9 @@ double seconds_between(LiveSource::Clock::time_point from, LiveSource::Clock::ti
 }
 
 /// What a stream says of its rate is often nonsense; no camera is faster.
-double plausible_rate(const Demuxer& demuxer, double told) {
+double plausible_rate(const Demuxer& demuxer, double stated) {
     constexpr double fastest = 240;
-    const double rate = told > 0 && told <= fastest ? told : 1 / demuxer.frame_duration();
+    const double rate = stated > 0 && stated <= fastest ? stated : 1 / demuxer.frame_duration();
     return rate > 0 && rate <= fastest ? rate : 25;
 }
 
@@ -140,14 +140,14 @@ bool LiveSource::connect_again(const std::stop_token& stop) {
     if (!comes_again_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
     options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_, demuxer_->log().text(AVERROR_EOF)));
-    std::string told;
+    std::string reported;
     for (double wait = first_pause; pause(stop, wait); wait = std::min(2 * wait, longest_pause)) {
         try {
             connect();
         } catch (const Error& error) {
-            // The same again and again would only fill the log.
-            if (error.what() != told) options_.tell(fmt::format("{}; trying again", error.what()));
-            told = error.what();
+            // Repeating it would only fill the log.
+            if (error.what() != reported) options_.tell(fmt::format("{}; trying again", error.what()));
+            reported = error.what();
             continue;
         }
         options_.tell(

@@ -33,7 +33,7 @@ struct LiveOptions {
 /// The frames of a stream as they come: a URL, a camera's device, a pipe. A connection that breaks is made again, with
 /// pauses that grow; the frames' times go on by the clock meanwhile, and their numbers with them, so that a gap has the
 /// length that it had. Memory is bounded, and so is the delay: frames for which there is no time are dropped and
-/// counted. What whoever writes into a pipe or a file has written waits, and none of it is dropped.
+/// counted. Frames of a pipe or a file wait; none of them is dropped.
 ///
 /// Numbers skip the frames that a gap of a second and more would have held.
 class LiveSource final : public FrameSource {
@@ -88,7 +88,7 @@ class LiveSource final : public FrameSource {
     std::shared_ptr<Watchdog> watchdog_;
     Input input_;
     bool comes_again_ = false;  ///< a connection that ends can be made again
-    bool waits_ = false;        ///< whoever sends waits until we read
+    bool waits_ = false;        ///< the sender waits until we read
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
     AvFrame first_;

@@ -40,7 +40,7 @@ struct StampedPacket {
 struct ClipPackets {
     std::vector<StampedPacket> packets;
     std::vector<std::int64_t> stamps;  ///< the frames' time stamps
-    std::vector<double> times;         ///< likewise in seconds, counted from the first frame
+    std::vector<double> times;         ///< the frames' times in seconds from the first frame
 };
 
 /// None where the packets' times don't tell which frames there are.
@@ -69,7 +69,7 @@ struct DecodingPlan {
     std::vector<FreshStart> starts;    ///< after the first packet, in order
 };
 
-/// The time stamps of the frames that a sampler of so many would keep if it were shown all frames.
+/// The time stamps of the frames that a TimeSampler of `count` items would keep of all frames.
 std::vector<std::int64_t> sampled_stamps(const ClipPackets& clip, int count);
 
 /// How to decode some frames, each as it would come out if all were decoded.

@@ -27,8 +27,9 @@ constexpr std::array<std::string_view, 19> picture_extensions{"png",  "jpg", "jp
 bool has_picture_extension(const fs::path& path) {
     std::string extension = path.extension().string();
     if (!extension.empty()) extension.erase(0, 1);
-    for (char& c : extension)
+    for (char& c : extension) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
     return std::find(picture_extensions.begin(), picture_extensions.end(), extension) != picture_extensions.end();
 }
 
@@ -42,18 +43,20 @@ std::vector<std::string> files_in(const fs::path& folder, const std::string& ask
         std::string file = entry->path().filename().string();
         if (!file.starts_with('.') && entry->is_regular_file(ignored)) names.push_back(std::move(file));
     }
-    if (why)
+    if (why) {
         throw Error(ErrorKind::io, fmt::format("cannot read the folder of '{}': {}; check its name and permissions",
                                                asked, why.message()));
+    }
     return names;
 }
 
 std::vector<std::string> pictures_in(const std::string& folder) {
     const auto names = files_in(folder, folder);
     std::vector<std::string> pictures;
-    for (const auto& name : names)
+    for (const auto& name : names) {
         if (has_picture_extension(name)) pictures.push_back((fs::path(folder) / name).string());
-    if (pictures.empty())
+    }
+    if (pictures.empty()) {
         throw Error(
             ErrorKind::not_video,
             fmt::format(
@@ -61,6 +64,7 @@ std::vector<std::string> pictures_in(const std::string& folder) {
                 folder,
                 names.empty() ? std::string("it holds no file")
                               : fmt::format("none of its {} file(s) is a picture", names.size())));
+    }
     return pictures;
 }
 
@@ -76,7 +80,7 @@ std::vector<std::string> matches_of_glob(const std::string& pattern) {
     return files;
 }
 
-/// "frame%05d.png" taken apart: what stands before and after the number, and its least width.
+/// "frame%05d.png" in parts: the text before and after the number, and its least width.
 struct NumberPattern {
     std::string before;
     std::string after;
@@ -110,8 +114,9 @@ NumberPattern parse_pattern(std::string_view file, const std::string& name) {
         pattern.zeros = file.starts_with('0');
         const auto end = file.find_first_not_of("0123456789");
         if (has_number || end == std::string_view::npos || end > 3 ||
-            (file[end] != 'd' && file[end] != 'i' && file[end] != 'u'))
+            (file[end] != 'd' && file[end] != 'i' && file[end] != 'u')) {
             throw_bad_pattern(name);
+        }
         std::from_chars(file.data(), file.data() + end, pattern.width);
         file.remove_prefix(end + 1);
         has_number = true;
@@ -132,12 +137,14 @@ bool matches(const NumberPattern& pattern, std::string_view file) {
 
 std::vector<std::string> matches_of_pattern(const std::string& name) {
     const fs::path path(name);
-    if (path.parent_path().string().find('%') != std::string::npos && !fs::exists(path.parent_path()))
+    if (path.parent_path().string().find('%') != std::string::npos && !fs::exists(path.parent_path())) {
         throw_bad_pattern(name);
+    }
     const auto pattern = parse_pattern(path.filename().string(), name);
     std::vector<std::string> files;
-    for (const auto& file : files_in(path.parent_path(), name))
+    for (const auto& file : files_in(path.parent_path(), name)) {
         if (matches(pattern, file)) files.push_back((path.parent_path() / file).string());
+    }
     return files;
 }
 
@@ -158,9 +165,10 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
     } else {
         files = matches_of_glob(name);
     }
-    if (files.empty())
+    if (files.empty()) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': no file matches this pattern; check it and the folder", name));
+    }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return natural_less(a, b); });
     return files;
 }

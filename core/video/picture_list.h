@@ -6,8 +6,9 @@
 
 namespace vvr {
 
-/// The files that `name` means where it stands for a sequence of pictures, in natural order: a folder, a glob
-/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Nothing where it is none of these, or a file has that very name.
+/// The files that `name` means if it names a sequence of pictures, in natural order: a folder, a glob
+/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Nothing if it is none of these, or if there is a file of that
+/// name.
 ///
 /// \throws Error io when the folder can't be read or no file matches, not_video for a folder without pictures,
 ///         usage for a pattern with more than one number or other conversions

@@ -69,9 +69,10 @@ PictureSource::PictureSource(const std::string& name, std::vector<std::string> f
             if (why.empty()) why = fmt::format("{}: {}", file, error.what());
         }
     }
-    if (info_.frames == 0)
+    if (info_.frames == 0) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}': none of its {} pictures decodes; the first: {}", name, files_.size(), why));
+    }
     field_size_ = field_size_for(info_.size, options.field_size);
 }
 
@@ -84,9 +85,10 @@ std::unique_ptr<DecodedFrame> PictureSource::next() {
     const auto cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t threads = options_.threads > 0 ? static_cast<std::size_t>(std::min(options_.threads, 64)) : cores;
     while (next_ < files_.size()) {
-        while (ahead_.size() < threads && next_ + ahead_.size() < files_.size())
+        while (ahead_.size() < threads && next_ + ahead_.size() < files_.size()) {
             ahead_.push_back(
                 std::async(std::launch::async, try_decode_picture, std::cref(files_[next_ + ahead_.size()])));
+        }
         auto image = ahead_.front().get();
         ahead_.pop_front();
         const std::size_t file = next_++;

@@ -17,7 +17,7 @@ int PipeReader::read(void* self, std::uint8_t* buffer, int size) {
     const auto& reader = *static_cast<PipeReader*>(self);
     constexpr int milliseconds = 100;  // between two looks at the watchdog
     for (;;) {
-        // Whoever writes into a pipe may take its time; only being told to stop ends the wait.
+        // The writer of a pipe may take its time; only a request to stop ends the wait.
         if (reader.watchdog_->stopped()) return AVERROR_EXIT;
         pollfd waited{reader.pipe_->get(), POLLIN, 0};
         if (::poll(&waited, 1, milliseconds) == 0) continue;

@@ -78,8 +78,9 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     to_->format = colour ? AV_PIX_FMT_YUV444P : AV_PIX_FMT_GRAY8;
     to_->color_range = AVCOL_RANGE_JPEG;
     to_->colorspace = colour_space(from);
-    if (av_frame_get_buffer(to_.get(), 0) < 0)
+    if (av_frame_get_buffer(to_.get(), 0) < 0) {
         throw Error(ErrorKind::limit, fmt::format("out of memory for a picture of {}x{}", from.width, from.height));
+    }
     const auto format = static_cast<AVPixelFormat>(from.format);
     const bool full = is_full_range(from) || av_pix_fmt_desc_get(format)->flags & AV_PIX_FMT_FLAG_RGB;
     context_.reset(sws_alloc_context());

@@ -12,8 +12,8 @@ extern "C" {
 }
 
 #include "core/cv_view.h"
+#include "core/kernels/colour_rows.h"
 #include "core/video/area_scaler.h"
-#include "core/video/colour_rows.h"
 #include "core/video/frame_source.h"
 #include "core/video/pixel_format.h"
 

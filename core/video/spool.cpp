@@ -60,12 +60,14 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
     for (;;) {
         const auto got = ::read(from.get(), buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0)
+        if (got < 0) {
             throw Error(ErrorKind::io, fmt::format("cannot read '{}' after {:.1f} MB: {}", name,
                                                    static_cast<double>(total) / 1e6, std::strerror(errno)));
+        }
         if (got == 0) return file;
-        if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got))))
+        if (const int why = write_all(file->get(), std::span(buffer).first(static_cast<std::size_t>(got)))) {
             throw failed(name, where, total, why);
+        }
         total += got;
     }
 }

@@ -38,11 +38,12 @@ class TimeSampler {
         // A hair less than twice the average, so that frames at a steady rate are not lost to rounding.
         gap_ = std::max(2 * gap_, 1.999 * average);
         std::size_t used = 1;
-        for (std::size_t i = 1; i < kept_.size(); ++i)
+        for (std::size_t i = 1; i < kept_.size(); ++i) {
             if (kept_[i].first >= kept_[used - 1].first + gap_) {
                 if (i != used) kept_[used] = std::move(kept_[i]);
                 ++used;
             }
+        }
         used = std::max<std::size_t>(1, std::min(used, capacity_ - 1));
         kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(used), kept_.end());
     }

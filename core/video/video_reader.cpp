@@ -21,8 +21,9 @@ void VideoReader::open(const Start& start) {
     const double duration = demuxer_->frame_duration();
     clock_ = origin_ ? Clock(duration, *origin_) : Clock(duration);
     const auto packet = av::make_packet();
-    for (std::int64_t i = 0; i < start.packets; ++i)
+    for (std::int64_t i = 0; i < start.packets; ++i) {
         if (!demuxer_->read(*packet)) return;
+    }
 }
 
 void VideoReader::close() {

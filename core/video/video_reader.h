@@ -66,7 +66,7 @@ class VideoReader {
     std::int64_t forgotten_ = 0;
 
     std::int64_t pass_frames_ = 0;      ///< frames to decode and not to give
-    std::optional<double> pass_until_;  ///< likewise up to and with this time
+    std::optional<double> pass_until_;  ///< decode and skip frames up to this time, itself included
 };
 
 }  // namespace vvr

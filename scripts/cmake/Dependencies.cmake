@@ -16,6 +16,8 @@ foreach(module core imgproc video)
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
 endforeach()
 
+pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
+
 find_package(Fontconfig REQUIRED)
 find_package(Freetype REQUIRED)
 find_package(TBB REQUIRED)

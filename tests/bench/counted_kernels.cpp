@@ -12,10 +12,10 @@
 
 #include <hwy/targets.h>
 
+#include "core/fields/field_stages.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/frame_work.h"
 
 /// What valgrind counts is what happens in here.
 extern "C" __attribute__((noinline)) void vvr_counted(const std::function<void()>& work) {
@@ -77,7 +77,7 @@ void fields() {
     EmptyScene scene;
     const Frame empty = frame_of(-60);
     scene.reference = {empty.grey, empty.colour};
-    FrameWork work(scene, options);
+    FieldStages work(scene, options);
     std::vector<Frame> clip;
     for (int f = 0; f < 4; ++f) clip.push_back(frame_of(f));
     vvr_counted([&] {

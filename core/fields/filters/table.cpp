@@ -50,9 +50,4 @@ const FilterRow& find_filter(std::string_view name) {
     return choose(setting::filter.name, name, rows);
 }
 
-// Seeds lie on the difference object whatever the filter, and that sees more with colour.
-bool wants_colour(const FieldOptions& options) {
-    return find_filter(options.filter).traits.colour || options.flow.method != "none";
-}
-
 }  // namespace vvr

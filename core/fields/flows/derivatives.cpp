@@ -6,12 +6,11 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/fields/flows/weighted_sum.h"
+#include "core/kernels/gaussian.h"
+#include "core/kernels/weighted_sum.h"
 
 namespace vvr {
 namespace {
-
-constexpr std::array five_point{1.F / 12, -8.F / 12, 0.F, 8.F / 12, -1.F / 12};
 
 /// A row's values with its edges repeated `border` times on each side.
 template <class T>
@@ -48,12 +47,8 @@ Plane<float> smooth_any(const Plane<T>& plane, std::span<const float> taps) {
 
 std::vector<float> gaussian_taps(double sigma) {
     const int radius = static_cast<int>(std::ceil(3 * sigma));
-    std::vector<double> weights;
-    for (int i = -radius; i <= radius; ++i) weights.push_back(radius == 0 ? 1 : std::exp(-i * i / (2 * sigma * sigma)));
-    double sum = 0;
-    for (const double weight : weights) sum += weight;
     std::vector<float> taps;
-    for (const double weight : weights) taps.push_back(static_cast<float>(weight / sum));
+    for (const double weight : gaussian_weights(sigma, radius)) taps.push_back(static_cast<float>(weight));
     return taps;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,8 +10,11 @@
 
 namespace vvr {
 
-/// Planes of the stacks below: derivatives of the grey level along x and y (levels a pixel) and t (levels a frame).
+/// Planes of the stacks below: derivatives of the grey level along x and y (levels per pixel) and t (levels per frame).
 enum DerivativePlane { along_x, along_y, along_t, derivative_planes };
+
+/// A derivative from five points.
+inline constexpr std::array five_point{1.F / 12, -8.F / 12, 0.F, 8.F / 12, -1.F / 12};
 
 /// A Gaussian's taps, 3σ to each side, their sum 1; a single 1 for σ = 0.
 std::vector<float> gaussian_taps(double sigma);

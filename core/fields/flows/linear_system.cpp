@@ -7,7 +7,7 @@
 
 #include <hwy/aligned_allocator.h>
 
-#include "core/fields/flows/linear_kernels.h"
+#include "core/kernels/linear_rows.h"
 
 namespace vvr {
 namespace {

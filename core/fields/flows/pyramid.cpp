@@ -6,11 +6,12 @@
 #include <vector>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
+#include <opencv2/imgproc.hpp>
 
+#include "core/cv_view.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/flows/median.h"
 #include "core/fields/flows/warp.h"
 #include "core/fields/solvers.h"
 
@@ -79,6 +80,14 @@ Plane<float> cut(const Plane<float>& plane, const Rect& part) {
     for (int j = 0; j < part.size.height; ++j) {
         std::copy_n(plane.row(part.y + j).begin() + part.x, part.size.width, result.row(j).begin());
     }
+    return result;
+}
+
+/// The median of each value and its eight neighbours. Between the steps it throws out single wrong vectors and keeps
+/// the borders of what moves (Sun, Roth and Black, CVPR 2010).
+Plane<float> median_of_nine(const Plane<float>& plane) {
+    auto result = Plane<float>::for_overwrite(plane.size());
+    cv::medianBlur(cv_view(plane), cv_view(result), 3);
     return result;
 }
 

@@ -9,7 +9,6 @@
 
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/flows/median.h"
 #include "core/fields/solvers.h"
 #include "tests/support/errors.h"
 #include "tests/unit/fields/flow_tools.h"
@@ -238,25 +237,6 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
         EXPECT_LE(p.y + p.size.height, 240);
     }
     EXPECT_EQ(parts_about(Plane<std::uint8_t>({320, 240}, 1), 5), std::vector<Rect>{test::whole({320, 240})});
-}
-
-TEST(MedianOfNine, IsTheMiddleOfNine) {
-    Plane<float> plane({19, 5});
-    for (int j = 0; j < 5; ++j) {
-        for (int i = 0; i < 19; ++i) plane.at(i, j) = static_cast<float>((i * 7 + j * 13) % 11);
-    }
-    const Plane<float> median = median_of_nine(plane);
-    for (int j = 0; j < 5; ++j) {
-        for (int i = 0; i < 19; ++i) {
-            std::vector<float> values;
-            for (int y = j - 1; y <= j + 1; ++y) {
-                for (int x = i - 1; x <= i + 1; ++x)
-                    values.push_back(plane.at(std::clamp(x, 0, 18), std::clamp(y, 0, 4)));
-            }
-            std::ranges::sort(values);
-            ASSERT_EQ(median.at(i, j), values[4]) << i << ", " << j;
-        }
-    }
 }
 
 TEST(FlowTable, UnknownNamesSayWhatThereIs) {

@@ -17,8 +17,9 @@ int grey(Bgr colour) {
 }
 
 const Object* find(const Truth& truth, const std::string& name) {
-    for (const auto& object : truth.objects)
+    for (const auto& object : truth.objects) {
         if (object.name == name) return &object;
+    }
     return nullptr;
 }
 
@@ -55,10 +56,13 @@ TEST(LeftBag, MasksAreWhereThePictureDiffers) {
         const auto picture = scene.frame(i);
         const auto truth = scene.truth(i);
         std::int64_t seen = 0;
-        for (const auto& object : truth.objects)
-            for (int y = 0; y < picture.height(); ++y)
-                for (int x = 0; x < picture.width(); ++x)
+        for (const auto& object : truth.objects) {
+            for (int y = 0; y < picture.height(); ++y) {
+                for (int x = 0; x < picture.width(); ++x) {
                     if (object.mask.at(x, y) && picture.at(x, y) != empty.at(x, y)) ++seen;
+                }
+            }
+        }
         std::int64_t masked = 0;
         for (const auto& object : truth.objects) masked += pixels_of(object.mask);
         EXPECT_GT(masked, 100) << i;
@@ -111,8 +115,9 @@ TEST(ShiftedTexture, MovesByWholePixelsExactly) {
     const auto scene = make_shifted_texture(options);
     const auto a = scene.frame(4);
     const auto b = scene.frame(5);
-    for (int j = 10; j < 200; j += 7)
+    for (int j = 10; j < 200; j += 7) {
         for (int i = 10; i < 300; i += 7) EXPECT_EQ(a.at(i, j), b.at(i + 3, j - 2));
+    }
     EXPECT_FLOAT_EQ(scene.truth(4).u.at(5, 5), 3);
     EXPECT_FLOAT_EQ(scene.truth(4).v.at(5, 5), -2);
 }
@@ -125,7 +130,7 @@ TEST(SpinningSphere, FlowCarriesThePattern) {
     double error = 0;
     double still = 0;
     int count = 0;
-    for (int j = 60; j < 230; ++j)
+    for (int j = 60; j < 230; ++j) {
         for (int i = 110; i < 275; ++i) {
             if (!truth.objects[0].mask.at(i, j)) continue;
             const int x = static_cast<int>(i + std::lround(truth.u.at(i, j)));
@@ -134,6 +139,7 @@ TEST(SpinningSphere, FlowCarriesThePattern) {
             still += std::abs(grey(b.at(i, j)) - grey(a.at(i, j)));
             ++count;
         }
+    }
     EXPECT_LT(error / count, 0.4 * still / count);
 }
 
@@ -154,11 +160,12 @@ TEST(Walkers, AreSeveralAtOnceAndHideEachOther) {
     const auto truth = scene.truth(260);
     EXPECT_GE(truth.objects.size(), 4u);
     Plane<std::uint8_t> seen(scene.size());
-    for (const auto& object : truth.objects)
+    for (const auto& object : truth.objects) {
         for (std::size_t i = 0; i < seen.pixels().size(); ++i) {
             if (!object.mask.pixels()[i]) continue;
             EXPECT_EQ(seen.pixels()[i]++, 0);
         }
+    }
 }
 
 TEST(TwoWalkersCross, PassEachOther) {
@@ -181,11 +188,14 @@ TEST(FallOnFloor, LiesStillOnTheFloor) {
     const auto box = [&](int frame) {
         const auto mask = scene.truth(frame).objects.at(0).mask;
         int left = mask.width(), right = 0, top = mask.height(), bottom = 0;
-        for (int j = 0; j < mask.height(); ++j)
-            for (int i = 0; i < mask.width(); ++i)
-                if (mask.at(i, j))
+        for (int j = 0; j < mask.height(); ++j) {
+            for (int i = 0; i < mask.width(); ++i) {
+                if (mask.at(i, j)) {
                     left = std::min(left, i), right = std::max(right, i), top = std::min(top, j),
                     bottom = std::max(bottom, j);
+                }
+            }
+        }
         return std::array{left, right, top, bottom};
     };
     const auto up = box(facts.falls - 1);

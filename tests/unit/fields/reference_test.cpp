@@ -24,8 +24,9 @@ TEST(Reference, MedianForgetsWhoPassedBy) {
 
 TEST(Reference, MedianIsTheMiddleValue) {
     std::vector<Frame> frames;
-    for (int level : {200, 3, 77, 255, 0})
+    for (int level : {200, 3, 77, 255, 0}) {
         frames.push_back(test::flat_frame({3, 2}, 0, static_cast<std::uint8_t>(level)));
+    }
     EXPECT_EQ(median_reference(frames).grey.at(2, 1), 77);
     frames.pop_back();
     EXPECT_EQ(median_reference(frames).grey.at(2, 1), 200) << "of four, the upper of the two in the middle";

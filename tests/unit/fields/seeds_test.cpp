@@ -95,8 +95,9 @@ TEST(Seeds, RandomIsFair) {
     const Example example;
     std::map<std::pair<float, float>, int> drawn;
     for (int frame = 0; frame < 3000; ++frame) {
-        for (const Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame))
+        for (const Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame)) {
             ++drawn[{s.x, s.y}];
+        }
     }
     ASSERT_EQ(drawn.size(), 18U);
     for (const auto& [point, count] : drawn) EXPECT_NEAR(count, 500, 100) << point.first << ", " << point.second;

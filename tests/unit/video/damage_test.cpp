@@ -58,8 +58,9 @@ TEST(VideoDamage, AStreamOfNothingButErrorsEnds) {
     const auto clip = walkers_clip(folder, "clip.avi", "-c:v mjpeg");
     auto bytes = read_bytes(clip);
     const auto first = bytes.find("00dc");
-    for (std::size_t i = first; i < bytes.size(); ++i)
+    for (std::size_t i = first; i < bytes.size(); ++i) {
         if (i % 16 > 7) bytes[i] = static_cast<char>(i * 37);
+    }
     write_bytes(folder / "errors.avi", bytes);
     try {
         read_all(*open_source(folder / "errors.avi"));

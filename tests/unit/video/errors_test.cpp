@@ -27,9 +27,10 @@ void expect_error(const std::string& name, ErrorKind kind, const std::vector<std
         FAIL() << name << " opened";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), kind) << error.what();
-        for (const auto& part : parts)
+        for (const auto& part : parts) {
             EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
                 << part << " is not in: " << error.what();
+        }
     }
 }
 
@@ -153,9 +154,11 @@ TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
     expect_error(folder / "huge.png", ErrorKind::not_video, {"huge.png", "Invalid image size"});
 
     auto avi = read_bytes(walkers_clip(folder, "clip.avi", "-c:v mjpeg"));
-    for (const std::string& width : {std::string("\xc0\0\0\0\x90\0\0\0", 8)})
-        for (auto at = avi.find(width); at != std::string::npos && at < 1000; at = avi.find(width, at))
+    for (const std::string& width : {std::string("\xc0\0\0\0\x90\0\0\0", 8)}) {
+        for (auto at = avi.find(width); at != std::string::npos && at < 1000; at = avi.find(width, at)) {
             avi.replace(at, 8, std::string("\x60\xea\0\0\x60\xea\0\0", 8));
+        }
+    }
     write_bytes(folder / "huge.avi", avi);
     rusage before{};
     ::getrusage(RUSAGE_SELF, &before);

@@ -263,9 +263,11 @@ TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
 
 std::size_t colours(const std::vector<Frame>& frames) {
     std::size_t sum = 14695981039346656037u;
-    for (const auto& frame : frames)
-        for (const auto& pixel : frame.colour.pixels())
+    for (const auto& frame : frames) {
+        for (const auto& pixel : frame.colour.pixels()) {
             for (const auto value : pixel) sum = (sum ^ value) * 1099511628211u;
+        }
+    }
     return sum;
 }
 

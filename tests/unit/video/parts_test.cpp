@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/kernels/colour_rows.h"
 #include "core/video/clock.h"
-#include "core/video/colour_rows.h"
 #include "core/video/frame_source.h"
 #include "core/video/natural_order.h"
 #include "core/video/time_sampler.h"
@@ -60,31 +60,35 @@ TEST(Clock, CountsFromTheFirstFrameWhenItHasNoStamp) {
 
 TEST(TimeSampler, KeepsAllOfAShortStream) {
     TimeSampler<int> sampler(10);
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 10; ++i) {
         if (sampler.wants(i)) sampler.keep(i, i);
+    }
     EXPECT_EQ(sampler.take().size(), 10u);
 }
 
 TEST(TimeSampler, SpreadsOverAStreamOfAnyLength) {
     for (const int length : {11, 100, 795, 10'000}) {
         TimeSampler<int> sampler(64);
-        for (int i = 0; i < length; ++i)
+        for (int i = 0; i < length; ++i) {
             if (sampler.wants(i / 25.0)) sampler.keep(i / 25.0, i);
+        }
         const auto kept = sampler.take();
         EXPECT_LE(kept.size(), 64u);
         EXPECT_GT(kept.size(), std::min(length, 64) / 3u);
         EXPECT_EQ(kept.front(), 0);
         EXPECT_GT(kept.back(), length * 0.9);
         // No hole is wider than three times the average.
-        for (std::size_t i = 1; i < kept.size(); ++i)
+        for (std::size_t i = 1; i < kept.size(); ++i) {
             EXPECT_LE((kept[i] - kept[i - 1]) * static_cast<int>(kept.size()), 3 * length + 64);
+        }
     }
 }
 
 TEST(TimeSampler, StaysBoundedWhenTimeStandsStill) {
     TimeSampler<int> sampler(4);
-    for (int i = 0; i < 100; ++i)
+    for (int i = 0; i < 100; ++i) {
         if (sampler.wants(0)) sampler.keep(0, i);
+    }
     EXPECT_LE(sampler.take().size(), 4u);
 }
 

@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
+#include "core/cv_view.h"
+#include "core/video/area_scaler.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -15,11 +20,12 @@ class Chart final : public scene::Story {
     explicit Chart(Size size) : size_(size) {}
     Plane<Bgr> paint(int) const override {
         Plane<Bgr> picture(size_);
-        for (int j = 0; j < size_.height; ++j)
+        for (int j = 0; j < size_.height; ++j) {
             for (int i = 0; i < size_.width; ++i) {
                 const auto grey = static_cast<std::uint8_t>(255 * j / (size_.height - 1));
                 picture.at(i, j) = i < size_.width / 2 ? Bgr{30, 40, 200} : Bgr{grey, grey, grey};
             }
+        }
         return picture;
     }
     scene::Truth truth(int) const override { return {}; }
@@ -81,13 +87,14 @@ double area_mean(const Plane<Bgr>& picture, Size to, int i, int j) {
     const double sy = static_cast<double>(picture.height()) / to.height;
     double sum = 0;
     double weight = 0;
-    for (int y = static_cast<int>(j * sy); y < std::min<double>((j + 1) * sy, picture.height()); ++y)
+    for (int y = static_cast<int>(j * sy); y < std::min<double>((j + 1) * sy, picture.height()); ++y) {
         for (int x = static_cast<int>(i * sx); x < std::min<double>((i + 1) * sx, picture.width()); ++x) {
             const double wx = std::min<double>(x + 1, (i + 1) * sx) - std::max<double>(x, i * sx);
             const double wy = std::min<double>(y + 1, (j + 1) * sy) - std::max<double>(y, j * sy);
             sum += wx * wy * picture.at(x, y)[0];
             weight += wx * wy;
         }
+    }
     return sum / weight;
 }
 
@@ -105,11 +112,41 @@ TEST(Scaler, AveragesAreas) {
         const auto frames = read_all(*open_source(folder / "texture.y4m", options));
         ASSERT_EQ(frames.size(), 2u);
         double worst = 0;
-        for (int j = 0; j < size.height; ++j)
-            for (int i = 0; i < size.width; ++i)
+        for (int j = 0; j < size.height; ++j) {
+            for (int i = 0; i < size.width; ++i) {
                 worst = std::max(worst, std::abs(frames[1].grey.at(i, j) - area_mean(truth, size, i, j)));
+            }
+        }
         // swscale's area filter is as long as the area rounded up to pixels: less exact near the source's own size.
         EXPECT_LE(worst, size.width > 250 ? 12 : 3) << size.width << "x" << size.height;
+    }
+}
+
+/// Linear between the points (i, j) of a plane, the edges repeated.
+double linear_at(const Plane<std::uint8_t>& plane, double x, double y) {
+    const auto at = [&](double i, double j) {
+        return static_cast<double>(plane.at(static_cast<int>(std::clamp(i, 0.0, plane.width() - 1.0)),
+                                            static_cast<int>(std::clamp(j, 0.0, plane.height() - 1.0))));
+    };
+    const double i = std::floor(x);
+    const double j = std::floor(y);
+    return std::lerp(std::lerp(at(i, j), at(i + 1, j), x - i), std::lerp(at(i, j + 1), at(i + 1, j + 1), x - i), y - j);
+}
+
+// Chroma of 4:2:0 at luma's size.
+TEST(AreaScaler, DoublesLinearly) {
+    for (const Size size : {Size{1, 1}, Size{3, 2}, Size{33, 5}, Size{64, 4}, Size{71, 3}}) {
+        Plane<std::uint8_t> plane(size);
+        std::mt19937 random(5);
+        for (std::uint8_t& value : plane.pixels()) value = static_cast<std::uint8_t>(random());
+        AreaScaler scale;
+        const cv::Mat twice = scale(cv_view(plane), {2 * size.width, 2 * size.height});
+        for (int j = 0; j < twice.rows; ++j) {
+            for (int i = 0; i < twice.cols; ++i) {
+                ASSERT_NEAR(twice.at<std::uint8_t>(j, i), linear_at(plane, i / 2.0 - 0.25, j / 2.0 - 0.25), 0.501)
+                    << size.width << "x" << size.height << " at " << i << ", " << j;
+            }
+        }
     }
 }
 

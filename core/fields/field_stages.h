@@ -15,42 +15,44 @@
 
 namespace vvr {
 
-/// A frame on its way through the pipeline. Its neighbours look at it too, so nothing is moved out of it.
+/// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
 struct Shot {
     SharedFrame frame;
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
     Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps
-    Plane<std::uint8_t> foreground;  ///< what a filter gave that must see frames in order
+    Plane<std::uint8_t> foreground;  ///< result of a filter that needs the frames in order
     Plane<std::uint16_t> age;        ///< frames for which each pixel has been part of the object
     FlowFrame flow_frame;            ///< made by the first neighbour that asks for it
     std::once_flag flow_frame_made;
 };
 
-/// A frame in the middle of those about it; past the clip's ends the others are null.
+/// A frame in the middle of its neighbours, which are null past the clip's ends.
 using Neighbourhood = std::vector<std::shared_ptr<Shot>>;
 
-/// All that is done with a frame between the source and the sink, in three steps.
-class FrameWork {
+/// Computes a frame's field in three steps: `begin`, `gather`, `finish`.
+class FieldStages {
   public:
-    FrameWork(const EmptyScene& scene, const FieldOptions& options);
-    FrameWork(const FrameWork&) = delete;
-    FrameWork& operator=(const FrameWork&) = delete;
+    FieldStages(const EmptyScene& scene, const FieldOptions& options);
+    FieldStages(const FieldStages&) = delete;
+    FieldStages& operator=(const FieldStages&) = delete;
 
-    /// Frames on each side that a frame's field depends on.
+    /// How many frames on each side a frame's field depends on.
     int reach() const { return reach_; }
 
     /// Whether a field depends on all frames before it.
     bool remembers() const { return remembers_; }
 
-    /// What needs the frame alone. From several threads at once.
+    /// Does what needs the frame alone. May be called from several threads at once.
     std::shared_ptr<Shot> begin(Frame frame) const;
 
-    /// What needs the frames in order; null after the last one. The neighbourhood of the frame `reach` steps before.
+    /// Does what needs the frames in order, one at a time.
+    /// \param shot null after the last one
+    /// \returns the neighbourhood of the frame `reach` steps before
     Neighbourhood gather(std::shared_ptr<Shot> shot);
 
-    /// What needs the neighbours. From several threads at once, unless the filter has to see frames in order, and
-    /// then `gather` has seen to it.
+    /// Does what needs the neighbours. May be called from several threads at once: filters that need the frames in
+    /// order have run in `gather`.
     Field finish(const Neighbourhood& about) const;
 
   private:

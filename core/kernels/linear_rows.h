@@ -18,10 +18,10 @@ struct RelaxRows {
 /// next_u = m11 n_u + m12 n_v + c1, next_v = m12 n_u + m22 n_v + c2.
 void relax_rows(const RelaxRows& rows, int width, int count);
 
-/// Coefficients of the above from derivatives: M = a (g gᵀ + a)⁻¹ / 12 and c = -(g gᵀ + a)⁻¹ g g_t.
+/// Coefficients of `relax_rows` from derivatives: M = a (g gᵀ + a)⁻¹ / 12 and c = -(g gᵀ + a)⁻¹ g g_t.
 void invert_gradients(const float* gx, const float* gy, const float* gt, float a, float* const m_and_c[5], int width);
 
-/// The same from a tensor J and right hand side f: M = a (J + a)⁻¹ / 12 and c = (J + a)⁻¹ f.
+/// Coefficients of `relax_rows` from a tensor J and right hand side f: M = a (J + a)⁻¹ / 12 and c = (J + a)⁻¹ f.
 void invert_tensors(const float* const j_and_f[5], float a, float* const m_and_c[5], int width);
 
 /// Tensor and right hand side of derivatives: J = g gᵀ, f = -g g_t.

@@ -1,4 +1,4 @@
-#include "core/video/colour_rows.h"
+#include "core/kernels/colour_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -8,15 +8,17 @@
 #include <utility>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/video/colour_rows.cpp"
+#define HWY_TARGET_INCLUDE "core/kernels/colour_rows.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace vvr::HWY_NAMESPACE {
+namespace {
+
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sixteen bits hold it all: chroma times a factor in 1/64 of a level, half a level of which can't be told from 8 bits.
+/// Sixteen bits are enough: chroma times a factor is in 1/64 of a level.
 /// \param pixels a multiple of 32
 void bgr_row(const ColourMatrix& matrix, const std::uint8_t* luma, const std::uint8_t* cb, const std::uint8_t* cr,
              std::uint8_t* out, std::size_t pixels) {
@@ -65,6 +67,7 @@ void full_range_row(const std::uint8_t* luma, std::uint8_t* out, std::size_t pix
     }
 }
 
+}  // namespace
 }  // namespace vvr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -8,7 +8,8 @@
 namespace vvr {
 
 /// Smooths 8-bit values with a Gaussian of `sigma` pixels, cut off at 1.5 sigma and at 1 pixel at least; edges are
-/// repeated. Weights are in 1/256, as cv::GaussianBlur has them, which takes more than twice as long.
+/// repeated. Weights are in 1/256. cv::GaussianBlur takes half as long again and rounds otherwise:
+/// a grey level more or less in one pixel out of 3000.
 /// \param size of the picture, in pixels of `channels` values each
 /// \param from, to size.width * size.height * channels values, row by row
 void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to);

@@ -1,4 +1,4 @@
-#include "core/fields/frame_work.h"
+#include "core/fields/field_stages.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,7 +14,8 @@
 namespace vvr {
 namespace {
 
-// Grey levels by which an object stands out where the filter itself compares nothing with the empty scene.
+// Grey levels by which an object differs from the empty scene, for filters that have no threshold of their own for
+// that.
 constexpr int object_threshold = 24;
 
 /// One more where there is an object, 0 elsewhere.
@@ -40,7 +41,7 @@ bool continuous(const Shot& a, const Shot& b) {
     return std::abs(a.frame->index - b.frame->index) == 1 && !light_jumps(a.levels, b.levels);
 }
 
-/// Without what lies beyond a gap or a jump of the light: flow methods take it that things keep their brightness.
+/// Without what lies beyond a gap or a jump of the light: flow methods assume that things keep their brightness.
 Neighbourhood continuous_part(Neighbourhood about, int reach) {
     for (const int step : {-1, 1}) {
         const Shot* inner = about[static_cast<std::size_t>(reach)].get();
@@ -60,7 +61,7 @@ bool needs_reference(const FieldOptions& options) {
     return traits.object || (has_flow(options.flow) && !traits.shows_object);
 }
 
-FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
+FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     : options_(options),
       row_(find_filter(options.filter)),
       region_(scene.region),
@@ -77,7 +78,7 @@ FrameWork::FrameWork(const EmptyScene& scene, const FieldOptions& options)
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
-std::shared_ptr<Shot> FrameWork::begin(Frame frame) const {
+std::shared_ptr<Shot> FieldStages::begin(Frame frame) const {
     auto shot = std::make_shared<Shot>();
     shot->frame = std::make_shared<const Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
@@ -86,7 +87,7 @@ std::shared_ptr<Shot> FrameWork::begin(Frame frame) const {
     return shot;
 }
 
-Neighbourhood FrameWork::gather(std::shared_ptr<Shot> shot) {
+Neighbourhood FieldStages::gather(std::shared_ptr<Shot> shot) {
     if (shot) {
         if (object_ && object_->adapts()) shot->object = object_->find_and_adapt(shot->smooth);
         if (row_.traits.in_order) shot->foreground = filtered(*shot, nullptr, {});
@@ -101,7 +102,7 @@ Neighbourhood FrameWork::gather(std::shared_ptr<Shot> shot) {
     return {last_.begin(), last_.end()};
 }
 
-Field FrameWork::finish(const Neighbourhood& about) const {
+Field FieldStages::finish(const Neighbourhood& about) const {
     const auto middle = static_cast<std::size_t>(reach_);
     const Shot& here = *about[middle];
     const Shot* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
@@ -125,7 +126,7 @@ Field FrameWork::finish(const Neighbourhood& about) const {
     return field;
 }
 
-Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, const Flow& flow) const {
+Plane<std::uint8_t> FieldStages::filtered(const Shot& shot, const Shot* before, const Flow& flow) const {
     Plane<std::uint8_t> scalar = (*filter_)({.frame = *shot.frame,
                                              .smooth = shot.smooth,
                                              .previous = before ? &before->smooth : nullptr,
@@ -143,10 +144,9 @@ Plane<std::uint8_t> FrameWork::filtered(const Shot& shot, const Shot* before, co
     return scalar;
 }
 
-// Where nothing is shown and where nothing changes nothing needs to be known: only parts of the picture about what
-// moves are looked at, larger than it by what the method wants. Past an end of the clip, or a jump of the light,
-// the last frame stands again.
-Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
+// Flow is computed only near what is shown and changes, with a margin that the method asks for. Past an end of the
+// clip, or a jump of the light, the last frame is repeated.
+Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
     const Shot& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
@@ -168,7 +168,7 @@ Flow FrameWork::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& m
 }
 
 // Of the object only what changes from the frame before, or to the next: the others' noise would be taken for motion.
-Plane<std::uint8_t> FrameWork::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
+Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
     const auto middle = static_cast<std::size_t>(reach_);
     const Shot& here = *about[middle];
     Plane<std::uint8_t> result(object.size());
@@ -179,7 +179,7 @@ Plane<std::uint8_t> FrameWork::moving(const Neighbourhood& about, const Plane<st
     return result;
 }
 
-const FlowFrame& FrameWork::prepared(Shot& shot) const {
+const FlowFrame& FieldStages::prepared(Shot& shot) const {
     std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame->grey); });
     return shot.flow_frame;
 }

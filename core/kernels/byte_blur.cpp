@@ -1,17 +1,21 @@
-#include "core/fields/byte_blur.h"
+#include "core/kernels/byte_blur.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "core/kernels/gaussian.h"
+
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/fields/byte_blur.cpp"
+#define HWY_TARGET_INCLUDE "core/kernels/byte_blur.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace vvr::HWY_NAMESPACE {
+namespace {
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Wide = hn::CappedTag<std::uint16_t, 32>;
@@ -59,6 +63,7 @@ void along(const std::uint16_t* in, std::size_t step, const std::uint16_t* taps,
     }
 }
 
+}  // namespace
 }  // namespace vvr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -73,13 +78,10 @@ namespace {
 /// Weights in 1/256 that add up to 1.
 std::vector<std::uint16_t> taps_of(double sigma) {
     const int radius = std::max(1, static_cast<int>(std::lround(1.5 * sigma)));
-    const auto weight = [sigma](int k) { return std::exp(-k * k / (2 * sigma * sigma)); };
-    double sum = 0;
-    for (int k = -radius; k <= radius; ++k) sum += weight(k);
     std::vector<std::uint16_t> taps;
     int rest = 256;
-    for (int k = -radius; k <= radius; ++k) {
-        taps.push_back(static_cast<std::uint16_t>(std::lround(256 * weight(k) / sum)));
+    for (const double weight : gaussian_weights(sigma, radius)) {
+        taps.push_back(static_cast<std::uint16_t>(std::lround(256 * weight)));
         rest -= taps.back();
     }
     auto& middle = taps[static_cast<std::size_t>(radius)];

@@ -1,15 +1,17 @@
-#include "core/fields/flows/linear_kernels.h"
+#include "core/kernels/linear_rows.h"
 
 // Vectors whose length only the machine knows can't be members; where there are such, NEON is as well.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/fields/flows/linear_kernels.cpp"
+#define HWY_TARGET_INCLUDE "core/kernels/linear_rows.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace vvr::HWY_NAMESPACE {
+namespace {
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<float, 16>;
@@ -25,8 +27,8 @@ HWY_INLINE Vec mask(Tag d, Vec above, Vec row, Vec below, Vec here) {
     return hn::NegMulAdd(hn::Set(d, 4.F), here, hn::MulAdd(hn::Set(d, 2.F), row, hn::Add(above, below)));
 }
 
-/// How lanes are turned by one, the last into the first's place and the other way, and where that leaves what belongs
-/// to the vector beside.
+/// Rotations of a vector's lanes by one, up and down. `first` and `last` are the lanes that have to come from the
+/// vector beside.
 struct Turns {
     using Table = hn::RebindToSigned<Tag>;
     using Indices = decltype(hn::IndicesFromVec(Tag(), hn::Zero(Table())));
@@ -93,7 +95,7 @@ HWY_INLINE void store(Tag d, const RelaxRows& p, std::ptrdiff_t at, Vec n_u, Vec
     hn::Store(hn::MulAdd(hn::Load(d, p.m22 + at), n_v, hn::MulAdd(m12, n_u, hn::Load(d, p.c2 + at))), d, p.next_v + at);
 }
 
-// All loads are aligned, and there are nine a point.
+// All loads are aligned; there are nine per point.
 template <bool both>
 HWY_INLINE void relax_along(Tag d, const Turns& turn, const RelaxRows& p, std::ptrdiff_t first, int width) {
     Walk<both> u, v;
@@ -111,7 +113,7 @@ HWY_INLINE void relax_along(Tag d, const Turns& turn, const RelaxRows& p, std::p
 
 void relax(const RelaxRows& rows, int width, int count) {
     const Tag d;
-    const RelaxRows p = rows;  // of which the compiler knows that no store changes it
+    const RelaxRows p = rows;  // a copy, so that the compiler knows that no store changes it
     const Turns turn = turns(d);
     int j = 0;
     for (; j + 2 <= count; j += 2) relax_along<true>(d, turn, p, j * p.pitch, width);
@@ -226,6 +228,7 @@ void interpolate(const float* near, const float* far, float* fine, int width) {
     }
 }
 
+}  // namespace
 }  // namespace vvr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

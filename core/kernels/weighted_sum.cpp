@@ -1,14 +1,16 @@
-#include "core/fields/flows/weighted_sum.h"
+#include "core/kernels/weighted_sum.h"
 
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/fields/flows/weighted_sum.cpp"
+#define HWY_TARGET_INCLUDE "core/kernels/weighted_sum.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace vvr::HWY_NAMESPACE {
+namespace {
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 void sum(const float* const* inputs, const float* weights, std::size_t terms, float* HWY_RESTRICT out, int count) {
@@ -34,6 +36,7 @@ void sum(const float* const* inputs, const float* weights, std::size_t terms, fl
     }
 }
 
+}  // namespace
 }  // namespace vvr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
