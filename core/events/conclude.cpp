@@ -219,6 +219,9 @@ class Conclusion {
             if (!whole.wanted) continue;
             for (std::size_t b = a + 1; b < order.size(); ++b) {
                 Candidate& piece = candidates_[order[b]];
+                const bool apart = piece.whole.begin.at.frame > whole.whole.end.at.frame ||
+                                   piece.whole.end.at.frame < whole.whole.begin.at.frame;
+                if (apart) continue;
                 const bool small = 2 * size_of(order[b]) <= size_of(order[a]);
                 if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
                 if (is_piece_of(piece.whole, whole.whole)) piece.wanted = false;

@@ -288,7 +288,9 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (track.is_over()) return;
     const bool certain = track.is_certain();
     Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
-    if (certain) ended_.push_back(std::move(tracklet));
+    // Rain and leaves would fill the memory of a stream that lasts for days.
+    const bool jumps = !tracklet.settled && tracklet.continuous < options_.continuous;
+    if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }
 
 void EventFinder::give_labels(const Moment& now) const {

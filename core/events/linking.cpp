@@ -1,6 +1,9 @@
 #include "core/events/linking.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
 
 #include "core/events/assignment.h"
 
@@ -16,6 +19,50 @@ constexpr double unlike = 0.33;            // distance of looks of different peo
 constexpr double at_border_seconds = 0.3;  // longest gap of what left the picture, or came in: the border hides nobody
 constexpr double same_place = 0.5;     // lengths by which the middle of a thing may be off when it comes to light again
 constexpr double hidden_seconds = 60;  // longest gap within a group that both were seen in
+
+/// A link that is possible.
+struct Candidate {
+    std::size_t earlier;
+    std::size_t later;
+    double cost;
+};
+using Candidates = std::vector<Candidate>;
+
+Candidates candidates_of(std::span<const Tracklet> tracklets, const EventOptions& options) {
+    std::vector<std::size_t> order(tracklets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto begin_of = [&](std::size_t k) { return tracklets[k].begin.at.seconds; };
+    std::ranges::stable_sort(order, {}, begin_of);
+    Candidates candidates;
+    for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
+        const double end = tracklets[earlier].end.at.seconds;
+        const double latest = end + std::max(hidden_seconds, options.link_seconds);
+        auto place = std::ranges::lower_bound(order, end - overlap, {}, begin_of);
+        for (; place != order.end() && begin_of(*place) <= latest; ++place) {
+            if (*place == earlier) continue;
+            const double cost = link_cost(tracklets[earlier], tracklets[*place], options);
+            if (cost < options.link_cost) candidates.push_back({earlier, *place, cost});
+        }
+    }
+    return candidates;
+}
+
+/// Candidates that share no tracklet with those of another group: each group can be decided on its own.
+std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t tracklets) {
+    // A tracklet is two nodes: its end, where others follow, and its beginning.
+    std::vector<std::size_t> parent(2 * tracklets);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t k) {
+        while (parent[k] != k) k = parent[k] = parent[parent[k]];
+        return k;
+    };
+    for (const Candidate& c : candidates) parent[root(c.earlier)] = root(tracklets + c.later);
+    std::map<std::size_t, Candidates> groups;
+    for (const Candidate& c : candidates) groups[root(c.earlier)].push_back(c);
+    std::vector<Candidates> result;
+    for (auto& [number, group] : groups) result.push_back(std::move(group));
+    return result;
+}
 
 }  // namespace
 
@@ -49,34 +96,23 @@ double link_cost(const Tracklet& earlier, const Tracklet& later, const EventOpti
 
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets, const EventOptions& options) {
     std::vector<std::optional<std::size_t>> next(tracklets.size());
-    // Only those that end, or begin, where something could follow are rows, or columns: a long stream has many others.
-    std::vector<std::size_t> rows;
-    std::vector<std::size_t> columns;
-    std::vector<std::vector<std::pair<std::size_t, double>>> candidates(tracklets.size());
-    std::vector<bool> wanted(tracklets.size());
-    for (std::size_t a = 0; a < tracklets.size(); ++a) {
-        for (std::size_t b = 0; b < tracklets.size(); ++b) {
-            if (a == b) continue;
-            const double cost = link_cost(tracklets[a], tracklets[b], options);
-            if (cost >= options.link_cost) continue;
-            candidates[a].emplace_back(b, cost);
-            wanted[b] = true;
+    for (const Candidates& group : groups_of(candidates_of(tracklets, options), tracklets.size())) {
+        // The rows and columns of a group are few, however long the clip is.
+        std::map<std::size_t, int> rows;
+        std::map<std::size_t, int> columns;
+        for (const Candidate& c : group) {
+            rows.try_emplace(c.earlier, static_cast<int>(rows.size()));
+            columns.try_emplace(c.later, static_cast<int>(columns.size()));
         }
-        if (!candidates[a].empty()) rows.push_back(a);
-    }
-    std::vector<int> column_of(tracklets.size(), -1);
-    for (std::size_t b = 0; b < tracklets.size(); ++b) {
-        if (!wanted[b]) continue;
-        column_of[b] = static_cast<int>(columns.size());
-        columns.push_back(b);
-    }
-    Plane<double> costs({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, never);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        for (const auto& [b, cost] : candidates[rows[r]]) costs.at(column_of[b], static_cast<int>(r)) = cost;
-    }
-    const auto chosen = assign(costs, options.link_cost);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        if (chosen[r]) next[rows[r]] = columns[static_cast<std::size_t>(*chosen[r])];
+        Plane<double> costs({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, never);
+        for (const Candidate& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
+        std::vector<std::size_t> place_of(columns.size());
+        for (const auto& [later, column] : columns) place_of[static_cast<std::size_t>(column)] = later;
+        const auto chosen = assign(costs, options.link_cost);
+        for (const auto& [earlier, row] : rows) {
+            const auto& column = chosen[static_cast<std::size_t>(row)];
+            if (column) next[earlier] = place_of[static_cast<std::size_t>(*column)];
+        }
     }
     return next;
 }

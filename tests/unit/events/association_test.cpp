@@ -1,4 +1,6 @@
 // Association, assignment, looks, sharing and linking: each by itself.
+#include "core/events/association.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -6,7 +8,6 @@
 
 #include "core/events/appearance.h"
 #include "core/events/assignment.h"
-#include "core/events/association.h"
 #include "core/events/event_choice.h"
 #include "core/events/flicker.h"
 #include "core/events/labels.h"
@@ -220,6 +221,19 @@ TEST(Link, DoesNotJoinWhoLeftThePictureWithWhoComesIn) {
     std::vector<Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100)};
     all[0].end.at_border = true;
     EXPECT_FALSE(link(all, {})[0]);
+}
+
+TEST(Link, IsQuickOverDays) {
+    std::vector<Tracklet> all;
+    for (std::size_t k = 0; k < 20'000; ++k) {
+        const double begin = 5.0 * static_cast<double>(k);
+        all.push_back(tracklet(k, begin, begin + 4, 10, k % 2 == 0 ? 50 : 90));
+    }
+    // Each even one ends where motion leads on, and the next begins there.
+    for (std::size_t k = 1; k < all.size(); k += 2) all[k].begin.place.x = 60;
+    const auto next = link(all, {});
+    EXPECT_EQ(next[0], 1U);
+    EXPECT_EQ(next[19'998], 19'999U);
 }
 
 TEST(Flicker, CountsComingAndGoing) {
