@@ -1,11 +1,16 @@
 #include "cli/render/annotate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/events/colouring.h"
 #include "core/fields/filter.h"
+#include "core/glance/portraits.h"
+#include "core/glance/scene_map.h"
+#include "core/glance/time_strip.h"
 #include "core/labels/legend.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
@@ -52,18 +57,15 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
         const int low = first_visible(transfer);
         const FilterRow& filter = find_filter(job.fields.filter);
         entries.push_back({transfer_gradient(drawn_transfer_of(job.look), low, background_of(job.look)),
-                           fmt::format("{}, {} to 255", filter.help, low),
-                           fmt::format("{} {} to 255", filter.name, low)});
+                           fmt::format("{}: little to much", filter.help), std::string(filter.name)});
     }
     const GlyphStyle style = glyph_style_of(job);
     const auto flow = [&](const std::string& what) {
-        return LegendEntry{
-            gradient(style.slow_colour, style.fast_colour),
-            fmt::format("{}, {:g} to {:g} pixels a frame", what, style.speed_range.x, style.speed_range.y),
-            fmt::format("speed {:g} to {:g} px/frame", style.speed_range.x, style.speed_range.y)};
+        return LegendEntry{gradient(style.slow_colour, style.fast_colour), fmt::format("{}: slow to fast", what),
+                           "slow to fast"};
     };
-    if (job.look.show.has(Part::arrows)) {
-        entries.push_back(flow("which way it goes"));
+    if (job.look.show.has(Part::arrows) || job.look.show.has(Part::directions)) {
+        entries.push_back(flow("which way it went"));
     } else if (job.look.show.has(Part::tracelines)) {
         entries.push_back(flow("paths of the flow"));
     }
@@ -85,13 +87,99 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
                   framing.sheet.between, 0);
 }
 
+const std::array<std::string, 3> explanations{
+    "Time runs along the arc, from left to right. Each cut through it is the camera's view at that moment. "
+    "A number and its colour are the same object everywhere.",
+    "Time runs along the arc, from left to right; each cut through it is the view at that moment.",
+    "Time runs along the arc, from left to right."};
+
+void letter_explanation(const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+    add_first_that_fits(explanations, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
+                        sheet.explanation.grown(0, sheet.small / 4), colour, lettering);
+}
+
+/// A frame at the end of the volume, with what it is and when above it.
+void letter_end(const std::string& what, const Plane<Bgr>& picture, double seconds, const PixelBox& box, bool right,
+                const Caption& caption, const Sheet& sheet, const Rgba& colour, const Rgba& border,
+                Lettering& lettering) {
+    if (picture.empty() || box.empty()) return;
+    lettering.pictures.push_back({box.grown(-1, -1), picture, border, 1});
+    const std::string text = fmt::format("{}, {}", what, format_moment(seconds, caption.clock));
+    Label label = make_label(text, sheet.small, box.left, box.top - sheet.small / 2, colour);
+    if (right) label = make_label(text, sheet.small, box.right - label.box.width(), box.top - sheet.small / 2, colour);
+    lettering.labels.push_back(label);
+}
+
+/// Portraits, map, strip and frames beside the volume.
+void letter_glance(const RenderJob& job, const Caption& caption, const Volume& volume, const Layout& layout,
+                   const Framing& framing, const Glance& glance, Lettering& lettering) {
+    const Parts& show = job.look.show;
+    const Sheet& sheet = framing.sheet;
+    const Rgba ink = rgba(job.look.theme.ink);
+    const Rgba pale = rgba(job.look.theme.pale_ink);
+    const Rgba lines = rgba(job.look.theme.lines);
+    if (show.has(Part::explanation)) letter_explanation(sheet, pale, lettering);
+    if (show.has(Part::ends)) {
+        letter_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
+                   lettering);
+        letter_end("last frame", glance.last, caption.end, sheet.last, true, caption, sheet, pale, lines, lettering);
+    }
+    const Trails trails(volume, layout, framing.camera, sheet.picture);
+    if (show.has(Part::map) && !glance.scene.empty()) {
+        const double aspect = static_cast<double>(glance.field.width) / glance.field.height;
+        const PixelBox box = hollow_of(layout, framing.camera, sheet.picture, sheet.hollow, aspect);
+        draw_map(glance.objects, glance.scene, glance.field, box, sheet.small, Rgba(background_of(job.look)),
+                 lettering);
+    }
+    if (show.has(Part::portraits) && glance.crops != nullptr) {
+        letter_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
+    }
+    if (show.has(Part::numbers)) {
+        letter_numbers(glance.objects, trails, sheet, lettering);
+        letter_stays(glance.objects, trails, sheet, ink, Rgba(background_of(job.look)), lettering);
+    }
+    if (show.has(Part::strip)) {
+        letter_strip(glance.objects, caption.begin, caption.end, sheet,
+                     {ink, pale, lines, Rgba(background_of(job.look))}, lettering);
+    }
+}
+
+/// An event with that part of its path that lies in a stretch of time.
+Event part_of(Event event, double begin, double end) {
+    const auto outside = [&](const PathPoint& point) { return point.at.seconds < begin || point.at.seconds > end; };
+    std::erase_if(event.path, outside);
+    return event;
+}
+
 }  // namespace
 
-Framing frame_volume(const RenderJob& job, const Layout& layout) {
+Objects objects_of(const LookOptions& look, std::span<const Event> events, double begin, double end,
+                   const WallClock& clock) {
+    Objects objects;
+    objects.clock = clock;
+    const std::vector<int> colours = colours_of(events);
+    for (std::size_t k = 0; k < events.size(); ++k) {
+        if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
+        objects.events.push_back(part_of(events[k], begin, end));
+        objects.numbers.push_back(k + 1);
+        objects.colours.push_back(look.theme.objects[static_cast<std::size_t>(colours[k])]);
+    }
+    return objects;
+}
+
+Framing frame_volume(const RenderJob& job, const Layout& layout, double aspect) {
     Framing framing;
     const bool ruler = job.look.show.has(Part::ruler);
-    framing.sheet =
-        arrange_sheet(job.picture.size, {job.look.show.has(Part::title), ruler, job.look.show.has(Part::legend)});
+    const Parts& show = job.look.show;
+    framing.sheet = arrange_sheet(job.picture.size,
+                                  {.title = show.has(Part::title),
+                                   .ruler = ruler,
+                                   .legend = show.has(Part::legend),
+                                   .explanation = show.has(Part::explanation),
+                                   .portraits = show.has(Part::portraits),
+                                   .ends = show.has(Part::ends),
+                                   .strip = show.has(Part::strip)},
+                                  aspect);
     const PixelBox& part = framing.sheet.volume;
     std::vector<glm::dvec3> points = outline_points(layout);
     if (job.look.show.any(&PartRow::around_volume)) points = corners(layout_box(layout));
@@ -117,13 +205,13 @@ std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, con
 }
 
 Lettering letter(const RenderJob& job, const Caption& caption, const Volume& volume, const Layout& layout,
-                 const Framing& framing, const std::vector<TimeTick>& ticks) {
+                 const Framing& framing, const std::vector<TimeTick>& ticks, const Glance& glance) {
     Lettering lettering;
     lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.look.theme.ink);
     const Rgba pale = rgba(job.look.theme.pale_ink);
-    letter_title(caption.title, span_of(caption, volume), framing.sheet, ink, pale, lettering);
     if (job.look.show.has(Part::legend)) letter_legend(legend_of(job), framing.sheet, pale, lettering);
+    letter_title(caption.title, span_of(caption, volume), framing.sheet, ink, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.look.theme.fast),
@@ -135,6 +223,7 @@ Lettering letter(const RenderJob& job, const Caption& caption, const Volume& vol
                       lettering);
     }
     if (caption.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);
+    if (framing.sheet.text > 0) letter_glance(job, caption, volume, layout, framing, glance, lettering);
     return lettering;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/glance/directions.h"
 #include "core/scene/overlay.h"
 
 namespace vvr {
@@ -36,9 +37,14 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
 }
 
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing, const std::vector<TimeTick>& ticks) {
+                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects) {
     Scene scene;
     if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
+    if (job.look.show.has(Part::directions)) {
+        const double length = 1.3 * glyph_options_of(job.look).cap;
+        const std::vector<Glyph> along = direction_arrows(objects, volume, layout, length);
+        scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
+    }
     if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, layout, job.look.traces);
     const glm::vec4 line_colour(job.look.theme.lines, 1);
     if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
@@ -46,6 +52,13 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
     add_lines(ruler_marks(volume, layout, framing.edge, ticks, line_colour));
+    if (job.look.show.has(Part::ribs)) {
+        // Pale, not transparent: lines hide what is behind them, so that these are in the volume and not before it.
+        const glm::vec4 pale = glm::mix(line_colour, background_of(job.look), 0.55F);
+        for (const TimeTick& tick : ticks) add_lines(cross_section(layout, volume.t_of_seconds(tick.seconds), pale));
+        const TimeEdge inner{1 - framing.edge.x, framing.edge.y};
+        add_lines(ruler_marks(volume, layout, inner, ticks, line_colour));
+    }
     if (job.look.show.has(Part::ruler)) {
         add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
         add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));

@@ -42,7 +42,7 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 /// All geometry that depends on the fields alone.
 /// \param ticks of the ruler
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing, const std::vector<TimeTick>& ticks);
+                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects);
 
 /// Fig. 5: what the renderer makes of the bricks.
 /// \param drawing its window shows them

@@ -31,7 +31,7 @@ void open_context(const RenderJob& job, Drawing& drawing) {
 
 void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samples, Drawing& drawing) {
     drawing.layout = layout_of(job, field_size);
-    drawing.framing = frame_volume(job, *drawing.layout);
+    drawing.framing = frame_volume(job, *drawing.layout, static_cast<double>(field_size.width) / field_size.height);
     RenderOptions options = job.picture;
     options.camera = drawing.framing.camera;
     options.background = background_of(job.look);
@@ -47,7 +47,7 @@ void rehearse(const RenderJob& job, const Drawing& drawing) {
     BrickWindow window(drawing.context->gl(), *drawing.layout, rehearsed_frames, 1);
     if (job.look.show.has(Part::volume)) window.show(volume, cut_into(rehearsed_frames, 1));
     Renderer& renderer = *drawing.renderer;
-    renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing, {}));
+    renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing, {}, {}));
     renderer.rehearse(window);
 }
 

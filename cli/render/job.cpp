@@ -76,7 +76,8 @@ Products products_of(const RenderJob& job) {
     products.series = is_series(output);
     products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
-    products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
+    const bool wanted = page || !output.report.empty() || job.look.show.any(&PartRow::needs_events);
+    products.events = wanted && find_filter(job.fields.filter).traits.shows_object;
     return products;
 }
 
@@ -84,6 +85,16 @@ RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
     for (const auto& [name, value] : extracted) {
         if (name == setting::filter.name) job.fields.filter = value;
         put(job.settings, name, value);
+    }
+    return job;
+}
+
+RenderJob with_possible_parts(RenderJob job) {
+    if (find_filter(job.fields.filter).traits.shows_object) return job;
+    Parts& show = job.look.show;
+    if (show.has(Part::directions)) show.add(Part::arrows);
+    for (const PartRow& row : parts()) {
+        if (row.needs_events) show.remove(row.part);
     }
     return job;
 }

@@ -101,6 +101,10 @@ Products products_of(const RenderJob& job);
 /// \param extracted the settings of the extraction; empty = none
 RenderJob with_extracted(RenderJob job, const Metadata& extracted);
 
+/// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
+/// arrows along trails would.
+RenderJob with_possible_parts(RenderJob job);
+
 /// The fields need the frames in colour, or the picture shows them.
 bool wants_colour(const RenderJob& job);
 

@@ -8,7 +8,28 @@
 namespace vvr {
 
 /// What a picture can show.
-enum class Part { volume, arrows, tracelines, outline, frames, floor, ruler, legend, title, bricks, boxes, slices };
+enum class Part {
+    volume,
+    portraits,
+    map,
+    strip,
+    numbers,
+    directions,
+    arrows,
+    tracelines,
+    outline,
+    ribs,
+    frames,
+    ends,
+    floor,
+    ruler,
+    legend,
+    title,
+    explanation,
+    bricks,
+    boxes,
+    slices
+};
 
 /// One row of the table of parts.
 struct PartRow {
@@ -19,6 +40,7 @@ struct PartRow {
     bool needs_seeds = false;     ///< of the fields
     bool needs_flow = false;      ///< of whole frames
     bool needs_pictures = false;  ///< frames in colour
+    bool needs_events = false;    ///< the objects, so a filter that marks them
     bool around_volume = false;   ///< reaches beyond the outline of the volume
 };
 
@@ -44,7 +66,7 @@ class Parts {
     bool any(bool PartRow::*trait) const;
 
   private:
-    std::bitset<16> set_;
+    std::bitset<32> set_;
 };
 
 }  // namespace vvr

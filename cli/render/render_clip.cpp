@@ -30,6 +30,7 @@ struct Fields {
     std::vector<KeyFrame> keyframes{};
     FieldSummary summary{};
     std::optional<std::vector<Event>> events{};
+    Crops crops{};
 };
 
 Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, std::int64_t step, Observer& observer) {
@@ -40,8 +41,14 @@ Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, 
     const int keyframes = job.look.keyframes;
     std::optional<EventFinder> events;
     if (find_events) events.emplace(source.field_size());
+    const Frame* now = nullptr;
+    if (find_events && job.look.show.has(Part::portraits)) {
+        events->set_portrait_sink(
+            [&](std::size_t track, const Portrait& portrait) { result.crops.keep(track, portrait, *now); });
+    }
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
+        now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         result.volume.add(field, volume_colour(job, *frame));
         if (result.volume.frames() == 1) result.first = frame;
@@ -74,6 +81,13 @@ std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const W
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
+/// The empty scene; without one, the last frame.
+Plane<Bgr> scene_of(const Fields& fields) {
+    const Planes& scene = fields.summary.reference;
+    if (scene.empty()) return picture_of(*fields.last);
+    return picture_of(Frame{0, 0, scene.grey, scene.colour});
+}
+
 /// All after the fields: draws each picture and gives it to the sink.
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
@@ -87,7 +101,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
                           fields.last->pts,
                           nothing_visible(volume, transfer_of(job.look)),
                           clock};
-    report.events = std::move(fields.events);
+    report.events = fields.events;
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
     report.first_frame = fields.first->index;
@@ -99,9 +113,16 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.bricks = bricks;
     report.still = caption.still;
 
+    const Glance glance{
+        fields.events ? objects_of(job.look, *fields.events, caption.begin, caption.end, clock) : Objects{},
+        &fields.crops,
+        scene_of(fields),
+        picture_of(*fields.first),
+        picture_of(*fields.last),
+        volume.size()};
     const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
-    Scene scene =
-        build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing, ticks);
+    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing,
+                              ticks, glance.objects);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
@@ -112,7 +133,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     drawing.window->show(volume, pieces);
     add_overlays(job, drawing, bricks, volume.layers(), scene);
     drawing.renderer->set_scene(std::move(scene));
-    const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks);
+    const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
     report.lettering = lettering;
     for (int i = 0; i < products.pictures; ++i) {
         const double phase = static_cast<double>(i) / products.pictures;

@@ -43,6 +43,10 @@ class Series {
                 std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
         });
         if (products.events) events_.emplace(source.field_size());
+        if (products.events && job.look.show.has(Part::portraits)) {
+            events_->set_portrait_sink(
+                [this](std::size_t track, const Portrait& portrait) { crops_.keep(track, portrait, *frame_); });
+        }
         report_.step = window_.step;
         report_.pictures = 0;
     }
@@ -51,6 +55,7 @@ class Series {
         if (begin_) fill_gap(field);
         if (!begin_) begin_ = {field.index, field.pts};
         if (volume_.frames() == window_.frames()) drop_oldest();
+        frame_ = frame.get();
         if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         volume_.add(field, volume_colour(job_, *frame));
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
@@ -133,20 +138,36 @@ class Series {
         report_.stages.end("draw");
         const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);
-        Scene scene =
-            build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing, ticks);
+        const Glance glance = glance_now();
+        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
+                                  ticks, glance.objects);
         report_.arrows = scene.arrows.size();
         ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, drawing, bricks_, window_.layers(), scene);
         drawing.renderer->set_scene(std::move(scene));
-        const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks);
+        const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks, glance);
         report_.lettering = lettering;
         Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering);
         report_.stages.end("draw");
         sink_(report_, static_cast<int>(newest_), std::move(picture));
         report_.stages.end("write");
+    }
+
+    /// What is known of the objects in the window by now: as if the clip ended here.
+    Glance glance_now() const {
+        Glance glance;
+        glance.field = volume_.size();
+        glance.first = picture_of(*first_of_bricks_.front());
+        glance.last = picture_of(*last_);
+        if (!events_) return glance;
+        EventFinder until_now = *events_;
+        const std::vector<Event> events = choose_events(until_now.finish(), job_.output.events);
+        glance.objects = objects_of(job_.look, events, caption_.begin, caption_.end, caption_.clock);
+        glance.crops = &crops_;
+        glance.scene = glance.first;
+        return glance;
     }
 
     const RenderJob& job_;
@@ -161,6 +182,8 @@ class Series {
     Caption caption_;            ///< of the window
     RenderReport report_;
     std::optional<EventFinder> events_;
+    Crops crops_;
+    const Frame* frame_ = nullptr;             ///< that is being added
     std::optional<Moment> begin_;              ///< of the clip
     bool all_still_ = true;                    ///< nothing was visible in any window
     std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window

@@ -48,6 +48,7 @@ void EventFinder::add(const Sight& sight, const Moment& now) {
     go_on(sight, blobs, looks, assignment, now);
     settle(sight, now);
     if (label_sink_) give_labels(now);
+    if (portrait_sink_) give_portraits(now);
     std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
 }
 
@@ -299,6 +300,13 @@ void EventFinder::give_labels(const Moment& now) const {
         if (!track.is_over() && track.seen().frame == now.frame) add_runs(track.pixels(), track.number(), labels);
     }
     label_sink_(labels);
+}
+
+void EventFinder::give_portraits(const Moment& now) const {
+    for (const Track& track : tracks_) {
+        const std::optional<Portrait>& portrait = track.portrait();
+        if (portrait && portrait->at.frame == now.frame) portrait_sink_(track.number(), *portrait);
+    }
 }
 
 std::vector<Event> EventFinder::finish(const Planes& scene) {

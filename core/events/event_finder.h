@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "core/fields/planes.h"
 
 namespace vvr {
+
+using PortraitSink = std::function<void(std::size_t track, const Portrait& portrait)>;
 
 /// Finds the events of a clip in its fields, one after the other; memory depends on what is to be seen at a time, and
 /// on the number of events.
@@ -27,6 +30,10 @@ class EventFinder {
 
     /// Who gets the pixels of each field, in order, from within `add`.
     void set_label_sink(LabelSink sink) { label_sink_ = std::move(sink); }
+
+    /// Who hears, from within `add`, that a track is seen better in this field than in any before: its number and the
+    /// portrait.
+    void set_portrait_sink(PortraitSink sink) { portrait_sink_ = std::move(sink); }
 
     /// \param now later than in the call before
     void add(const Sight& sight, const Moment& now);
@@ -54,6 +61,7 @@ class EventFinder {
     void join_standing(Track& part, const Sight& sight);
     void end(Track& track, bool taken, const Moment& now);
     void give_labels(const Moment& now) const;
+    void give_portraits(const Moment& now) const;
 
     EventOptions options_;
     Size field_;
@@ -68,6 +76,7 @@ class EventFinder {
     Moment first_;
     Moment last_;
     LabelSink label_sink_;
+    PortraitSink portrait_sink_;
 };
 
 }  // namespace vvr

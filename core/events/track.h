@@ -42,6 +42,7 @@ class Track {
     /// Its pixels in the last field in which it was seen.
     const Patch& pixels() const { return pixels_; }
     const Appearance& look() const { return look_; }
+    const std::optional<Portrait>& portrait() const { return portrait_; }
     const Moment& first() const { return first_; }
     const Moment& seen() const { return seen_; }
     glm::dvec2 usual_size() const { return usual_size_; }

@@ -20,22 +20,27 @@ int width_of(const std::string& text, int size) {
 
 void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const Rgba& colour,
                    Lettering& lettering) {
-    const int text = sheet.text;
-    if (text == 0 || sheet.legend.width() <= 0) return;
+    const int text = sheet.small;
+    if (sheet.text == 0 || sheet.legend.width() <= 0) return;
     const int bar = 5 * text;
     const int gap = text / 2;
     const int between = 2 * text;
+    // Beside the title it has the larger part of the band: what the picture's colours mean is to be read, and a long
+    // name can be shortened.
+    constexpr double beside_title = 0.6;
+    PixelBox room = sheet.legend;
+    if (sheet.legend == sheet.title) room.left = room.right - static_cast<int>(room.width() * beside_title);
     const auto width = [&](std::string LegendEntry::*words) {
-        int sum = 0;
+        int sum = -between;
         for (const LegendEntry& entry : entries) sum += bar + gap + width_of(entry.*words, text) + between;
-        return sum - between;
+        return sum;
     };
-    const auto words = width(&LegendEntry::text) <= sheet.legend.width() ? &LegendEntry::text : &LegendEntry::brief;
-    int x = sheet.legend.left;
+    const auto words = width(&LegendEntry::text) <= room.width() ? &LegendEntry::text : &LegendEntry::brief;
+    int x = sheet.legend == sheet.title ? std::max(room.left, room.right - width(words)) : room.left;
     const int base = base_line(sheet.legend, text);
     for (const LegendEntry& entry : entries) {
         const Label label = make_label(entry.*words, text, x + bar + gap, base, colour);
-        if (!lettering.add(label, sheet.legend, gap / 2)) return;
+        if (!room.holds(label.box) || !lettering.add(label, sheet.legend, gap / 2)) return;
         lettering.bars.push_back({{x, base - text * 3 / 4, x + bar, base}, entry.colours});
         x = label.box.right + between;
     }
@@ -47,8 +52,12 @@ void letter_title(const std::string& title, const std::string& rest, const Sheet
     if (text == 0 || sheet.title.width() <= 0) return;
     const int base = base_line(sheet.title, text);
     int x = sheet.title.left;
+    int right = sheet.title.right;
+    for (const ColourBar& bar : lettering.bars) {
+        if (bar.box.meets(sheet.title)) right = std::min(right, bar.box.left - 2 * text);
+    }
     for (const auto& [words, ink] : {std::pair{title, colour}, std::pair{rest, pale}}) {
-        const Label label = make_label(elide(printable(words), text, sheet.title.right - x), text, x, base, ink);
+        const Label label = make_label(elide(printable(words), text, right - x), text, x, base, ink);
         if (lettering.add(label, sheet.title, 1)) x = label.box.right + text;
     }
 }

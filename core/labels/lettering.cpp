@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/draw.h"
+#include "core/image/resized.h"
+
 namespace vvr {
 
 namespace {
@@ -11,13 +14,51 @@ bool is_middle_of_character(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
 }
 
+/// How bright a colour looks, 0..1.
+float lightness(const Rgba& colour) {
+    return 0.299F * colour.r + 0.587F * colour.g + 0.114F * colour.b;
+}
+
+void fill(Picture& picture, const PixelBox& box, const Rgba& colour) {
+    const PixelBox inside = common(box, {0, 0, picture.pixels.width(), picture.pixels.height()});
+    for (int j = inside.top; j < inside.bottom; ++j) {
+        for (int i = inside.left; i < inside.right; ++i) picture.pixels.at(i, j) = colour;
+    }
+}
+
+void draw_pasted(Picture& picture, const PastedPicture& pasted) {
+    if (pasted.border > 0) fill(picture, pasted.box.grown(pasted.border, pasted.border), pasted.colour);
+    const Plane<Bgr> scaled = resized(pasted.picture, pasted.box.size());
+    for (int j = 0; j < scaled.height(); ++j) {
+        for (int i = 0; i < scaled.width(); ++i) {
+            const Bgr& bgr = scaled.at(i, j);
+            picture.pixels.at(pasted.box.left + i, pasted.box.top + j) = Rgba(bgr[2], bgr[1], bgr[0], 255) / 255.0F;
+        }
+    }
+}
+
+void draw_label(Picture& picture, const Label& label) {
+    if (label.halo) {
+        const int reach = std::max(1, label.size / 11);
+        for (const int x : {-reach, 0, reach}) {
+            for (const int y : {-reach, 0, reach})
+                draw_text(picture, label.x + x, label.y + y, label.text, label.size, *label.halo);
+        }
+    }
+    draw_text(picture, label.x, label.y, label.text, label.size, label.colour);
+}
+
 }  // namespace
+
+bool Lettering::is_free(const PixelBox& box) const {
+    const auto in_the_way = [&](const auto& other) { return box.meets(other.box); };
+    return std::ranges::none_of(labels, in_the_way) && std::ranges::none_of(bars, in_the_way) &&
+           std::ranges::none_of(pictures, in_the_way) && std::ranges::none_of(badges, in_the_way);
+}
 
 bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
     if (label.text.empty() || !area.holds(label.box)) return false;
-    const PixelBox around = label.box.grown(gap, gap);
-    const auto in_the_way = [&](const auto& other) { return around.meets(other.box); };
-    if (std::ranges::any_of(labels, in_the_way) || std::ranges::any_of(bars, in_the_way)) return false;
+    if (!is_free(label.box.grown(gap, gap))) return false;
     labels.push_back(label);
     return true;
 }
@@ -36,6 +77,23 @@ Label make_label_around(const std::string& text, int size, double x, double y, c
     return {text, size, left, base, box->moved(left, base), colour};
 }
 
+Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const Rgba& colour) {
+    const float ink = lightness(colour) > 0.55F ? 0.0F : 1.0F;
+    Badge badge{make_label_around(text, size, middle.x, middle.y, {ink, ink, ink, 1}), middle, size * 1.35, colour, {}};
+    badge.size = std::max(badge.size, badge.label.box.width() + size * 0.5);
+    const int half = static_cast<int>(std::ceil(badge.size / 2));
+    const glm::ivec2 at(glm::round(middle));
+    badge.box = {at.x - half, at.y - half, at.x + half, at.y + half};
+    return badge;
+}
+
+void add_first_that_fits(std::span<const std::string> texts, int size, int x, int y, const PixelBox& area,
+                         const Rgba& colour, Lettering& lettering) {
+    for (const std::string& text : texts) {
+        if (lettering.add(make_label(text, size, x, y, colour), area, 0)) return;
+    }
+}
+
 std::string elide(const std::string& text, int size, int width) {
     const auto fits = [&](const std::string& candidate) {
         const std::optional<PixelBox> box = measure_text(candidate, size);
@@ -52,16 +110,22 @@ std::string elide(const std::string& text, int size, int width) {
 }
 
 void draw(Picture& picture, const Lettering& lettering) {
+    for (const PastedPicture& pasted : lettering.pictures) draw_pasted(picture, pasted);
     for (const ColourBar& bar : lettering.bars) {
         for (int i = bar.box.left; i < bar.box.right; ++i) {
             const auto colour = static_cast<std::size_t>(i - bar.box.left) * bar.colours.size() /
                                 static_cast<std::size_t>(bar.box.width());
-            for (int j = bar.box.top; j < bar.box.bottom; ++j) picture.pixels.at(i, j) = bar.colours[colour];
+            fill(picture, {i, bar.box.top, i + 1, bar.box.bottom}, bar.colours[colour]);
         }
     }
-    for (const Label& label : lettering.labels) {
-        draw_text(picture, label.x, label.y, label.text, label.size, label.colour);
+    for (const Stroke& stroke : lettering.strokes) {
+        draw_line(picture, stroke.from, stroke.to, stroke.width, stroke.colour);
     }
+    for (const Badge& badge : lettering.badges) {
+        draw_line(picture, badge.middle, badge.middle, badge.size, badge.colour);
+        draw_text(picture, badge.label.x, badge.label.y, badge.label.text, badge.label.size, badge.label.colour);
+    }
+    for (const Label& label : lettering.labels) draw_label(picture, label);
 }
 
 }  // namespace vvr

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/image/text.h"
+#include "core/plane.h"
 
 namespace vvr {
 
@@ -15,6 +18,7 @@ struct Label {
     int y = 0;
     PixelBox box;  ///< of the letters
     Rgba colour{};
+    std::optional<Rgba> halo{};  ///< around the letters, where they lie on something of any colour
 };
 
 /// A bar of colours, from left to right.
@@ -23,11 +27,43 @@ struct ColourBar {
     std::vector<Rgba> colours;
 };
 
-/// Texts and bars to draw over a picture. No two of their boxes overlap, and all are inside the picture.
+/// A small picture with a border around it.
+struct PastedPicture {
+    PixelBox box;  ///< without its border
+    Plane<Bgr> picture;
+    Rgba colour{};   ///< of the border
+    int border = 0;  ///< its width
+};
+
+/// A straight line with round ends; of no length, a dot.
+struct Stroke {
+    glm::dvec2 from{};
+    glm::dvec2 to{};
+    double width = 1;
+    Rgba colour{};
+};
+
+/// A short text on a disc.
+struct Badge {
+    Label label;
+    glm::dvec2 middle{};
+    double size = 0;  ///< diameter
+    Rgba colour{};
+    PixelBox box;
+};
+
+/// What is written and drawn flat over a picture: pictures first, then bars, strokes, badges and texts. No text lies
+/// over another text, a bar of the legend, a picture or a badge, and all are inside the picture.
 struct Lettering {
-    std::vector<Label> labels;
+    std::vector<PastedPicture> pictures;
     std::vector<ColourBar> bars;
+    std::vector<Stroke> strokes;
+    std::vector<Badge> badges;
+    std::vector<Label> labels;
     bool font_missing = false;  ///< text was asked for, and there is no font
+
+    /// Whether nothing that may not be hidden is in a box.
+    bool is_free(const PixelBox& box) const;
 
     /// Adds a label if its box is inside `area` and at least `gap` pixels from the others.
     /// \returns whether it was added
@@ -39,6 +75,13 @@ Label make_label(const std::string& text, int size, int x, int y, const Rgba& co
 
 /// The same with the middle of its box at a point.
 Label make_label_around(const std::string& text, int size, double x, double y, const Rgba& colour);
+
+/// A badge with its middle at a point. Its text is white or black, whichever is easier to read on the colour.
+Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const Rgba& colour);
+
+/// Writes the first of several texts that fits: a label that begins at `x`,`y` and stays in `area`.
+void add_first_that_fits(std::span<const std::string> texts, int size, int x, int y, const PixelBox& area,
+                         const Rgba& colour, Lettering& lettering);
 
 /// The text, shortened to at most `width` pixels, with "…" in place of its end.
 std::string elide(const std::string& text, int size, int width);

@@ -19,30 +19,95 @@ int text_size(Size picture) {
     return picture.height < least_lines * size || picture.width < least_width * size ? 0 : size;
 }
 
+// Portraits, end frames and the strip need as many lines and columns of text, or nobody could read them.
+constexpr int least_lines_for_stills = 34;
+constexpr int least_width_for_stills = 48;
+
+// Height of a horseshoe by its width, at the default view, and some more.
+constexpr double widest_arc = 0.5;
+
+/// The bottom of the picture: the frames at the ends, and between them the strip.
+void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspect, Sheet& sheet) {
+    const int gap = sheet.text;
+    const int caption = sheet.small * 3 / 2;
+    int floor = inside.bottom;
+    if (parts.legend && !parts.title) {
+        floor -= sheet.text * 3 / 2;
+        sheet.legend = {inside.left, floor, inside.right, inside.bottom};
+    }
+    int top = floor;
+    PixelBox middle{inside.left, 0, inside.right, floor};
+    if (parts.ends) {
+        // Between a quarter of the width and a fifth of the height the frames are large enough for people in them.
+        const int height = std::min(inside.height() * 9 / 50, static_cast<int>(inside.width() * 0.22 / aspect));
+        const int width = static_cast<int>(std::lround(height * aspect));
+        sheet.first = {inside.left, floor - height, inside.left + width, floor};
+        sheet.last = {inside.right - width, floor - height, inside.right, floor};
+        top = sheet.first.top - caption;
+        middle.left = sheet.first.right + gap;
+        middle.right = sheet.last.left - gap;
+    }
+    if (parts.strip) sheet.strip = {middle.left, floor - 8 * sheet.text, middle.right, floor};
+    sheet.between.bottom = std::min(top, parts.strip ? sheet.strip.top : floor);
+    // Beside the end frames, or above them if that is the larger part.
+    const int bottom = parts.strip ? sheet.strip.top : floor;
+    sheet.hollow = {middle.left, 0, middle.right, bottom};
+    if (inside.height() > inside.width()) sheet.hollow = {inside.left, 0, inside.right, top};
+}
+
+/// The top of the picture: title, explanation, portraits.
+void arrange_top(const PixelBox& inside, const SheetParts& parts, Sheet& sheet) {
+    int top = inside.top;
+    const auto take = [&](int height) {
+        top += height;
+        return PixelBox{inside.left, top - height, inside.right, top};
+    };
+    if (parts.title) sheet.title = take(sheet.text * 3 / 2);
+    // The legend is where the title leaves room, or below.
+    if (parts.title && parts.legend) sheet.legend = sheet.title;
+    if (parts.explanation) sheet.explanation = take(sheet.small * 3 / 2);
+    if (parts.portraits) {
+        const int still = std::min(inside.height() * 4 / 25, inside.width() / 6);
+        take(sheet.small / 2);
+        sheet.portraits = take(still + 2 * (sheet.small * 4 / 3));
+    }
+    sheet.between.top = top;
+}
+
 }  // namespace
 
-Sheet arrange_sheet(Size picture, const SheetParts& parts) {
+Sheet arrange_sheet(Size picture, const SheetParts& wanted, double aspect) {
     Sheet sheet;
     sheet.picture = picture;
     sheet.between = {0, 0, picture.width, picture.height};
     sheet.volume = sheet.between;
-    sheet.text = parts.title || parts.ruler || parts.legend ? text_size(picture) : 0;
+    const bool any = wanted.title || wanted.ruler || wanted.legend || wanted.explanation || wanted.portraits ||
+                     wanted.ends || wanted.strip;
+    sheet.text = any ? text_size(picture) : 0;
     if (sheet.text == 0) return sheet;
 
     const int text = sheet.text;
+    sheet.small = std::max(smallest_text, text * 13 / 16);
     sheet.edge = text * 3 / 4;
+    SheetParts parts = wanted;
+    if (picture.height < least_lines_for_stills * text || picture.width < least_width_for_stills * text) {
+        parts.explanation = parts.portraits = parts.ends = parts.strip = false;
+    }
     const PixelBox inside{sheet.edge, sheet.edge, picture.width - sheet.edge, picture.height - sheet.edge};
-    const int band = text * 3 / 2;
-    if (parts.title) sheet.title = {inside.left, inside.top, inside.right, inside.top + band};
-    if (parts.legend) sheet.legend = {inside.left, inside.bottom - band, inside.right, inside.bottom};
-    sheet.between = {inside.left, parts.title ? sheet.title.bottom : inside.top, inside.right,
-                     parts.legend ? sheet.legend.top : inside.bottom};
+    sheet.between = inside;
+    arrange_top(inside, parts, sheet);
+    arrange_bottom(inside, parts, aspect, sheet);
     sheet.volume = sheet.between;
     if (parts.ruler) {
         const auto widest = measure_text("00:00:00", text);
         const int beside = widest ? widest->width() + text / 2 : 0;
-        sheet.volume = {sheet.between.left + beside, sheet.between.top + text, sheet.between.right - beside,
+        sheet.volume = {sheet.between.left + beside, sheet.between.top + text * 3 / 2, sheet.between.right - beside,
                         sheet.between.bottom - text / 2};
+    }
+    // In a tall picture the volume stays near the portraits, and the map has what is left.
+    if (parts.portraits) {
+        const int tallest = sheet.volume.top + static_cast<int>(sheet.volume.width() * widest_arc);
+        sheet.volume.bottom = std::min(sheet.volume.bottom, tallest);
     }
     return sheet;
 }

@@ -5,25 +5,37 @@
 
 namespace vvr {
 
-/// Which bands of text a picture has.
+/// Which parts of a picture beside the volume need room.
 struct SheetParts {
     bool title = false;
     bool ruler = false;
     bool legend = false;
+    bool explanation = false;
+    bool portraits = false;
+    bool ends = false;
+    bool strip = false;
 };
 
-/// Where things lie on a picture: a line of title at the top, a line of legend at the bottom, the volume between them,
-/// with room beside it for the ruler's labels.
+/// Where things lie on a picture, from the top down: title and legend, explanation, portraits, the volume; at the
+/// bottom the first frame on the left, the last on the right, and between them the strip of times.
 struct Sheet {
     Size picture;
     int text = 0;    ///< size of the text in pixels; 0 = the picture is too small for any
+    int small = 0;   ///< size of the smaller text
     int edge = 0;    ///< pixels that stay free at the picture's borders
     PixelBox title;  ///< the bands; empty where there is none
-    PixelBox legend;
+    PixelBox explanation;
+    PixelBox portraits;
+    PixelBox first;  ///< the first frame
+    PixelBox last;   ///< the last frame
+    PixelBox strip;
+    PixelBox legend;   ///< that of the title where both are shown; then it keeps clear of the title
+    PixelBox hollow;   ///< in which the map may be: down to the strip, below what labels of the ruler may use
     PixelBox between;  ///< what is left: labels of the ruler stay in it
     PixelBox volume;   ///< the part of the picture that the camera's own picture fills
 };
 
-Sheet arrange_sheet(Size picture, const SheetParts& parts);
+/// \param aspect width of a frame by its height
+Sheet arrange_sheet(Size picture, const SheetParts& parts, double aspect = 4.0 / 3);
 
 }  // namespace vvr

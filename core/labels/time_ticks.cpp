@@ -69,6 +69,10 @@ std::string format_clock(std::int64_t seconds) {
     return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
+std::string format_moment(double seconds, const WallClock& clock) {
+    return clock ? wall_time(seconds, *clock, 1) : clip_time(seconds, 1);
+}
+
 std::string format_length(double seconds) {
     if (seconds < 100) return fmt::format("{:.0f} s", seconds);
     const auto minutes = std::llround(seconds / minute);

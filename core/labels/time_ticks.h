@@ -23,6 +23,9 @@ std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallC
 /// "2026-11-21 08:00:07" for seconds since 1970.
 std::string format_clock(std::int64_t seconds);
 
+/// "0:07", "2:01:07"; with a wall clock "08:00:07".
+std::string format_moment(double seconds, const WallClock& clock = {});
+
 /// "45 s", "7 min", "3:20 h".
 std::string format_length(double seconds);
 

@@ -1,0 +1,71 @@
+#include "core/glance/objects.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+namespace {
+
+double seconds_of(const Event& event) {
+    return event.last.seconds - event.first.seconds;
+}
+
+double seconds_of(const Stay& stay) {
+    return stay.last.seconds - stay.first.seconds;
+}
+
+/// How long a reader would look at it.
+double weight_of(const Event& event) {
+    constexpr double of_standing = 3;
+    const Stay* const stay = longest_stay(event);
+    return seconds_of(event) + (stay != nullptr ? of_standing * seconds_of(*stay) : 0);
+}
+
+}  // namespace
+
+std::vector<std::size_t> most_telling(std::span<const Event> events) {
+    std::vector<std::size_t> order(events.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t k) {
+        const bool goes_alone = events[k].kind == EventKind::moved || events[k].kind == EventKind::stood;
+        return std::tuple(goes_alone, -weight_of(events[k]), k);
+    };
+    std::ranges::sort(order, {}, key);
+    return order;
+}
+
+const Stay* longest_stay(const Event& event) {
+    const auto longest = std::ranges::max_element(event.stays, {}, [](const Stay& stay) { return seconds_of(stay); });
+    return longest == event.stays.end() ? nullptr : &*longest;
+}
+
+glm::dvec2 place_at(const Event& event, double seconds) {
+    const std::vector<PathPoint>& path = event.path;
+    if (path.empty())
+        return {(event.box.left + event.box.right - 1) / 2.0, (event.box.top + event.box.bottom - 1) / 2.0};
+    const auto after = std::ranges::lower_bound(path, seconds, {}, [](const PathPoint& p) { return p.at.seconds; });
+    if (after == path.begin()) return path.front().place;
+    if (after == path.end()) return path.back().place;
+    const PathPoint& before = *(after - 1);
+    const double length = after->at.seconds - before.at.seconds;
+    const double share = length > 0 ? (seconds - before.at.seconds) / length : 0;
+    return glm::mix(before.place, after->place, share);
+}
+
+std::string deed_of(const Event& event) {
+    const Stay* const stay = longest_stay(event);
+    if (event.kind == EventKind::stood && stay != nullptr) {
+        return fmt::format("{} {}", name_of(event.kind), format_length(seconds_of(*stay)));
+    }
+    return std::string(name_of(event.kind));
+}
+
+std::string time_of(const Event& event, const WallClock& clock) {
+    return fmt::format("{}–{}", format_moment(event.first.seconds, clock), format_moment(event.last.seconds, clock));
+}
+
+}  // namespace vvr

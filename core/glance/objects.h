@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/events/event.h"
+#include "core/labels/time_ticks.h"
+
+namespace vvr {
+
+/// The objects of a clip as a picture shows them.
+struct Objects {
+    std::vector<Event> events;
+    std::vector<std::size_t> numbers;  ///< of each event: its place in the report's list, plus 1
+    std::vector<glm::vec3> colours;    ///< of each event, sRGB
+    WallClock clock;
+};
+
+/// The places of the events in the order in which a reader wants to know of them: first what was left or taken, then
+/// the others; of each the longest first, where a second for which something stood counts four times.
+std::vector<std::size_t> most_telling(std::span<const Event> events);
+
+/// The longest of its stays; nothing where it has none.
+const Stay* longest_stay(const Event& event);
+
+/// Where it was at a time: field pixels, on its path.
+glm::dvec2 place_at(const Event& event, double seconds);
+
+/// What it did, in a word or three: "moved", "stood 14 s", "left", "taken".
+std::string deed_of(const Event& event);
+
+/// When: "0:06–0:28".
+std::string time_of(const Event& event, const WallClock& clock);
+
+}  // namespace vvr

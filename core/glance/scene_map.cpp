@@ -1,0 +1,161 @@
+#include "core/glance/scene_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/image/resized.h"
+
+namespace vvr {
+
+namespace {
+
+// Of more paths nobody can tell which is which.
+constexpr std::size_t most_paths = 8;
+constexpr Rgba casing{1, 1, 1, 1};
+
+Rgba opaque(const glm::vec3& colour) {
+    return {colour.x, colour.y, colour.z, 1};
+}
+
+/// Paler and greyer: what is drawn over it is to be seen first.
+Plane<Bgr> paled(Plane<Bgr> picture, const Rgba& towards) {
+    const std::array<float, 3> background{towards.b * 255, towards.g * 255, towards.r * 255};
+    for (int j = 0; j < picture.height(); ++j) {
+        for (Bgr& pixel : picture.row(j)) {
+            const int grey = (pixel[0] + 2 * pixel[1] + pixel[2]) / 4;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto greyer = static_cast<float>(pixel[c] + grey) / 2;
+                pixel[c] = static_cast<std::uint8_t>(std::lerp(background[c], greyer, 0.6F));
+            }
+        }
+    }
+    return picture;
+}
+
+class Map {
+  public:
+    Map(const Objects& objects, Size field, const PixelBox& box, int text, Lettering& lettering)
+        : objects_(objects), field_(field), box_(box), text_(text), lettering_(lettering) {}
+
+    void draw() {
+        const std::vector<std::size_t> order = most_telling(objects_.events);
+        const std::size_t told = std::min(order.size(), most_paths);
+        for (std::size_t i = order.size(); i-- > told;) draw_faint(objects_.events[order[i]]);
+        for (std::size_t i = told; i-- > 0;) draw_path(order[i]);
+        for (std::size_t i = told; i-- > 0;) draw_stays(order[i]);
+        for (std::size_t i = told; i-- > 0;) draw_number(order[i]);
+    }
+
+  private:
+    glm::dvec2 pixel(const glm::dvec2& place) const {
+        const glm::dvec2 share = (place + 0.5) / glm::dvec2(field_.width, field_.height);
+        return glm::dvec2(box_.left, box_.top) +
+               glm::clamp(share, 0.0, 1.0) * glm::dvec2(box_.width() - 1, box_.height() - 1);
+    }
+
+    std::vector<glm::dvec2> points_of(const Event& event) const {
+        std::vector<glm::dvec2> points;
+        for (const PathPoint& point : event.path) {
+            const glm::dvec2 at = pixel(point.place);
+            if (points.empty() || glm::distance(points.back(), at) > 1.5) points.push_back(at);
+        }
+        return points;
+    }
+
+    void draw_faint(const Event& event) {
+        const std::vector<glm::dvec2> points = points_of(event);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            lettering_.strokes.push_back({points[i - 1], points[i], 1, Rgba{0.2F, 0.2F, 0.2F, 1} * 0.35F});
+        }
+    }
+
+    void draw_path(std::size_t k) {
+        const std::vector<glm::dvec2> points = points_of(objects_.events[k]);
+        const double width = std::max(1.5, text_ / 7.0);
+        const Rgba colour = opaque(objects_.colours[k]);
+        for (const auto& [wide, ink] : {std::pair{width + 1.2, casing}, std::pair{width, colour}}) {
+            for (std::size_t i = 1; i < points.size(); ++i)
+                lettering_.strokes.push_back({points[i - 1], points[i], wide, ink});
+            if (points.size() > 1) draw_head(points, wide, ink);
+        }
+    }
+
+    /// Two short strokes where it went.
+    void draw_head(std::span<const glm::dvec2> points, double width, const Rgba& colour) {
+        const glm::dvec2 tip = points.back();
+        const double length = text_ * 0.65;
+        // The last step may be a pixel long and point anywhere.
+        glm::dvec2 from = points.front();
+        for (std::size_t i = points.size(); i-- > 0;) {
+            if (glm::distance(points[i], tip) < length) continue;
+            from = points[i];
+            break;
+        }
+        if (glm::distance(from, tip) < 2) return;
+        const glm::dvec2 back = glm::normalize(from - tip) * length;
+        const double angle = 0.5;
+        for (const double sign : {-1.0, 1.0}) {
+            const double c = std::cos(angle);
+            const double s = sign * std::sin(angle);
+            lettering_.strokes.push_back(
+                {tip, tip + glm::dvec2(c * back.x - s * back.y, s * back.x + c * back.y), width, colour});
+        }
+    }
+
+    /// A dot where it kept its place: the longer, the larger.
+    void draw_stays(std::size_t k) {
+        for (const Stay& stay : objects_.events[k].stays) {
+            const double seconds = stay.last.seconds - stay.first.seconds;
+            const double size = text_ * std::clamp(0.35 + 0.2 * std::log2(1 + seconds / 4), 0.4, 1.4);
+            const glm::dvec2 at = pixel(stay.place);
+            lettering_.strokes.push_back({at, at, size + 2, casing});
+            lettering_.strokes.push_back({at, at, size, opaque(objects_.colours[k])});
+        }
+    }
+
+    /// Where it came from; beside the first places of others.
+    void draw_number(std::size_t k) {
+        const Event& event = objects_.events[k];
+        const double size = text_ * 1.1;
+        const glm::dvec2 begin = pixel(event.path.empty() ? place_at(event, 0) : event.path.front().place);
+        const double margin = size / 2 + 1;
+        glm::dvec2 at =
+            glm::clamp(begin, glm::dvec2(box_.left, box_.top) + margin, glm::dvec2(box_.right, box_.bottom) - margin);
+        for (int attempt = 0; attempt < 12; ++attempt) {
+            const double angle = attempt * 2.4;  // golden angle: each attempt goes another way
+            const double away = size * 0.35 * attempt;
+            const glm::dvec2 there = at + away * glm::dvec2(std::cos(angle), std::sin(angle));
+            const bool inside = there.x > box_.left + margin && there.x < box_.right - margin &&
+                                there.y > box_.top + margin && there.y < box_.bottom - margin;
+            if (attempt > 0 && !inside) continue;
+            const bool free = std::ranges::all_of(
+                numbers_, [&](const glm::dvec2& other) { return glm::distance(other, there) > size; });
+            if (!free) continue;
+            numbers_.push_back(there);
+            lettering_.badges.push_back(make_badge(fmt::format("{}", objects_.numbers[k]), there,
+                                                   std::max(9, text_ * 4 / 5), opaque(objects_.colours[k])));
+            return;
+        }
+    }
+
+    const Objects& objects_;
+    Size field_;
+    PixelBox box_;
+    int text_;
+    Lettering& lettering_;
+    std::vector<glm::dvec2> numbers_;
+};
+
+}  // namespace
+
+void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
+              const Rgba& background, Lettering& lettering) {
+    if (scene.empty() || box.empty()) return;
+    lettering.pictures.push_back({box, paled(resized(scene, box.size()), background), {}, 0});
+    Map(objects, field, box, text, lettering).draw();
+}
+
+}  // namespace vvr

@@ -1,0 +1,164 @@
+#include "core/glance/time_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+Rgba opaque(const glm::vec3& colour) {
+    return {colour.x, colour.y, colour.z, 1};
+}
+
+/// A strip on a picture: which column is which time, and where the rows are.
+class Strip {
+  public:
+    Strip(const Objects& objects, double begin, double end, const Sheet& sheet, const StripLook& look,
+          Lettering& lettering)
+        : objects_(objects), begin_(begin), end_(end), sheet_(sheet), look_(look), lettering_(lettering) {
+        const int under = sheet.small * 7 / 4;  // the axis and its times
+        const int over = sheet.small * 3 / 2;   // the heading
+        rows_ = {sheet.strip.left + 3 * sheet.small / 2, sheet.strip.top + over, sheet.strip.right,
+                 sheet.strip.bottom - under};
+        row_height_ = std::max(7, sheet.small * 4 / 5);
+    }
+
+    void letter() {
+        if (rows_.height() < row_height_ || !(end_ > begin_)) return;
+        letter_axis();
+        const std::vector<std::size_t> order = most_telling(objects_.events);
+        const double apart = 2.5 * sheet_.small / rows_.width() * (end_ - begin_);
+        const std::vector<StripBar> bars = strip_bars(objects_.events, order, rows_.height() / row_height_, apart);
+        for (const StripBar& bar : bars) draw_bar(bar);
+        letter_quiet();
+        letter_heading(objects_.events.size() - bars.size());
+    }
+
+  private:
+    int column(double seconds) const {
+        const double share = std::clamp((seconds - begin_) / (end_ - begin_), 0.0, 1.0);
+        return rows_.left + static_cast<int>(std::lround(share * rows_.width()));
+    }
+
+    void letter_axis() {
+        const double thin = std::max(1.0, sheet_.small / 14.0);
+        draw_line(rows_.left, rows_.right, rows_.bottom, thin, look_.lines);
+        const int most = std::clamp(rows_.width() / (6 * sheet_.small), 2, 11);
+        const int base = rows_.bottom + sheet_.small * 3 / 2;
+        for (const TimeTick& tick : time_ticks(begin_, end_, most, objects_.clock)) {
+            const int x = column(tick.seconds);
+            if (x >= rows_.right) continue;
+            const Rgba pale = glm::mix(look_.lines, look_.background, 0.6F);
+            lettering_.strokes.push_back({{x, rows_.top}, {x, rows_.bottom + sheet_.small / 3}, thin, pale});
+            Label label = make_label_around(tick.text, sheet_.small, x, 0, look_.pale);
+            label = make_label(tick.text, sheet_.small, std::max(rows_.left, label.box.left), base, look_.pale);
+            lettering_.add(label, sheet_.strip, sheet_.small / 4);
+        }
+    }
+
+    /// From column to column: its round ends are within.
+    void draw_line(double from, double to, double y, double width, const Rgba& colour) {
+        const double inset = std::min(width / 2, (to - from) / 2);
+        lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
+    }
+
+    void draw_bar(const StripBar& bar) {
+        const Event& event = objects_.events[bar.event];
+        const Rgba colour = opaque(objects_.colours[bar.event]);
+        const int bottom = rows_.bottom - 1 - bar.row * row_height_;
+        const int high = row_height_ - 2;
+        const int low = std::max(2, high / 3);
+        const auto add = [&](double from, double to, int height) {
+            draw_line(column(from), column(to), bottom - high / 2, height, colour);
+        };
+        add(event.first.seconds, event.last.seconds, low);
+        for (const Stay& stay : event.stays) add(stay.first.seconds, stay.last.seconds, high);
+        letter_number(bar, bottom - high / 2);
+    }
+
+    /// Its number, before the bar where there is room, else over its beginning.
+    void letter_number(const StripBar& bar, int middle) {
+        const int size = std::max(9, sheet_.small - 2);
+        const std::string text = fmt::format("{}", objects_.numbers[bar.event]);
+        const Label measured = make_label(text, size, 0, 0, look_.ink);
+        const int x = column(objects_.events[bar.event].first.seconds);
+        const int left = x - measured.box.width() - 3;
+        if (left < sheet_.strip.left) return;
+        lettering_.labels.push_back(
+            make_label_around(text, size, left + measured.box.width() / 2.0, middle, look_.ink));
+    }
+
+    void letter_quiet() {
+        for (const Quiet& quiet : quiet_times(objects_.events, begin_, end_)) {
+            const PixelBox room{column(quiet.begin), rows_.top, column(quiet.end), rows_.bottom};
+            const std::string text = "nobody";
+            const Label label = make_label_around(text, sheet_.small, (room.left + room.right) / 2.0,
+                                                  (room.top + room.bottom) / 2.0, look_.pale);
+            lettering_.add(label, room.grown(-sheet_.small / 3, 0), 2);
+        }
+    }
+
+    void letter_heading(std::size_t without_bar) {
+        const std::string more = without_bar > 0 ? fmt::format("; {} more not shown", without_bar) : "";
+        std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
+                                       "Thick: it stood or was left" + more, "Thick: it stood", "When"};
+        if (objects_.events.empty()) texts = {"Nothing moved"};
+        add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small, sheet_.strip,
+                            look_.pale, lettering_);
+    }
+
+    const Objects& objects_;
+    double begin_;
+    double end_;
+    const Sheet& sheet_;
+    const StripLook& look_;
+    Lettering& lettering_;
+    PixelBox rows_;
+    int row_height_ = 0;
+};
+
+}  // namespace
+
+std::vector<StripBar> strip_bars(std::span<const Event> events, std::span<const std::size_t> order, int rows,
+                                 double apart) {
+    std::vector<std::vector<std::size_t>> taken(static_cast<std::size_t>(std::max(0, rows)));
+    std::vector<StripBar> bars;
+    for (const std::size_t k : order) {
+        const auto collides = [&](std::size_t other) {
+            return events[k].first.seconds < events[other].last.seconds + apart &&
+                   events[other].first.seconds < events[k].last.seconds + apart;
+        };
+        const auto free =
+            std::ranges::find_if(taken, [&](const auto& row) { return std::ranges::none_of(row, collides); });
+        if (free == taken.end()) continue;
+        free->push_back(k);
+        bars.push_back({k, static_cast<int>(free - taken.begin())});
+    }
+    return bars;
+}
+
+std::vector<Quiet> quiet_times(std::span<const Event> events, double begin, double end) {
+    std::vector<Quiet> busy;
+    for (const Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
+    std::ranges::sort(busy, {}, &Quiet::begin);
+    std::vector<Quiet> quiet;
+    double until = begin;
+    for (const Quiet& time : busy) {
+        if (time.begin > until) quiet.push_back({until, time.begin});
+        until = std::max(until, time.end);
+    }
+    if (until < end) quiet.push_back({until, end});
+    return quiet;
+}
+
+void letter_strip(const Objects& objects, double begin, double end, const Sheet& sheet, const StripLook& look,
+                  Lettering& lettering) {
+    Strip(objects, begin, end, sheet, look, lettering).letter();
+}
+
+}  // namespace vvr

@@ -1,0 +1,55 @@
+#include "core/glance/objects.h"
+
+#include <gtest/gtest.h>
+
+namespace vvr {
+namespace {
+
+Moment at(double seconds) {
+    return {static_cast<std::int64_t>(seconds * 10), seconds};
+}
+
+Event event_of(EventKind kind, double first, double last) {
+    Event event;
+    event.kind = kind;
+    event.first = at(first);
+    event.last = at(last);
+    event.path = {{at(first), {10, 20}}, {at(last), {30, 40}}};
+    return event;
+}
+
+TEST(MostTelling, WhatWasLeftOrTakenThenTheLongest) {
+    std::vector<Event> events{event_of(EventKind::moved, 0, 60), event_of(EventKind::moved, 0, 10),
+                              event_of(EventKind::left, 5, 9), event_of(EventKind::taken, 5, 30),
+                              event_of(EventKind::stood, 0, 30)};
+    events[4].stays.push_back({at(5), at(20), {10, 20}, {}});
+    EXPECT_EQ(most_telling(events), (std::vector<std::size_t>{3, 2, 4, 0, 1}));
+    EXPECT_TRUE(most_telling({}).empty());
+}
+
+TEST(PlaceAt, IsOnThePath) {
+    const Event event = event_of(EventKind::moved, 2, 4);
+    EXPECT_EQ(place_at(event, 3), glm::dvec2(20, 30));
+    EXPECT_EQ(place_at(event, 0), glm::dvec2(10, 20));
+    EXPECT_EQ(place_at(event, 9), glm::dvec2(30, 40));
+}
+
+TEST(PlaceAt, OfNoPathIsTheMiddle) {
+    Event event = event_of(EventKind::left, 2, 4);
+    event.path.clear();
+    event.box = {10, 20, 21, 41};
+    EXPECT_EQ(place_at(event, 3), glm::dvec2(15, 30));
+}
+
+TEST(Words, SayWhatItDidAndWhen) {
+    Event event = event_of(EventKind::stood, 6, 28.4);
+    event.stays.push_back({at(7), at(8), {}, {}});
+    event.stays.push_back({at(10), at(24), {}, {}});
+    EXPECT_EQ(deed_of(event), "stood 14 s");
+    EXPECT_EQ(time_of(event, {}), "0:06–0:28");
+    EXPECT_EQ(time_of(event, 1'795'248'017), "08:00:23–08:00:45");
+    EXPECT_EQ(deed_of(event_of(EventKind::left, 0, 5)), "left");
+}
+
+}  // namespace
+}  // namespace vvr
