@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -19,6 +20,8 @@ struct Theme {
     std::string_view transfer;  ///< the transfer function that shows well on it
     glm::vec3 slow;             ///< arrows and tracelines
     glm::vec3 fast;
+    std::array<glm::vec3, 8> objects;  ///< sRGB; all eyes tell them apart, and their greys differ too
+    glm::vec3 nobody;                  ///< what belongs to no object
 };
 
 /// The themes; the first is the default.

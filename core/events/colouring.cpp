@@ -1,0 +1,191 @@
+#include "core/events/colouring.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace vvr {
+
+namespace {
+
+// Lengths are widths of the scene. Time is as long as it is in a picture: the arc is about four times as long as the
+// scene is wide, and what is near is what looks near there.
+constexpr double widths_of_time = 4;
+
+/// Cells of space-time, how many events of each colour each of them has to do with.
+class Cells {
+  public:
+    using Counts = std::array<int, object_colours>;
+    using Place = std::array<int, 3>;
+
+    explicit Cells(int across)
+        : across_(across),
+          along_(across * static_cast<int>(widths_of_time)),
+          counts_(static_cast<std::size_t>(across) * static_cast<std::size_t>(across) *
+                  static_cast<std::size_t>(along_)) {}
+
+    /// The cells that an object is in, each once.
+    /// \param from, to corners of what it covers, 0 to 1 across and 0 to `widths_of_time` along
+    void reach(const glm::dvec3& from, const glm::dvec3& to, std::vector<std::size_t>& cells) const {
+        each(place_of(from), place_of(to), [&](std::size_t cell) { cells.push_back(cell); });
+    }
+
+    /// How many there are of each colour in cells or beside them.
+    Counts about(std::span<const std::size_t> cells) const {
+        Counts sum{};
+        for (const std::size_t cell : cells) {
+            const Place at = place_at(cell);
+            each({at[0] - 1, at[1] - 1, at[2] - 1}, {at[0] + 1, at[1] + 1, at[2] + 1}, [&](std::size_t near) {
+                for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += counts_[near][c];
+            });
+        }
+        return sum;
+    }
+
+    void add(std::span<const std::size_t> cells, std::size_t colour) {
+        for (const std::size_t cell : cells) ++counts_[cell][colour];
+    }
+
+  private:
+    Place place_of(const glm::dvec3& p) const {
+        const auto cell = [&](double value) { return static_cast<int>(std::floor(value * across_)); };
+        return {cell(p.x), cell(p.y), cell(p.z)};
+    }
+
+    Place place_at(std::size_t cell) const {
+        const auto i = static_cast<int>(cell);
+        return {i % across_, i / across_ % across_, i / across_ / across_};
+    }
+
+    template <class Visit>
+    void each(Place from, Place to, const Visit& visit) const {
+        for (int k = std::max(from[2], 0); k <= std::min(to[2], along_ - 1); ++k) {
+            for (int j = std::max(from[1], 0); j <= std::min(to[1], across_ - 1); ++j) {
+                for (int i = std::max(from[0], 0); i <= std::min(to[0], across_ - 1); ++i) {
+                    visit(static_cast<std::size_t>((k * across_ + j) * across_ + i));
+                }
+            }
+        }
+    }
+
+    int across_;
+    int along_;
+    std::vector<Counts> counts_;
+};
+
+/// From field pixels and seconds to the lengths that cells count in.
+class Scale {
+  public:
+    explicit Scale(std::span<const Event> events) : begin_(events.front().first.seconds) {
+        PixelBox all;
+        double end = begin_;
+        for (const Event& event : events) {
+            all = hull_of(all, event.box);
+            begin_ = std::min(begin_, event.first.seconds);
+            end = std::max(end, event.last.seconds);
+        }
+        left_ = all.left;
+        top_ = all.top;
+        side_ = std::max({all.width(), all.height(), 1});
+        span_ = std::max(end - begin_, 1e-9);
+    }
+
+    /// The last moment still lies within the cells.
+    double time(double seconds) const { return widths_of_time * std::min((seconds - begin_) / span_, 1 - 1e-9); }
+
+    glm::dvec3 operator()(double x, double y, double seconds) const {
+        return {(x - left_) / side_, (y - top_) / side_, time(seconds)};
+    }
+
+  private:
+    double begin_;
+    double span_;
+    double left_;
+    double top_;
+    double side_;
+};
+
+/// How large an object looks, field pixels.
+Size size_of(const Event& event) {
+    if (event.portrait) return event.portrait->box.size();
+    return event.stays.empty() ? Size{1, 1} : event.stays.front().box.size();
+}
+
+/// The cells that an event goes through, in order and each once.
+std::vector<std::size_t> way_of(const Event& event, const Scale& scale, const Cells& cells, double step) {
+    std::vector<std::size_t> way;
+    const Size size = size_of(event);
+    const auto cover = [&](const glm::dvec2& place, double seconds) {
+        cells.reach(scale(place.x - 0.5 * size.width, place.y - 0.5 * size.height, seconds),
+                    scale(place.x + 0.5 * size.width, place.y + 0.5 * size.height, seconds), way);
+    };
+    if (event.path.empty()) {
+        cells.reach(scale(event.box.left, event.box.top, event.first.seconds),
+                    scale(event.box.right, event.box.bottom, event.last.seconds), way);
+    }
+    for (std::size_t k = 0; k < event.path.size(); ++k) {
+        const PathPoint& to = event.path[k];
+        const PathPoint& from = event.path[k == 0 ? 0 : k - 1];
+        const glm::dvec3 gone =
+            scale(to.place.x, to.place.y, to.at.seconds) - scale(from.place.x, from.place.y, from.at.seconds);
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(gone) / step)));
+        for (int n = 1; n <= steps; ++n) {
+            const double part = static_cast<double>(n) / steps;
+            cover(glm::mix(from.place, to.place, part), std::lerp(from.at.seconds, to.at.seconds, part));
+        }
+    }
+    std::ranges::sort(way);
+    way.erase(std::ranges::unique(way).begin(), way.end());
+    return way;
+}
+
+/// The places of the events, the most telling first.
+std::vector<std::size_t> by_weight(std::span<const Event> events) {
+    std::vector<std::pair<double, std::size_t>> weights;
+    for (std::size_t k = 0; k < events.size(); ++k) {
+        const Size size = size_of(events[k]);
+        const double seconds = events[k].last.seconds - events[k].first.seconds;
+        weights.emplace_back(-seconds * std::max(size.width, size.height), k);
+    }
+    std::ranges::sort(weights);
+    std::vector<std::size_t> order(weights.size());
+    std::ranges::transform(weights, order.begin(), [](const auto& weight) { return weight.second; });
+    return order;
+}
+
+// Cells in a width: what is nearer than one of them is a neighbour, and what is farther than one of the others is not.
+constexpr int near_cells = 12;
+constexpr int far_cells = 4;
+
+}  // namespace
+
+std::vector<int> colours_of(std::span<const Event> events) {
+    std::vector<int> colours(events.size());
+    if (events.empty()) return colours;
+    const Scale scale(events);
+    Cells near(near_cells);
+    Cells far(far_cells);
+    Cells::Counts used{};
+    for (const std::size_t k : by_weight(events)) {
+        const std::vector<std::size_t> near_way = way_of(events[k], scale, near, 0.5 / near_cells);
+        const std::vector<std::size_t> far_way = way_of(events[k], scale, far, 0.5 / far_cells);
+        const Cells::Counts neighbours = near.about(near_way);
+        const Cells::Counts beyond = far.about(far_way);
+        std::size_t best = 0;
+        const auto cost = [&](std::size_t c) { return std::tuple(neighbours[c], beyond[c], used[c]); };
+        for (std::size_t c = 1; c < used.size(); ++c) {
+            if (cost(c) < cost(best)) best = c;
+        }
+        near.add(near_way, best);
+        far.add(far_way, best);
+        ++used[best];
+        colours[k] = static_cast<int>(best);
+    }
+    return colours;
+}
+
+}  // namespace vvr
