@@ -1,5 +1,7 @@
 #include "cli/render/job.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cli/render/record.h"
@@ -86,6 +88,28 @@ RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
         put(job.settings, name, value);
     }
     return job;
+}
+
+RenderJob with_colour(RenderJob job) {
+    const bool marks_objects = find_filter(job.fields.filter).traits.shows_object;
+    const LookOptions& look = job.look;
+    if (look.colour == VolumeColour::object && !marks_objects) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
+                        job.fields.filter),
+            {setting::colour.name, setting::filter.name});
+    }
+    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::tells_objects);
+    const bool objects = tells_objects && marks_objects && !look.transfer;
+    job.picture.colour = look.colour.value_or(objects ? VolumeColour::object : VolumeColour::transfer);
+    const auto row = std::ranges::find(volume_colours(), job.picture.colour, &VolumeColourRow::colour);
+    put(job.settings, setting::colour.name, std::string(row->name));
+    return job;
+}
+
+bool finds_objects(const RenderJob& job, const Products& products) {
+    return products.events || job.picture.colour == VolumeColour::object;
 }
 
 bool wants_colour(const RenderJob& job) {

@@ -20,6 +20,7 @@ struct PartRow {
     bool needs_flow = false;      ///< of whole frames
     bool needs_pictures = false;  ///< frames in colour
     bool around_volume = false;   ///< reaches beyond the outline of the volume
+    bool tells_objects = false;   ///< says which objects there are: then they have colours of their own
 };
 
 /// The parts, in the order of the enum.

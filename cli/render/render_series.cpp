@@ -9,6 +9,7 @@
 
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
+#include "cli/render/objects.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
@@ -42,7 +43,16 @@ class Series {
             drawing.window =
                 std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
         });
-        if (products.events) events_.emplace(source.field_size());
+        if (finds_objects(job, products)) events_.emplace(source.field_size());
+        tells_events_ = products.events;
+        if (job.picture.colour == VolumeColour::object) {
+            volume_.keep_owners();
+            identify_ = objects_.identify();
+            events_->set_label_sink([this](const FrameLabels& labels) {
+                labels_ = labels;
+                objects_.see(labels);
+            });
+        }
         report_.step = window_.step;
         report_.pictures = 0;
     }
@@ -52,7 +62,8 @@ class Series {
         if (!begin_) begin_ = {field.index, field.pts};
         if (volume_.frames() == window_.frames()) drop_oldest();
         if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        volume_.add(field, volume_colour(job_, *frame));
+        if (events_ && !tells_events_) events_->forget_ended();
+        volume_.add(field, volume_colour(job_, *frame), labels_.runs);
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = frame;
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
@@ -65,7 +76,7 @@ class Series {
         if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
         report_.still = all_still_;
-        if (events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
+        if (tells_events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
         if (begin_) {
             report_.first_frame = begin_->frame;
             report_.first_pts = begin_->seconds;
@@ -99,6 +110,7 @@ class Series {
     void complete_newest(Draw wanted) {
         report_.stages.end("fields");
         update_report();
+        objects_.decide(report_.first_frame);
         if (wanted == Draw::yes) thread_.run([this](Drawing& drawing) { draw(drawing); });
         ++newest_;
         frames_of_newest_ = 0;
@@ -125,7 +137,7 @@ class Series {
     /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
     void show_pieces(BrickWindow& window) const {
         const std::int64_t oldest = newest_ - std::ssize(bricks_) + 1;
-        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_);
+        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_, identify_);
     }
 
     void draw(Drawing& drawing) {
@@ -133,8 +145,8 @@ class Series {
         report_.stages.end("draw");
         const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);
-        Scene scene =
-            build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing, ticks);
+        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
+                                  ticks, identify_);
         report_.arrows = scene.arrows.size();
         ++report_.pictures;
         report_.stages.end("scene");
@@ -161,6 +173,10 @@ class Series {
     Caption caption_;            ///< of the window
     RenderReport report_;
     std::optional<EventFinder> events_;
+    bool tells_events_ = false;
+    LiveObjects objects_;
+    Identify identify_;                        ///< of `objects_`
+    FrameLabels labels_;                       ///< of the newest field
     std::optional<Moment> begin_;              ///< of the clip
     bool all_still_ = true;                    ///< nothing was visible in any window
     std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window

@@ -31,6 +31,10 @@ class EventFinder {
     /// \param now later than in the call before
     void add(const Sight& sight, const Moment& now);
 
+    /// Drops what is known of the objects that have gone, for who wants labels alone: then a stream that lasts for days
+    /// takes no more memory than one of minutes, and `finish` tells of those that are still there.
+    void forget_ended() { ended_.clear(); }
+
     /// The events, by their first times. To be called once, after the last field.
     /// \param scene the empty scene that the fields were compared with; empty where there is none
     std::vector<Event> finish(const Planes& scene = {});
