@@ -13,6 +13,8 @@ namespace vvr {
 
 namespace {
 
+constexpr int tint_unit = 1;
+
 void blend_over(const GladGLContext& gl, bool writes_depth) {
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthMask(writes_depth ? GL_TRUE : GL_FALSE);
@@ -51,6 +53,7 @@ Annotations::Annotations(const GladGLContext& gl)
 
 void Annotations::upload(const FloorShadow& floor, std::span<const StandingFrame> frames) {
     floor_texture_ = floor.darkness.empty() ? GlTexture() : smooth_texture(*gl_, floor.darkness);
+    tint_texture_ = floor.tint.empty() ? GlTexture() : smooth_texture(*gl_, floor.tint);
     frame_textures_.clear();
     for (const StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
 }
@@ -133,6 +136,12 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     floor_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
     floor_program_->set("darkness", 0);
     floor_program_->set("shadow", floor.colour);
+    floor_program_->set("tint", tint_unit);
+    floor_program_->set("tinted", floor.tint.empty() ? 0 : 1);
+    if (!floor.tint.empty()) {
+        gl.ActiveTexture(GL_TEXTURE0 + tint_unit);
+        gl.BindTexture(GL_TEXTURE_2D, tint_texture_.id());
+    }
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, floor_texture_.id());
     blend_over(gl, false);

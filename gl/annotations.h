@@ -51,6 +51,7 @@ class Annotations {
     std::optional<Program> floor_program_;       ///< made when it is first used
     std::optional<Program> pixel_data_program_;  ///< as `floor_program_`
     GlTexture floor_texture_;
+    GlTexture tint_texture_;
     std::vector<GlTexture> frame_textures_;
     GlVertexArray picture_array_;
     GlBuffer picture_vertices_;

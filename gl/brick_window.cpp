@@ -9,9 +9,11 @@ namespace vvr {
 BrickWindow::BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures)
     : layout_(&layout), window_layers_(static_cast<double>(layers)), textures_(gl, textures) {}
 
-void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first) {
+void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
+                       const Identify& identify) {
     std::vector<Shown> before = std::exchange(shown_, {});
-    for (const Brick& brick : bricks) shown_.push_back({first + std::ssize(shown_), BrickLayers(volume, brick), {}});
+    for (const Brick& brick : bricks)
+        shown_.push_back({first + std::ssize(shown_), BrickLayers(volume, brick, identify), {}});
 
     // The same brick as it was shown before, if it has the same neighbours as then.
     const auto unchanged = [&](std::size_t i) -> Shown* {

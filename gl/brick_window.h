@@ -34,7 +34,10 @@ class BrickWindow {
     /// \param volume stays as it is until the bricks have been drawn
     /// \param bricks each follows the one before it
     /// \param first number of the first brick. A brick has the same number each time it is shown.
-    void show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first = 0);
+    /// \param identify stays as `volume` does. A brick that has a texture keeps the identities that it was laid out
+    ///        with.
+    void show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first = 0,
+              const Identify& identify = nobodys);
 
     /// Where the bricks lie in t_C, with their cells.
     std::span<const PlacedCells> cells() const { return placed_; }

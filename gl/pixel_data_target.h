@@ -11,8 +11,8 @@
 namespace vvr {
 
 /// Pixel data while a picture is drawn back to front, one sample per pixel: the weight of what contributes most so far,
-/// its frame and depth, and the opacity of all. Blending cannot select by weight, so each step reads one texture and
-/// draws into another, which is then copied back.
+/// its frame and depth, and the opacity of all; and the event that it belongs to. Blending cannot select by weight, so
+/// each step reads one texture and draws into another, which is then copied back.
 class PixelDataTarget {
   public:
     /// \throws Error backend when the driver can't draw into such textures
@@ -31,11 +31,17 @@ class PixelDataTarget {
     /// The data of the lower left `size`: weight, frame, depth, opacity; top row first.
     Plane<glm::vec4> read(Size size) const;
 
+    /// The events of the same pixels, as the first of four.
+    Plane<glm::vec4> read_objects(Size size) const;
+
   private:
     struct Data {
         GlFramebuffer framebuffer;
         GlTexture texture;
+        GlTexture objects;
     };
+
+    Plane<glm::vec4> read_attachment(GLenum attachment, Size size) const;
 
     const GladGLContext* gl_;
     std::array<Data, 2> data_;  ///< the data, and what the next step draws into

@@ -54,10 +54,10 @@ ProgramSource volume_program(const Layout& layout, VolumeColour colour, VolumeSh
     const std::string_view optical = std::ranges::find(volume_colours(), colour, &VolumeColourRow::colour)->shader;
     if (channels == Channels::pixel_data) {
         return source("the volume's pixel data", {map, "volume.vert"},
-                      {map, optical, "volume_sample.glsl", "pixel_data_over.glsl", "pixel_data_volume.frag"});
+                      {map, "volume_sample.glsl", optical, "pixel_data_over.glsl", "pixel_data_volume.frag"});
     }
     const std::string_view shaded = std::ranges::find(volume_shadings(), shading, &VolumeShadingRow::shading)->shader;
-    return source("the volume", {map, "volume.vert"}, {map, optical, "volume_sample.glsl", shaded, "volume.frag"});
+    return source("the volume", {map, "volume.vert"}, {map, "volume_sample.glsl", optical, shaded, "volume.frag"});
 }
 
 void set_layout(const Program& program, const Layout& layout) {

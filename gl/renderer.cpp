@@ -61,10 +61,12 @@ Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
 PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times) {
     if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PixelData shown{Plane<float>(options_.size, none), Plane<float>(options_.size, none),
-                    Plane<float>(options_.size, -1)};
+    PixelData shown{
+        Plane<float>(options_.size, none), Plane<float>(options_.size, none), Plane<float>(options_.size, -1), {}};
+    const bool tells_objects = options_.colour == VolumeColour::object;
+    if (tells_objects) shown.object = Plane<float>(options_.size);
     for (const PixelBox& tile : tiles_) {
-        const Plane<glm::vec4> data = draw_tile_data(window, tile, times.frames_per_layer());
+        const auto [data, objects] = draw_tile_data(window, tile, times.frames_per_layer());
         for (int j = 0; j < tile.height(); ++j) {
             for (int i = 0; i < tile.width(); ++i) {
                 const glm::vec4& pixel = data.at(i, j);
@@ -73,13 +75,14 @@ PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times)
                 shown.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
                 shown.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
                 shown.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);
+                if (tells_objects) shown.object.at(tile.left + i, tile.top + j) = objects.at(i, j).x;
             }
         }
     }
     return shown;
 }
 
-Plane<glm::vec4> Renderer::draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer) {
+Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer) {
     const Camera camera = camera_.cropped(tile, options_.size);
     pixel_data_->begin(tile.size());
     flow_geometry_.draw_pixel_data(camera, options_.glyphs);
@@ -90,13 +93,16 @@ Plane<glm::vec4> Renderer::draw_tile_data(BrickWindow& window, const PixelBox& t
     for (const StandingFrame& frame : scene_.frames) {
         annotations_.draw_frame_pixel_data(frame, *layout_, camera, *pixel_data_);
     }
-    Plane<glm::vec4> data = pixel_data_->read(tile.size());
+    TileData tile_data{pixel_data_->read(tile.size()), pixel_data_->read_objects(tile.size())};
     check_gl(*gl_, "drawing the pixel data");
-    std::ranges::transform(opaque.pixels(), data.pixels(), data.pixels().begin(),
-                           [](const glm::vec4& behind, const glm::vec4& in_front) {
-                               return behind.w > 0 && in_front.w <= 0.5F ? behind : in_front;
-                           });
-    return data;
+    for (std::size_t i = 0; i < opaque.pixels().size(); ++i) {
+        const glm::vec4& behind = opaque.pixels()[i];
+        glm::vec4& in_front = tile_data.data.pixels()[i];
+        if (behind.w <= 0 || in_front.w > 0.5F) continue;
+        in_front = behind;
+        tile_data.objects.pixels()[i] = glm::vec4(0);
+    }
+    return tile_data;
 }
 
 void Renderer::rehearse(BrickWindow& window) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -46,6 +47,9 @@ class Renderer {
 
     void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
+    /// As VolumeSlicer::set_looks.
+    void set_looks(std::span<const glm::vec4> looks) { slicer_.set_looks(looks); }
+
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(Scene scene);
 
@@ -73,7 +77,13 @@ class Renderer {
     SliceStack slices(const BrickWindow& window, const Camera& camera) const;
 
   private:
-    Plane<glm::vec4> draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
+    /// Of a tile: weight, frame, depth, opacity; and events.
+    struct TileData {
+        Plane<glm::vec4> data;
+        Plane<glm::vec4> objects;
+    };
+
+    TileData draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
 
     const GladGLContext* gl_;
     const Layout* layout_;

@@ -9,6 +9,8 @@ namespace {
 constexpr std::array colours{
     VolumeColourRow{VolumeColour::transfer, "transfer", "the transfer function's", "optical_transfer.glsl"},
     VolumeColourRow{VolumeColour::video, "video", "the video's own", "optical_video.glsl"},
+    VolumeColourRow{VolumeColour::object, "object", "each object its own; what is no object's is grey and faint",
+                    "optical_object.glsl"},
 };
 
 constexpr std::array shadings{

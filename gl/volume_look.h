@@ -5,14 +5,14 @@
 
 namespace vvr {
 
-/// Where the volume's colour comes from; extinction is always the transfer function's.
-enum class VolumeColour { transfer, video };
+/// Where the volume's colour comes from; extinction is the transfer function's.
+enum class VolumeColour { transfer, video, object };
 
 struct VolumeColourRow {
     VolumeColour colour;
     std::string_view name;
     std::string_view help;
-    std::string_view shader;  ///< file in glsl/ that defines optical_of(voxel)
+    std::string_view shader;  ///< file in glsl/ that defines optical_at(place), scalar_of(voxel) and number_at(place)
 };
 
 /// The sources of colour there are; the first is the default.

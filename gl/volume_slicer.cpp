@@ -13,6 +13,12 @@
 
 namespace vvr {
 
+namespace {
+
+constexpr int looks_unit = 3;  // after those of a brick, the transfer function and the pixel data behind
+
+}  // namespace
+
 VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading)
     : gl_(&gl),
       layout_(&layout),
@@ -20,6 +26,7 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, Volume
       program_(gl, volume_program(layout, colour, shading, Channels::colour)),
       transfer_({TransferPoint{}}),
       transfer_texture_(gl),
+      looks_texture_(gl),
       vertex_array_(gl),
       vertices_(gl),
       indices_(gl) {
@@ -46,6 +53,15 @@ void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
     gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(table.size()), 1, 0, GL_RGBA, GL_FLOAT,
                     table.data());
     check_gl(*gl_, "uploading the transfer function");
+}
+
+void VolumeSlicer::set_looks(std::span<const glm::vec4> looks) {
+    gl_->BindTexture(GL_TEXTURE_2D, looks_texture_.id());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(looks.size()), 1, 0, GL_RGBA, GL_FLOAT,
+                    looks.data());
+    check_gl(*gl_, "uploading the looks of objects");
 }
 
 void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceStack& stack) {
@@ -102,7 +118,12 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
     program.set("to_light", to_light(camera));
     program.set("brick", 0);
     program.set("transfer", 1);
+    if (colour_ == VolumeColour::object) program.set("looks", looks_unit);
 
+    if (colour_ == VolumeColour::object) {
+        gl.ActiveTexture(GL_TEXTURE0 + looks_unit);
+        gl.BindTexture(GL_TEXTURE_2D, looks_texture_.id());
+    }
     gl.ActiveTexture(GL_TEXTURE1);
     gl.BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
     gl.ActiveTexture(GL_TEXTURE0);

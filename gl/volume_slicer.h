@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene/slices.h"
@@ -20,10 +21,13 @@ namespace vvr {
 /// shader (§5.1, §6.1): one draw call per brick, in visibility order.
 class VolumeSlicer {
   public:
-    /// \param colour for VolumeColour::video the bricks are coloured ones
+    /// \param colour for VolumeColour::video the bricks have colours, for VolumeColour::object identities
     VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading);
 
     void set_transfer(const TransferFunction& transfer);
+
+    /// What the identities' looks are: colour, and a factor on the extinction. For VolumeColour::object.
+    void set_looks(std::span<const glm::vec4> looks);
 
     void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack);
 
@@ -44,6 +48,7 @@ class VolumeSlicer {
     std::optional<Program> pixel_data_program_;  ///< made when it is first used
     TransferFunction transfer_;
     GlTexture transfer_texture_;
+    GlTexture looks_texture_;
     GlVertexArray vertex_array_;
     GlBuffer vertices_;
     GlBuffer indices_;

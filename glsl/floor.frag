@@ -1,11 +1,14 @@
 in vec2 at;
 
 uniform sampler2D darkness;
+uniform sampler2D tint;
+uniform bool tinted;  // by the colours of what casts the shadow
 uniform vec4 shadow;
 
 layout(location = 0) out vec4 colour;
 
 void main() {
     float opacity = shadow.a * texture(darkness, at).r;
-    colour = vec4(shadow.rgb * opacity, opacity);
+    vec3 rgb = tinted ? texture(tint, at).rgb : shadow.rgb;
+    colour = vec4(rgb * opacity, opacity);
 }

@@ -1,15 +1,27 @@
 // Pixel data while a picture is drawn back to front: the weight of what contributes most so far, its frame and depth,
-// and the opacity of all.
-uniform sampler2D behind;  // the data of all that lies behind
-uniform bool take_over;    // copies that data: the second of two passes, back to the texture that was read
+// and the opacity of all; and beside it the event that it belongs to.
+uniform sampler2D behind;         // the data of all that lies behind
+uniform sampler2D object_behind;
+uniform bool take_over;           // copies that data: the second of two passes, back to the textures that were read
 
-vec4 data_behind() { return texelFetch(behind, ivec2(gl_FragCoord.xy), 0); }
+layout(location = 0) out vec4 data;
+layout(location = 1) out float object;
 
-// The data with something of `frame` in front. What lies behind shines through, and loses its place when it weighs less
-// than what is in front.
-vec4 data_over(vec4 data, float opacity, float frame) {
-    float shines_through = data.x * (1.0 - opacity);
+void take_behind() {
+    data = texelFetch(behind, ivec2(gl_FragCoord.xy), 0);
+    object = texelFetch(object_behind, ivec2(gl_FragCoord.xy), 0).r;
+}
+
+// Whether something in front weighs at least as much as what lies behind and shines through.
+bool outweighs(float opacity) { return opacity > 0.0 && opacity >= data.x * (1.0 - opacity); }
+
+// Puts something in front of the data. What lies behind shines through, and loses its place when it weighs less.
+void put_over(float opacity, float frame, float number) {
     float all = opacity + data.w * (1.0 - opacity);
-    if (opacity > 0.0 && opacity >= shines_through) return vec4(opacity, frame, gl_FragCoord.z, all);
-    return vec4(shines_through, data.yz, all);
+    if (outweighs(opacity)) {
+        data = vec4(opacity, frame, gl_FragCoord.z, all);
+        object = number;
+    } else {
+        data = vec4(data.x * (1.0 - opacity), data.yz, all);
+    }
 }

@@ -2,9 +2,7 @@
 uniform float opacity;
 uniform float frame;
 
-layout(location = 0) out vec4 data;
-
 void main() {
-    data = data_behind();
-    if (!take_over) data = data_over(data, opacity, frame);
+    take_behind();
+    if (!take_over) put_over(opacity, frame, 0.0);
 }

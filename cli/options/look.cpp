@@ -38,6 +38,24 @@ glm::vec4 parse_colour(const std::string& text) {
             static_cast<float>(value & 255U) / 255, 1};
 }
 
+constexpr std::string_view open_choice = "auto";
+
+/// A row of the table of colours, and the one that leaves it open.
+struct ColourChoice {
+    std::string_view name;
+    std::string_view help;
+    std::optional<VolumeColour> colour;
+};
+
+std::vector<ColourChoice> colour_choices() {
+    std::vector<ColourChoice> choices{
+        {open_choice,
+         "object where the legend is shown, the filter marks objects, and --transfer is not given; else transfer",
+         {}}};
+    for (const VolumeColourRow& row : volume_colours()) choices.push_back({row.name, row.help, row.colour});
+    return choices;
+}
+
 StartTime parse_start(const std::string& text) {
     if (text == "recorded") return {true, {}};
     for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
@@ -72,8 +90,12 @@ void add_look_options(CommandLine& line, RenderJob& job) {
     line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
                [&look](const std::string& given) { look.transfer = find_transfer(given); },
                {.help = list_of(transfer_functions()) + ", or a file of points"});
-    line.choice(group, volume_colours(), volume_colours().front().name, setting::colour,
-                [&job](const VolumeColourRow& row) { job.picture.colour = row.colour; });
+    line.explain(setting::colour, colour_choices());
+    line.value(group, setting::colour, std::string(open_choice),
+               [&look](const std::string& given) {
+                   look.colour = choose(setting::colour.name, given, colour_choices()).colour;
+               },
+               {.help = list_of(colour_choices())});
     line.choice(group, volume_shadings(), volume_shadings().front().name, setting::shading,
                 [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });
     line.number(group, look.opacity, setting::opacity);

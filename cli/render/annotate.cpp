@@ -50,6 +50,12 @@ int first_visible(const TransferFunction& transfer) {
     return value;
 }
 
+std::vector<Rgba> colours_of_objects(const Theme& theme) {
+    std::vector<Rgba> colours;
+    for (const glm::vec3& colour : theme.objects) colours.push_back(rgba(colour));
+    return colours;
+}
+
 std::vector<LegendEntry> legend_of(const RenderJob& job) {
     std::vector<LegendEntry> entries;
     if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::transfer) {
@@ -58,6 +64,11 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
         const FilterRow& filter = find_filter(job.fields.filter);
         entries.push_back({transfer_gradient(drawn_transfer_of(job.look), low, background_of(job.look)),
                            fmt::format("{}: little to much", filter.help), std::string(filter.name)});
+    }
+    if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::object) {
+        entries.push_back(
+            {colours_of_objects(job.look.theme), "a colour per object, striped where it stood", "objects"});
+        entries.push_back({{rgba(job.look.theme.nobody)}, "other changes", "other"});
     }
     const GlyphStyle style = glyph_style_of(job);
     const auto flow = [&](const std::string& what) {
@@ -153,8 +164,8 @@ Event part_of(Event event, double begin, double end) {
 
 }  // namespace
 
-Objects objects_of(const LookOptions& look, std::span<const Event> events, double begin, double end,
-                   const WallClock& clock) {
+Objects shown_objects(const LookOptions& look, std::span<const Event> events, double begin, double end,
+                      const WallClock& clock) {
     Objects objects;
     objects.clock = clock;
     const std::vector<int> colours = colours_of(events);

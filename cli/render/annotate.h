@@ -47,8 +47,8 @@ struct Caption {
 };
 
 /// The objects of a clip that were there at some time from `begin` to `end`, in the colours of a look.
-Objects objects_of(const LookOptions& look, std::span<const Event> events, double begin, double end,
-                   const WallClock& clock);
+Objects shown_objects(const LookOptions& look, std::span<const Event> events, double begin, double end,
+                      const WallClock& clock);
 
 /// The times that the ruler of a volume marks; none where it isn't shown.
 std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, const Volume& volume,

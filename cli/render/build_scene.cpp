@@ -22,7 +22,9 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
     FieldNeeds needs;
     needs.flow = job.look.show.any(&PartRow::needs_flow);
     needs.seeds = job.look.show.any(&PartRow::needs_seeds);
-    needs.colour = job.picture.colour == VolumeColour::video;
+    // Objects are told apart by their colours where these are there.
+    needs.colour = job.picture.colour == VolumeColour::video ||
+                   (job.picture.colour == VolumeColour::object && source.has_pictures());
     needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
     return needs;
 }
@@ -37,7 +39,8 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
 }
 
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects) {
+                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects,
+                  const Identify& identify) {
     Scene scene;
     if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
     if (job.look.show.has(Part::directions)) {
@@ -63,7 +66,10 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
         add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
         add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));
     }
-    if (job.look.show.has(Part::floor)) scene.floor = floor_shadow(volume, job.look.theme.shadow);
+    if (job.look.show.has(Part::floor)) {
+        scene.floor = volume.keeps_owners() ? floor_shadow(volume, job.look.theme, identify)
+                                            : floor_shadow(volume, job.look.theme.shadow);
+    }
     if (job.look.show.has(Part::frames)) {
         constexpr float at_the_ends = 0.5F;
         constexpr float between = 0.3F;  // they hide what is behind them

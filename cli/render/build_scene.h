@@ -8,6 +8,7 @@
 #include "cli/render/drawing.h"
 #include "cli/render/job.h"
 #include "cli/render/report.h"
+#include "core/bricks/identity.h"
 #include "core/fields/field_source.h"
 #include "core/scene/scene.h"
 #include "core/video/frame.h"
@@ -41,8 +42,10 @@ const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.
 /// \param ticks of the ruler
+/// \param identify of a volume that keeps owners
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects);
+                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects,
+                  const Identify& identify = nobodys);
 
 /// Fig. 5: what the renderer makes of the bricks.
 /// \param drawing its window shows them

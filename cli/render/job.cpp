@@ -1,5 +1,7 @@
 #include "cli/render/job.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cli/render/record.h"
@@ -76,8 +78,7 @@ Products products_of(const RenderJob& job) {
     products.series = is_series(output);
     products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
-    const bool wanted = page || !output.report.empty() || job.look.show.any(&PartRow::needs_events);
-    products.events = wanted && find_filter(job.fields.filter).traits.shows_object;
+    products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
     return products;
 }
 
@@ -97,6 +98,28 @@ RenderJob with_possible_parts(RenderJob job) {
         if (row.needs_events) show.remove(row.part);
     }
     return job;
+}
+
+RenderJob with_colour(RenderJob job) {
+    const bool marks_objects = find_filter(job.fields.filter).traits.shows_object;
+    const LookOptions& look = job.look;
+    if (look.colour == VolumeColour::object && !marks_objects) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
+                        job.fields.filter),
+            {setting::colour.name, setting::filter.name});
+    }
+    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
+    const bool objects = tells_objects && marks_objects && !look.transfer;
+    job.picture.colour = look.colour.value_or(objects ? VolumeColour::object : VolumeColour::transfer);
+    const auto row = std::ranges::find(volume_colours(), job.picture.colour, &VolumeColourRow::colour);
+    put(job.settings, setting::colour.name, std::string(row->name));
+    return job;
+}
+
+bool finds_objects(const RenderJob& job, const Products& products) {
+    return products.events || job.picture.colour == VolumeColour::object || job.look.show.any(&PartRow::needs_events);
 }
 
 bool wants_colour(const RenderJob& job) {

@@ -50,6 +50,7 @@ struct LookOptions {
     Theme theme = themes().front();
     std::optional<glm::vec4> background{};       ///< multiplied by its opacity; none = the theme's
     std::optional<TransferFunction> transfer{};  ///< none = the theme's
+    std::optional<VolumeColour> colour{};        ///< none = as `with_colour` chooses
     std::string title;                           ///< empty = the clip's name
     StartTime start_time;
     double opacity = 1;      ///< factor on the extinction
@@ -92,7 +93,7 @@ struct Products {
     int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe
     bool series = false;      ///< a picture for each brick, while the window moves over the clip
     bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
-    bool events = false;
+    bool events = false;      ///< a report or a page tells of them
 };
 
 Products products_of(const RenderJob& job);
@@ -104,6 +105,13 @@ RenderJob with_extracted(RenderJob job, const Metadata& extracted);
 /// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
 /// arrows along trails would.
 RenderJob with_possible_parts(RenderJob job);
+/// The same job with the colour in which its volume is drawn. Where none was asked for, objects have their own if there
+/// is a part that tells of them, the filter marks objects, and no transfer function was asked for.
+/// \throws Error usage where objects are to have colours, and the filter marks none
+RenderJob with_colour(RenderJob job);
+
+/// Whether the run follows objects.
+bool finds_objects(const RenderJob& job, const Products& products);
 
 /// The fields need the frames in colour, or the picture shows them.
 bool wants_colour(const RenderJob& job);

@@ -32,13 +32,13 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
     constexpr std::int64_t source_bytes = 2;  // per pixel of a decoded picture
     const std::int64_t picture_bytes = products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
     // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
-    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::video ? 4 : 1;
+    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::transfer ? 1 : 4;
     const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
     // The flow of about a hundred frames, in half floats.
     const std::int64_t flow_bytes = job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
     // Per pixel of the field: since when it has its value, and whose it is.
-    const std::int64_t event_bytes = products.events ? 40 : 0;
+    const std::int64_t event_bytes = finds_objects(job, products) ? 40 : 0;
     return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
            voxel_bytes * (plan.layers + layers_in_textures) * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +

@@ -79,7 +79,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
     OpenedFields fields = open_fields(asked);
-    const RenderJob job = with_possible_parts(with_extracted(asked, fields.extracted));
+    const RenderJob job = with_colour(with_possible_parts(with_extracted(asked, fields.extracted)));
     const Products products = products_of(job);
     const std::filesystem::path& page = page_of(job.output);
     WatchedFields* const watched = page.empty() ? nullptr : watch(fields);

@@ -9,6 +9,7 @@
 
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
+#include "cli/render/objects.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
@@ -33,24 +34,30 @@ struct Fields {
     Crops crops{};
 };
 
-Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, std::int64_t step, Observer& observer) {
+Fields read_fields(const RenderJob& job, const Products& products, FieldSource& source, std::int64_t step,
+                   Observer& observer) {
     const std::int64_t expected = source.expected_frames();
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
 
     Fields result{Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
     const int keyframes = job.look.keyframes;
     std::optional<EventFinder> events;
-    if (find_events) events.emplace(source.field_size());
+    FrameLabels labels;
     const Frame* now = nullptr;
-    if (find_events && job.look.show.has(Part::portraits)) {
+    if (finds_objects(job, products)) events.emplace(source.field_size());
+    if (events && job.look.show.has(Part::portraits)) {
         events->set_portrait_sink(
             [&](std::size_t track, const Portrait& portrait) { result.crops.keep(track, portrait, *now); });
+    }
+    if (events && job.picture.colour == VolumeColour::object) {
+        result.volume.keep_owners();
+        events->set_label_sink([&labels](const FrameLabels& of_field) { labels = of_field; });
     }
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        result.volume.add(field, volume_colour(job, *frame));
+        result.volume.add(field, volume_colour(job, *frame), labels.runs);
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
         const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
@@ -102,6 +109,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
                           nothing_visible(volume, transfer_of(job.look)),
                           clock};
     report.events = fields.events;
+    const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
     report.first_frame = fields.first->index;
@@ -114,7 +122,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.still = caption.still;
 
     const Glance glance{
-        fields.events ? objects_of(job.look, *fields.events, caption.begin, caption.end, clock) : Objects{},
+        fields.events ? shown_objects(job.look, *fields.events, caption.begin, caption.end, clock) : Objects{},
         &fields.crops,
         scene_of(fields),
         picture_of(*fields.first),
@@ -122,7 +130,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
         volume.size()};
     const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
     Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing,
-                              ticks, glance.objects);
+                              ticks, glance.objects, identify);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
@@ -130,7 +138,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const std::vector<Brick> pieces = job.look.show.has(Part::volume) ? cut_into_pieces(bricks) : std::vector<Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
-    drawing.window->show(volume, pieces);
+    drawing.window->show(volume, pieces, 0, identify);
     add_overlays(job, drawing, bricks, volume.layers(), scene);
     drawing.renderer->set_scene(std::move(scene));
     const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
@@ -163,12 +171,12 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
     }
     if (expected == 0 || expected > soon_read) opened.get();
     std::int64_t step = planned_step(job.bricks, expected);
-    Fields fields = read_fields(job, products.events, source, step, observer);
+    Fields fields = read_fields(job, products, source, step, observer);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
     if (job.bricks.step == 0 && step > 1 && fields.volume.layers() < job.bricks.max_layers / 2 &&
         fields.volume.frames() > 1) {
         step = planned_step(job.bricks, fields.volume.frames());
-        fields = read_fields(job, products.events, source, step, observer);
+        fields = read_fields(job, products, source, step, observer);
     }
 
     report.stages.end("fields");

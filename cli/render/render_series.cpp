@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
+#include "cli/render/objects.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
@@ -42,10 +44,19 @@ class Series {
             drawing.window =
                 std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
         });
-        if (products.events) events_.emplace(source.field_size());
-        if (products.events && job.look.show.has(Part::portraits)) {
+        if (finds_objects(job, products)) events_.emplace(source.field_size());
+        tells_events_ = products.events;
+        if (events_ && job.look.show.has(Part::portraits)) {
             events_->set_portrait_sink(
                 [this](std::size_t track, const Portrait& portrait) { crops_.keep(track, portrait, *frame_); });
+        }
+        if (job.picture.colour == VolumeColour::object) {
+            volume_.keep_owners();
+            identify_ = objects_.identify();
+            events_->set_label_sink([this](const FrameLabels& labels) {
+                labels_ = labels;
+                objects_.see(labels);
+            });
         }
         report_.step = window_.step;
         report_.pictures = 0;
@@ -57,7 +68,7 @@ class Series {
         if (volume_.frames() == window_.frames()) drop_oldest();
         frame_ = frame.get();
         if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        volume_.add(field, volume_colour(job_, *frame));
+        volume_.add(field, volume_colour(job_, *frame), labels_.runs);
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
         last_ = frame;
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
@@ -70,7 +81,7 @@ class Series {
         if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
         report_.still = all_still_;
-        if (events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
+        if (tells_events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
         if (begin_) {
             report_.first_frame = begin_->frame;
             report_.first_pts = begin_->seconds;
@@ -104,6 +115,7 @@ class Series {
     void complete_newest(Draw wanted) {
         report_.stages.end("fields");
         update_report();
+        objects_.decide(report_.first_frame);
         if (wanted == Draw::yes) thread_.run([this](Drawing& drawing) { draw(drawing); });
         ++newest_;
         frames_of_newest_ = 0;
@@ -130,7 +142,7 @@ class Series {
     /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
     void show_pieces(BrickWindow& window) const {
         const std::int64_t oldest = newest_ - std::ssize(bricks_) + 1;
-        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_);
+        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_, identify_);
     }
 
     void draw(Drawing& drawing) {
@@ -140,7 +152,7 @@ class Series {
         const bool shows_frames = job_.look.show.has(Part::frames);
         const Glance glance = glance_now();
         Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
-                                  ticks, glance.objects);
+                                  ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
         ++report_.pictures;
         report_.stages.end("scene");
@@ -156,15 +168,26 @@ class Series {
     }
 
     /// What is known of the objects in the window by now: as if the clip ended here.
-    Glance glance_now() const {
+    Glance glance_now() {
         Glance glance;
         glance.field = volume_.size();
         glance.first = picture_of(*first_of_bricks_.front());
         glance.last = picture_of(*last_);
         if (!events_) return glance;
+        constexpr double link_seconds = 60;  // somebody who went may come back as the same object
+        if (!tells_events_) events_->forget_ended_before(caption_.begin - link_seconds);
         EventFinder until_now = *events_;
         const std::vector<Event> events = choose_events(until_now.finish(), job_.output.events);
-        glance.objects = objects_of(job_.look, events, caption_.begin, caption_.end, caption_.clock);
+        glance.objects = shown_objects(job_.look, events, caption_.begin, caption_.end, caption_.clock);
+        for (std::size_t k = 0; k < glance.objects.events.size(); ++k) {
+            const std::vector<std::size_t>& tracks = glance.objects.events[k].tracks;
+            // Once shown, an object keeps its number, and its colour is that of its voxels.
+            glance.objects.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
+            for (const std::size_t track : tracks) {
+                const std::optional<int> colour = objects_.colour_of(track);
+                if (colour) glance.objects.colours[k] = job_.look.theme.objects[static_cast<std::size_t>(*colour)];
+            }
+        }
         glance.crops = &crops_;
         glance.scene = glance.first;
         return glance;
@@ -183,10 +206,15 @@ class Series {
     RenderReport report_;
     std::optional<EventFinder> events_;
     Crops crops_;
-    const Frame* frame_ = nullptr;             ///< that is being added
-    std::optional<Moment> begin_;              ///< of the clip
-    bool all_still_ = true;                    ///< nothing was visible in any window
-    std::deque<SharedFrame> first_of_bricks_;  ///< of the bricks in the window
+    const Frame* frame_ = nullptr;  ///< that is being added
+    bool tells_events_ = false;
+    LiveObjects objects_;
+    Identify identify_;                           ///< of `objects_`
+    FrameLabels labels_;                          ///< of the newest field
+    std::map<std::size_t, std::size_t> numbers_;  ///< of the events that were shown, by their first track
+    std::optional<Moment> begin_;                 ///< of the clip
+    bool all_still_ = true;                       ///< nothing was visible in any window
+    std::deque<SharedFrame> first_of_bricks_;     ///< of the bricks in the window
     SharedFrame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled
     std::int64_t frames_of_newest_ = 0;

@@ -47,7 +47,7 @@ inline constexpr Setting transfer{.name = "transfer",
                                   .help = "colour and opacity of the volume's values",
                                   .otherwise = "the theme's",
                                   .may_be_file = true};
-inline constexpr Setting colour{"color", "NAME", "colour of the volume: the transfer function's, or the video's own"};
+inline constexpr Setting colour{"color", "NAME", "colour of the volume"};
 inline constexpr Setting shading{"shading", "NAME", "light on the volume"};
 inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};
 inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the arrows' size", {0.01, 100}};

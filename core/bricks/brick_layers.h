@@ -6,13 +6,18 @@
 #include <vector>
 
 #include "core/bricks/brick.h"
+#include "core/bricks/identity.h"
 #include "core/bricks/volume.h"
 #include "core/pixel_box.h"
 #include "core/plane.h"
 
 namespace vvr {
 
-/// Red, green, blue and the scalar of a voxel.
+/// What a voxel tells beside its scalar.
+enum class Beside { nothing, colour, identity };
+
+/// Red, green, blue and the scalar of a voxel; or its identity and its scalar: the look, the low and the high byte of
+/// the event's number.
 using ColouredTexel = std::array<std::uint8_t, 4>;
 
 /// What goes into a brick's texture: its layers with one more before and after (the neighbour's layer, or the brick's
@@ -23,12 +28,14 @@ using ColouredTexel = std::array<std::uint8_t, 4>;
 class BrickLayers {
   public:
     /// \param volume outlives this, and doesn't change
-    BrickLayers(const Volume& volume, const Brick& brick);
+    /// \param identify outlives this; of a volume that keeps owners
+    BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = nobodys);
 
     const Brick& brick() const { return brick_; }
     std::int64_t count() const { return brick_.count + 2; }  ///< of layers
     Size size() const { return size_; }                      ///< of a whole layer
-    bool coloured() const { return coloured_; }
+    Beside beside() const { return beside_; }
+    bool coloured() const { return beside_ != Beside::nothing; }  ///< texels are ColouredTexels
 
     /// Of the layers' texels, columns of x_C and rows of y_C; never empty.
     const PixelBox& box() const { return box_; }
@@ -38,13 +45,20 @@ class BrickLayers {
     /// time. Columns and rows run against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
     void lay_out(std::int64_t first, std::span<std::uint8_t> texels) const;
 
-    /// The same with the video's colours, of a volume that has them.
+    /// The same with the video's colours, or with identities, of a volume that has them. A voxel without an owner that
+    /// is next to others has the identity of one of these: interpolation makes their values reach into it.
     void lay_out(std::int64_t first, std::span<ColouredTexel> texels) const;
 
   private:
+    void lay_out_colours(const Layer& layer, std::span<ColouredTexel> texels) const;
+    void lay_out_owners(const Layer& layer, std::span<std::uint16_t> owners) const;
+    void lay_out_identities(std::int64_t first, std::span<ColouredTexel> texels) const;
+
     Brick brick_;
     Size size_;
-    bool coloured_;
+    Beside beside_;
+    const Volume* volume_;
+    const Identify* identify_;
     std::vector<const Layer*> layers_;
     PixelBox box_;
 };

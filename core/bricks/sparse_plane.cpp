@@ -5,10 +5,16 @@
 
 namespace vvr {
 
-SparsePlane::SparsePlane(const Plane<std::uint8_t>& whole) : size_(whole.size()) {
+template <class T>
+Sparse<T>::Sparse(Size size)
+    : size_(size),
+      across_((size.width + tile_side - 1) / tile_side),
+      held_(static_cast<std::size_t>(across_) * static_cast<std::size_t>((size.height + tile_side - 1) / tile_side),
+            none) {}
+
+template <>
+SparsePlane::Sparse(const Plane<std::uint8_t>& whole) : Sparse(whole.size()) {
     const Plane<std::uint8_t> occupied = occupied_tiles(whole);
-    across_ = occupied.width();
-    held_.assign(occupied.pixels().size(), none);
     tiles_.reserve(static_cast<std::size_t>(std::ranges::count(occupied.pixels(), std::uint8_t{1})));
     for (std::size_t place = 0; place < held_.size(); ++place) {
         if (occupied.pixels()[place] == 0) continue;
@@ -21,28 +27,33 @@ SparsePlane::SparsePlane(const Plane<std::uint8_t>& whole) : size_(whole.size())
     }
 }
 
-PixelBox SparsePlane::box_of(std::size_t place) const {
+template <class T>
+PixelBox Sparse<T>::box_of(std::size_t place) const {
     const int left = static_cast<int>(place) % across_ * tile_side;
     const int top = static_cast<int>(place) / across_ * tile_side;
     return {left, top, std::min(left + tile_side, size_.width), std::min(top + tile_side, size_.height)};
 }
 
-const SparsePlane::Tile* SparsePlane::tile_at(std::size_t place) const {
-    return held_[place] == none ? nullptr : &tiles_[static_cast<std::size_t>(held_[place])];
+template <class T>
+void Sparse<T>::set(int i, int j, T value) {
+    std::int32_t& held = held_[place_of(i, j)];
+    if (held == none) {
+        if (value == T{}) return;
+        held = static_cast<std::int32_t>(tiles_.size());
+        tiles_.emplace_back();
+    }
+    tiles_[static_cast<std::size_t>(held)][within(i, j)] = value;
 }
 
-std::uint8_t SparsePlane::at(int i, int j) const {
-    const Tile* const tile = tile_at(static_cast<std::size_t>(j / tile_side * across_ + i / tile_side));
-    return tile == nullptr ? 0 : (*tile)[static_cast<std::size_t>(j % tile_side * tile_side + i % tile_side)];
-}
-
-std::uint8_t SparsePlane::greatest() const {
-    std::uint8_t greatest = 0;
+template <class T>
+T Sparse<T>::greatest() const {
+    T greatest = 0;
     for (const Tile& tile : tiles_) greatest = std::max(greatest, std::ranges::max(tile));
     return greatest;
 }
 
-PixelBox SparsePlane::box() const {
+template <class T>
+PixelBox Sparse<T>::box() const {
     PixelBox box;
     for (std::size_t place = 0; place < held_.size(); ++place) {
         if (held_[place] != none) box = hull_of(box, box_of(place));
@@ -50,7 +61,8 @@ PixelBox SparsePlane::box() const {
     return box;
 }
 
-void SparsePlane::keep_greater(const SparsePlane& other) {
+template <class T>
+void Sparse<T>::keep_greater(const Sparse& other) {
     // Room for what is added and no more: in a long clip it is added to most layers a last time.
     std::size_t added_tiles = 0;
     for (std::size_t place = 0; place < held_.size(); ++place) {
@@ -70,14 +82,20 @@ void SparsePlane::keep_greater(const SparsePlane& other) {
     }
 }
 
-bool operator==(const SparsePlane& a, const SparsePlane& b) {
+template <class T>
+bool operator==(const Sparse<T>& a, const Sparse<T>& b) {
     if (a.size_ != b.size_) return false;
     for (std::size_t place = 0; place < a.held_.size(); ++place) {
-        const SparsePlane::Tile* const in_a = a.tile_at(place);
-        const SparsePlane::Tile* const in_b = b.tile_at(place);
+        const auto* const in_a = a.tile_at(place);
+        const auto* const in_b = b.tile_at(place);
         if ((in_a == nullptr) != (in_b == nullptr) || (in_a != nullptr && *in_a != *in_b)) return false;
     }
     return true;
 }
+
+template class Sparse<std::uint8_t>;
+template class Sparse<std::uint16_t>;
+template bool operator==(const SparsePlane& a, const SparsePlane& b);
+template bool operator==(const OwnerPlane& a, const OwnerPlane& b);
 
 }  // namespace vvr

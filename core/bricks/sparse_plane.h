@@ -14,22 +14,31 @@ namespace vvr {
 
 /// A picture that is 0 in most places, as the scalars of a layer are where nothing moves: only tiles in which something
 /// isn't 0 are held. Of a street that is a twentieth.
-class SparsePlane {
+template <class T>
+class Sparse {
   public:
-    SparsePlane() = default;
-    explicit SparsePlane(const Plane<std::uint8_t>& whole);
+    Sparse() = default;
+    explicit Sparse(Size size);  ///< all of it is 0
+    explicit Sparse(const Plane<T>& whole);
 
     Size size() const { return size_; }
     bool empty() const { return size_ == Size{}; }  ///< it has no pixels; not: all of them are 0
 
-    std::uint8_t at(int i, int j) const;
-    std::uint8_t greatest() const;
+    T at(int i, int j) const {
+        const Tile* const tile = tile_at(place_of(i, j));
+        return tile == nullptr ? T{} : (*tile)[within(i, j)];
+    }
+
+    /// Makes a tile where there is none and the value isn't 0.
+    void set(int i, int j, T value);
+
+    T greatest() const;
 
     /// Where the tiles lie that are held: all around is 0. Empty when none is.
     PixelBox box() const;
 
     /// Takes on the pixels of a picture of the same size that are greater than its own.
-    void keep_greater(const SparsePlane& other);
+    void keep_greater(const Sparse& other);
 
     /// Calls visit(column, row, values) for each row of each tile that is held: what isn't visited is 0.
     template <class Visit>
@@ -38,7 +47,7 @@ class SparsePlane {
             const Tile* const tile = tile_at(place);
             if (tile == nullptr) continue;
             const PixelBox box = box_of(place);
-            std::span<const std::uint8_t> rows = *tile;
+            std::span<const T> rows = *tile;
             for (int row = box.top; row < box.bottom; ++row, rows = rows.subspan(tile_side)) {
                 visit(box.left, row, rows.first(static_cast<std::size_t>(box.width())));
             }
@@ -46,19 +55,33 @@ class SparsePlane {
     }
 
     /// The same pixels.
-    friend bool operator==(const SparsePlane& a, const SparsePlane& b);
+    template <class U>
+    friend bool operator==(const Sparse<U>& a, const Sparse<U>& b);
 
   private:
     static constexpr std::int32_t none = -1;
-    using Tile = std::array<std::uint8_t, tile_side * tile_side>;
+    using Tile = std::array<T, tile_side * tile_side>;
 
+    std::size_t place_of(int i, int j) const {
+        return static_cast<std::size_t>(j / tile_side * across_ + i / tile_side);
+    }
+    static std::size_t within(int i, int j) {
+        return static_cast<std::size_t>(j % tile_side * tile_side + i % tile_side);
+    }
     PixelBox box_of(std::size_t place) const;
-    const Tile* tile_at(std::size_t place) const;
+    const Tile* tile_at(std::size_t place) const {
+        return held_[place] == none ? nullptr : &tiles_[static_cast<std::size_t>(held_[place])];
+    }
 
     Size size_;
     int across_ = 0;                  ///< places in a row of them
     std::vector<std::int32_t> held_;  ///< of each place the tile that lies there, or none; places in rows from the top
     std::vector<Tile> tiles_;
 };
+
+using SparsePlane = Sparse<std::uint8_t>;
+
+/// Whose each pixel is: a number of `Owners`, 0 = nobody's.
+using OwnerPlane = Sparse<std::uint16_t>;
 
 }  // namespace vvr

@@ -12,12 +12,15 @@ namespace vvr {
 
 namespace {
 
-/// Joins two layers' values; each voxel keeps the colour of the stronger one.
-void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour) {
-    if (!colour.empty()) {
+/// Joins two layers' values; each voxel keeps the colour and the owner of the stronger one, the first of two alike.
+void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour, const OwnerPlane& owner) {
+    if (!colour.empty() || !owner.empty()) {
         scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
-                if (value > kept.scalar.at(column, row)) kept.colour.at(column, row) = colour.at(column, row);
+                if (value > kept.scalar.at(column, row)) {
+                    if (!colour.empty()) kept.colour.at(column, row) = colour.at(column, row);
+                    if (!owner.empty()) kept.owner.set(column, row, owner.at(column, row));
+                }
                 ++column;
             }
         });
@@ -41,7 +44,7 @@ Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t
     }
 }
 
-void Volume::add(const Field& field, const Plane<Bgr>& colour) {
+void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorKind::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
@@ -58,12 +61,14 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour) {
         if (layers() == capacity_) join_pairs();
     }
     const LeftOut passed = frames_ > 0 && field.index != next_index_ ? LeftOut{last_pts_, field.pts} : LeftOut{};
+    SparsePlane scalar(field.scalar);
+    OwnerPlane owner = owners_in(owners, scalar);
     if (layers_.empty() || layers_.back().frames == step_) {
         layers_.push_back({field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed,
-                           SparsePlane(field.scalar), colour});
+                           std::move(scalar), colour, std::move(owner)});
     } else {
         Layer& layer = layers_.back();
-        keep_stronger(layer, SparsePlane(field.scalar), colour);
+        keep_stronger(layer, scalar, colour, owner);
         layer.last_frame = field.index;
         layer.last_pts = field.pts;
         pass_over(layer, passed.length(), passed);
@@ -87,6 +92,21 @@ void Volume::add_missing(std::int64_t index, double pts) {
     nothing.scalar = Plane<std::uint8_t>(size_);
     add(nothing, coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{});
     ++layers_.back().missing;
+}
+
+/// Whose the pixels of a field are; empty where that isn't kept.
+OwnerPlane Volume::owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar) {
+    if (!keeps_owners_) return {};
+    if (owners_.full()) {
+        std::vector<bool> used(std::size_t{1} << 16U);
+        for (const Layer& layer : layers_) {
+            layer.owner.each_run([&](int, int, std::span<const std::uint16_t> numbers) {
+                for (const std::uint16_t number : numbers) used[number] = true;
+            });
+        }
+        owners_.keep_only(used);
+    }
+    return owners_.pixels_of(runs, scalar);
 }
 
 std::int64_t Volume::missing() const {
@@ -160,7 +180,7 @@ void Volume::join_pairs() {
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
         if (i + 1 < layers_.size()) {
-            keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour);
+            keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour, layers_[i + 1].owner);
             layer.frames += layers_[i + 1].frames;
             layer.missing += layers_[i + 1].missing;
             layer.last_frame = layers_[i + 1].last_frame;

@@ -9,8 +9,10 @@
 
 #include "core/bricks/brick.h"
 #include "core/bricks/flow_volume.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
+#include "core/fields/label_run.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -35,6 +37,7 @@ struct Layer {
     LeftOut longest{};         ///< of them in one stretch
     SparsePlane scalar;
     Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
+    OwnerPlane owner;   ///< in that frame; empty unless owners are kept
 };
 
 /// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
@@ -61,6 +64,9 @@ class Volume {
     /// From now on keeps the flow of the frames whose seeds are kept, for tracelines.
     void keep_flow() { keeps_flow_ = true; }
 
+    /// From now on keeps whose each voxel is. Before the first frame.
+    void keep_owners() { keeps_owners_ = true; }
+
     /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
     void set_span(std::int64_t layers) { span_ = layers; }
 
@@ -69,7 +75,8 @@ class Volume {
 
     /// Adds the next frame's field, whose scalar has this volume's size.
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
-    void add(const Field& field, const Plane<Bgr>& colour = {});
+    /// \param owners whose pixels are whose, of a volume that keeps that
+    void add(const Field& field, const Plane<Bgr>& colour = {}, std::span<const LabelRun> owners = {});
 
     /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
     void add_missing(std::int64_t index, double pts);
@@ -81,6 +88,11 @@ class Volume {
     double left_out() const;       ///< seconds of the clip that were passed over
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
+    bool keeps_owners() const { return keeps_owners_; }
+
+    /// The track that a number of a layer's `owner` stands for; the number isn't 0.
+    std::size_t track_of(std::uint16_t owner) const { return owners_.track_of(owner); }
+
     const Layer& layer(std::int64_t i) const { return layers_[static_cast<std::size_t>(i)]; }
 
     std::span<const FrameSeed> seeds() const { return seeds_; }
@@ -115,6 +127,7 @@ class Volume {
     std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
     std::int64_t layer_of(double seconds) const;
     void join_pairs();
+    OwnerPlane owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar);
 
     Size size_;
     std::int64_t capacity_;
@@ -128,6 +141,8 @@ class Volume {
     std::vector<SeededFrame> seeded_;  ///< whose seeds and flow are kept, in order
     std::int64_t next_index_ = 0;      ///< of a frame that follows the last one
     double last_pts_ = 0;
+    bool keeps_owners_ = false;
+    Owners owners_;
     bool keeps_flow_ = false;
     FlowVolume flow_;
 };

@@ -38,6 +38,13 @@ class EventFinder {
     /// \param now later than in the call before
     void add(const Sight& sight, const Moment& now);
 
+    /// Drops what is known of the objects that had gone by then, so that a stream of days needs no more memory than one
+    /// of minutes. `finish` tells of the others.
+    /// \param seconds of the clip
+    void forget_ended_before(double seconds) {
+        std::erase_if(ended_, [&](const Tracklet& tracklet) { return tracklet.end.at.seconds < seconds; });
+    }
+
     /// The events, by their first times. To be called once, after the last field.
     /// \param scene the empty scene that the fields were compared with; empty where there is none
     std::vector<Event> finish(const Planes& scene = {});

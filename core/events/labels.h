@@ -7,16 +7,9 @@
 
 #include "core/events/event.h"
 #include "core/events/patch.h"
+#include "core/fields/label_run.h"
 
 namespace vvr {
-
-/// Neighbouring pixels of one row that belong to one track: columns first to last - 1.
-struct LabelRun {
-    int row = 0;
-    int first = 0;
-    int last = 0;
-    std::size_t track = 0;
-};
 
 /// Which pixels of a field belong to which track, as runs of columns; a pixel that no run names belongs to none.
 ///

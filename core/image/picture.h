@@ -25,6 +25,7 @@ struct PixelData {
                          ///< units of the layout's radii; NaN where there is nothing
     Plane<float> time;   ///< seconds of the clip; NaN where nothing has a time
     Plane<float> frame;  ///< index in the clip; -1 where nothing has a time
+    Plane<float> object{};  ///< number of the event; 0 where there is none. Empty where objects have no colours
 
     bool empty() const { return frame.empty(); }
 };

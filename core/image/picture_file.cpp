@@ -100,7 +100,8 @@ std::vector<float> floats_of(const Picture& picture, bool to_srgb, int channels,
         for (int c = 0; c < channels; ++c) values.push_back(pixel[c]);
         if (pixel_data.empty()) continue;
         for (const PixelDataChannel& channel : pixel_data_channels) {
-            values.push_back((pixel_data.*channel.plane).pixels()[i]);
+            const Plane<float>& plane = pixel_data.*channel.plane;
+            if (!plane.empty()) values.push_back(plane.pixels()[i]);
         }
     }
     return values;
@@ -179,7 +180,9 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
     const PixelData none;
     const PixelData& pixel_data = format.pixel_data ? picture.pixel_data : none;
     if (!pixel_data.empty()) {
-        for (const PixelDataChannel& channel : pixel_data_channels) file.pixel_data.emplace_back(channel.name);
+        for (const PixelDataChannel& channel : pixel_data_channels) {
+            if (!(pixel_data.*channel.plane).empty()) file.pixel_data.emplace_back(channel.name);
+        }
     }
     const std::vector<float> values =
         floats_of(picture, picture.encoding == Encoding::linear && !linear, channels, pixel_data);

@@ -17,6 +17,7 @@ inline constexpr std::array pixel_data_channels{
     PixelDataChannel{"Z", &PixelData::depth},
     PixelDataChannel{"time", &PixelData::time},
     PixelDataChannel{"frame", &PixelData::frame},
+    PixelDataChannel{"object", &PixelData::object},
 };
 
 }  // namespace vvr

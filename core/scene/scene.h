@@ -4,8 +4,10 @@
 
 #include <glm/glm.hpp>
 
+#include "core/bricks/identity.h"
 #include "core/plane.h"
 #include "core/scene/glyph.h"
+#include "core/scene/theme.h"
 #include "core/scene/traceline.h"
 #include "core/space/layout.h"
 
@@ -31,6 +33,7 @@ struct FloorShadow {
     Plane<std::uint8_t> darkness;  ///< columns as in a frame, a row for each layer of time
     double t_end = 1;              ///< t_C to which the rows reach
     glm::vec4 colour{0, 0, 0, 0.3F};
+    Plane<Bgr> tint{};  ///< of the darkness; empty = `colour` alone
 };
 
 /// The geometry that is drawn with the volume.
@@ -44,6 +47,10 @@ struct Scene {
 
 /// The shadow of all that is in a volume: of each column of a frame the strongest value.
 FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour);
+
+/// The same of a volume that keeps owners: the shadow of an object has something of its colour, so that one can be
+/// found from the other.
+FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identify& identify);
 
 /// The border of the volume's cross-section at one time.
 std::vector<Segment> cross_section(const Layout& layout, double t, const glm::vec4& colour);

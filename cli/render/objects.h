@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "core/bricks/identity.h"
+#include "core/bricks/volume.h"
+#include "core/events/colouring.h"
+#include "core/events/event.h"
+#include "core/events/labels.h"
+
+// Whose the voxels of a volume are.
+namespace vvr {
+
+/// Of a clip that has ended: an object's colour and number are those of its event.
+Identify objects_of(std::span<const Event> events, const Volume& volume);
+
+/// Of a clip that goes on. Which tracks are one object isn't known yet: each has a colour of its own, of those in sight
+/// the one that was not seen for longest. What was seen for less than an event lasts is nobody's until it is known to
+/// be more. What was decided for a stretch of the clip stays: consecutive pictures show it alike.
+class LiveObjects {
+  public:
+    void see(const FrameLabels& labels);
+
+    /// A stretch of the clip has ended, and is drawn next.
+    /// \param oldest frame that will be drawn from now on
+    void decide(std::int64_t oldest);
+
+    /// The colour of a track that has been seen of late, 0 to `object_colours` - 1.
+    std::optional<int> colour_of(std::size_t track) const;
+
+    /// \returns what asks this object, which outlives it
+    Identify identify() const;
+
+  private:
+    struct Seen {
+        Moment first;
+        Moment last;
+        int colour = 0;
+        std::int64_t undecided = 0;  ///< from this frame on, unless it is decided
+        bool decided = false;
+    };
+
+    int next_colour() const;
+
+    std::map<std::size_t, Seen> tracks_;
+    std::array<std::int64_t, object_colours> last_seen_{};  ///< 1 + frame; of each colour
+    Moment last_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/bricks/sparse_plane.h"
+#include "core/fields/label_run.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// Short numbers for tracks, as the owners of voxels are kept in 16 bits: 0 is nobody, else 1 + the place in a list.
+class Owners {
+  public:
+    /// The number of a track; a new one if it has none. 0 when there is no number left.
+    std::uint16_t number_of(std::size_t track);
+
+    /// The track of a number that isn't 0.
+    std::size_t track_of(std::uint16_t number) const { return tracks_[number - std::size_t{1}]; }
+
+    bool full() const { return free_.empty() && tracks_.size() == most; }
+
+    /// Takes the numbers from all tracks but those of `used`, which tells it for each number.
+    void keep_only(const std::vector<bool>& used);
+
+    /// Whose the pixels of a field are: its runs, and what lies within `reach` of them and isn't 0. What stands has a
+    /// rim that is never quite still, and a filter's edges are soft: without that they would be nobody's.
+    OwnerPlane pixels_of(std::span<const LabelRun> runs, const SparsePlane& scalar);
+
+  private:
+    static constexpr std::size_t most = 65'535;
+
+    std::vector<std::size_t> tracks_;
+    std::vector<std::uint16_t> free_;
+    std::unordered_map<std::size_t, std::uint16_t> numbers_;
+    Plane<std::uint16_t> whole_;  ///< 0 between calls
+};
+
+}  // namespace vvr
