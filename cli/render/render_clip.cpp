@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -88,6 +89,27 @@ std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const W
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
+/// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
+void set_ghosts_right(std::span<const Event> events, Volume& volume) {
+    for (const Event& event : events) {
+        if (!event.in_scene || event.tracks.empty()) continue;
+        for (const std::size_t track : event.tracks) volume.take_out(track);
+        volume.put_in(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
+                      event.last.seconds);
+    }
+}
+
+/// What the empty scene holds is seen best in it: what was left for most of the clip, and what was taken.
+void take_stills_from_scene(std::span<const Event> events, const Plane<Bgr>& scene, Crops& crops) {
+    constexpr double best = std::numeric_limits<double>::max();
+    const Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
+    for (const Event& event : events) {
+        const bool in_scene = event.in_scene.has_value() || event.kind == EventKind::taken;
+        if (!in_scene || event.tracks.empty()) continue;
+        crops.keep(event.tracks.front(), {event.first, event.box, best}, frame);
+    }
+}
+
 /// The empty scene; without one, the last frame.
 Plane<Bgr> scene_of(const Fields& fields) {
     const Planes& scene = fields.summary.reference;
@@ -98,6 +120,7 @@ Plane<Bgr> scene_of(const Fields& fields) {
 /// All after the fields: draws each picture and gives it to the sink.
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
+    if (fields.events && fields.volume.keeps_owners()) set_ghosts_right(*fields.events, fields.volume);
     const Volume& volume = fields.volume;
     const Layout& layout = *drawing.layout;
     const WallClock clock = clock_of(job.look.start_time, report.info);
@@ -121,10 +144,12 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.bricks = bricks;
     report.still = caption.still;
 
+    const Plane<Bgr> scene_picture = scene_of(fields);
+    if (fields.events) take_stills_from_scene(*fields.events, scene_picture, fields.crops);
     const Glance glance{
         fields.events ? shown_objects(job.look, *fields.events, caption.begin, caption.end, clock) : Objects{},
         &fields.crops,
-        scene_of(fields),
+        scene_picture,
         picture_of(*fields.first),
         picture_of(*fields.last),
         volume.size()};

@@ -84,6 +84,38 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const L
     ++frames_;
 }
 
+void Volume::take_out(std::size_t track) {
+    const std::uint16_t number = owners_.number_of(track);
+    if (number == 0) return;
+    for (Layer& layer : layers_) {
+        const OwnerPlane owners = layer.owner;
+        owners.each_run([&](int column, int row, std::span<const std::uint16_t> run) {
+            for (std::size_t i = 0; i < run.size(); ++i) {
+                if (run[i] != number) continue;
+                layer.owner.set(column + static_cast<int>(i), row, 0);
+                layer.scalar.set(column + static_cast<int>(i), row, 0);
+            }
+        });
+    }
+}
+
+void Volume::put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
+                    double last) {
+    const std::uint16_t number = owners_.number_of(track);
+    if (number == 0) return;
+    for (Layer& layer : layers_) {
+        if (layer.last_pts < first || layer.pts > last) continue;
+        for (int j = 0; j < values.height(); ++j) {
+            for (int i = 0; i < values.width(); ++i) {
+                const std::uint8_t value = values.at(i, j);
+                if (value <= layer.scalar.at(box.left + i, box.top + j)) continue;
+                layer.scalar.set(box.left + i, box.top + j, value);
+                layer.owner.set(box.left + i, box.top + j, number);
+            }
+        }
+    }
+}
+
 void Volume::add_missing(std::int64_t index, double pts) {
     Field nothing;
     nothing.index = index;

@@ -81,6 +81,15 @@ class Volume {
     /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
     void add_missing(std::int64_t index, double pts);
 
+    /// Takes out all that belongs to a track, of a volume that keeps owners.
+    void take_out(std::size_t track);
+
+    /// Puts the same pixels into each layer from `first` to `last`, as those of a track; they don't replace stronger
+    /// ones. Of a volume that keeps owners.
+    /// \param box of the values, in field pixels
+    /// \param first, last seconds of the clip
+    void put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
+
     Size size() const { return size_; }
     std::int64_t step() const { return step_; }  ///< frames a layer takes now
     std::int64_t frames() const { return frames_; }

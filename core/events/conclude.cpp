@@ -163,6 +163,7 @@ class Conclusion {
         }
         // The empty scene was made of later frames: it came when the ghost went.
         candidate.kind = EventKind::left;
+        own.in_scene = true;
         own.begin.at = own.gone;
         own.end.at = span_.last;
         if (own.seconds() < options_.stay) candidate.wanted = false;
@@ -280,6 +281,9 @@ class Conclusion {
             event.into = place_of(own.into, k);
             if (event.kind == EventKind::left || event.kind == EventKind::taken) event.by = event.from;
             event.portrait = own.portrait;
+            if (own.in_scene && own.settled) {
+                event.in_scene = SceneShare{own.settled->patch.box, own.settled->patch.values};
+            }
             for (const std::size_t part : candidate.parts) event.tracks.push_back(tracklets_[part].number);
             events.push_back(std::move(event));
         }

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "core/pixel_box.h"
+#include "core/plane.h"
 
 namespace vvr {
 
@@ -36,6 +37,13 @@ struct Portrait {
     Moment at;
     PixelBox box;      ///< field pixels
     double score = 0;  ///< larger is better; of use between portraits of one clip
+};
+
+/// What the empty scene that the fields were compared with holds of an object: where the scene was made of frames with
+/// a bag in it, the fields show a ghost before the bag came, and nothing while it was there.
+struct SceneShare {
+    PixelBox box;                ///< field pixels
+    Plane<std::uint8_t> values;  ///< of the ghost, in the box; 0 = not of the object
 };
 
 enum class EventKind {
@@ -72,7 +80,8 @@ struct Event {
     std::optional<std::size_t> by;      ///< of the event that put it down, or took it
     std::optional<Moment> alone_since;  ///< of what was left: when whoever left it had gone
     std::optional<Portrait> portrait;
-    std::vector<std::size_t> tracks;  ///< the numbers that its pixels have in `FrameLabels`
+    std::optional<SceneShare> in_scene;  ///< none where the fields show it while it was there
+    std::vector<std::size_t> tracks;     ///< the numbers that its pixels have in `FrameLabels`
 };
 
 }  // namespace vvr

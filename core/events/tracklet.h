@@ -50,6 +50,7 @@ struct Tracklet {
     bool stood_to_end = false;       ///< it stood when it was last seen
     Moment gone;                     ///< when it was certain that it is not there any more
     std::optional<Portrait> portrait;
+    bool in_scene = false;  ///< the empty scene holds it: the fields showed its ghost, as long as it was not there
 
     double seconds() const { return end.at.seconds - begin.at.seconds; }
 };
