@@ -19,13 +19,15 @@ constexpr double stripes = 60;                // in a window, dark and light
 struct Object {
     int colour = 0;
     std::uint16_t number = 0;
-    std::vector<std::pair<double, double>> stays;  ///< seconds
+    std::pair<double, double> seen;  ///< seconds
+    std::vector<std::pair<double, double>> stays;
 };
 
 Object object_of(const Event& event, int colour, std::size_t place) {
     Object object;
     object.colour = colour;
     object.number = static_cast<std::uint16_t>(place < most_numbers ? place + 1 : 0);
+    object.seen = {event.first.seconds, event.last.seconds};
     for (const Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
     return object;
 }
@@ -42,8 +44,12 @@ Identify objects_of(std::span<const Event> events, const Volume& volume) {
                                                                                         const Layer& layer) {
         if (track >= events_of.size() || !events_of[track]) return Identity{};
         const Object& object = objects[*events_of[track]];
-        const bool stays = std::ranges::any_of(
-            object.stays, [&](const auto& stay) { return layer.last_pts >= stay.first && layer.pts <= stay.second; });
+        const auto is_in = [&](const std::pair<double, double>& span) {
+            return layer.last_pts >= span.first && layer.pts <= span.second;
+        };
+        // A thing that was left may be known by what the scene lacked before it came: that is not the thing.
+        if (!is_in(object.seen)) return Identity{};
+        const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
         const Posture posture = !stays ? Posture::moving : dark ? Posture::marked : Posture::still;
         return Identity{look_of(object.colour, posture), object.number};

@@ -48,18 +48,62 @@ Beside beside_in(const Volume& volume) {
     return volume.keeps_owners() ? Beside::identity : Beside::nothing;
 }
 
-/// Where there is nothing takes what is there.
-void take_from(std::span<const std::uint16_t> there, std::span<std::uint16_t> owners) {
-    std::ranges::transform(owners, there, owners.begin(),
-                           [](std::uint16_t own, std::uint16_t other) { return own != 0 ? own : other; });
-}
+/// Whose the voxels of a box in one layer are, with room for a voxel around it.
+class OwnersAround {
+  public:
+    explicit OwnersAround(const PixelBox& box)
+        : box_(box),
+          stride_(static_cast<std::size_t>(box.width()) + 2),
+          owners_(stride_ * (static_cast<std::size_t>(box.height()) + 2)) {}
 
-/// Where there is nothing takes what is `stride` after it, or before it.
-void take_beside(std::span<const std::uint16_t> there, std::size_t stride, std::span<std::uint16_t> owners) {
-    if (owners.size() <= stride) return;
-    take_from(there.subspan(stride), owners.first(owners.size() - stride));
-    take_from(there.first(owners.size() - stride), owners.subspan(stride));
-}
+    void clear() { std::ranges::fill(owners_, std::uint16_t{0}); }
+
+    /// Gives the voxels of a layer that have an owner, and those beside them, to that owner, whoever had them.
+    void spread(const OwnerPlane& from) {
+        const auto stride = static_cast<std::ptrdiff_t>(stride_);
+        for (const std::ptrdiff_t away : {-stride - 1, -stride + 1, stride - 1, stride + 1}) put(from, away);
+        for (const std::ptrdiff_t away : {-stride, stride, std::ptrdiff_t{-1}, std::ptrdiff_t{1}}) put(from, away);
+        put(from, 0);
+    }
+
+    /// Calls visit(place in the box, owner) for each voxel that has one.
+    template <class Visit>
+    void each(const Visit& visit) const {
+        constexpr std::size_t four = 4;  // at a time: most have none
+        const auto width = static_cast<std::size_t>(box_.width());
+        for (std::size_t row = 0; row < static_cast<std::size_t>(box_.height()); ++row) {
+            const std::uint16_t* const owners = &owners_[(row + 1) * stride_ + 1];
+            for (std::size_t i = 0; i < width; i += four) {
+                std::uint64_t any = 0;
+                const std::size_t count = std::min(four, width - i);
+                std::memcpy(&any, owners + i, count * sizeof *owners);
+                for (std::size_t k = i; any != 0 && k < i + count; ++k) {
+                    if (owners[k] != 0) visit(row * width + k, owners[k]);
+                }
+            }
+        }
+    }
+
+  private:
+    /// Puts the owners of a layer `away` places from where they are.
+    void put(const OwnerPlane& from, std::ptrdiff_t away) {
+        const Size size = from.size();
+        from.each_run([&](int column, int row, std::span<const std::uint16_t> values) {
+            const int x = size.width - column - static_cast<int>(values.size()) - box_.left;
+            const int y = size.height - 1 - row - box_.top;
+            std::uint16_t* const into =
+                &owners_[(static_cast<std::size_t>(y) + 1) * stride_ + static_cast<std::size_t>(x + 1)] + away;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                const std::uint16_t value = values[values.size() - 1 - i];
+                into[i] = value != 0 ? value : into[i];
+            }
+        });
+    }
+
+    PixelBox box_;
+    std::size_t stride_;
+    std::vector<std::uint16_t> owners_;
+};
 
 }  // namespace
 
@@ -105,52 +149,28 @@ void BrickLayers::lay_out_colours(const Layer& layer, std::span<ColouredTexel> t
     }
 }
 
-/// The owners of a layer, and of the voxels beside theirs in it.
-void BrickLayers::lay_out_owners(const Layer& layer, std::span<std::uint16_t> owners) const {
-    std::ranges::fill(owners, std::uint16_t{0});
-    each_run_in(layer.owner, box_, [&](std::size_t at, std::span<const std::uint16_t> values) {
-        std::ranges::reverse_copy(values, &owners[at]);
-    });
-    const auto width = static_cast<std::size_t>(box_.width());
-    std::vector<std::uint16_t> before(width);
-    for (std::size_t row = 0; row < owners.size(); row += width) {
-        const auto voxels = owners.subspan(row, width);
-        std::ranges::copy(voxels, before.begin());
-        take_beside(before, 1, voxels);
-    }
-    before.assign(owners.begin(), owners.end());
-    take_beside(before, width, owners);
-}
-
 void BrickLayers::lay_out_identities(std::int64_t first, std::span<ColouredTexel> texels) const {
-    std::vector<std::uint16_t> before(area());
-    std::vector<std::uint16_t> owners(area());
-    std::vector<std::uint16_t> after(area());
-    const auto lay_out_layer = [&](std::int64_t layer, std::vector<std::uint16_t>& into) {
-        const std::int64_t held = std::clamp<std::int64_t>(layer, 0, count() - 1);
-        lay_out_owners(*layers_[static_cast<std::size_t>(held)], into);
-    };
-    lay_out_layer(first - 1, before);
-    lay_out_layer(first, owners);
+    std::ranges::fill(texels, ColouredTexel{});
+    OwnersAround owners(box_);
     for (std::int64_t number = first; !texels.empty(); ++number, texels = texels.subspan(area())) {
-        lay_out_layer(number + 1, after);
-        const Layer& layer = *layers_[static_cast<std::size_t>(number)];
+        const auto at = static_cast<std::size_t>(number);
+        const Layer& layer = *layers_[at];
+        owners.clear();
+        // Who is beside in time gives way to who is beside in the layer, and all to whose a voxel is.
+        if (at + 1 < layers_.size()) owners.spread(layers_[at + 1]->owner);
+        if (at > 0) owners.spread(layers_[at - 1]->owner);
+        owners.spread(layer.owner);
         std::uint16_t known = 0;
         ColouredTexel texel{};
-        for (std::size_t i = 0; i < area(); ++i) {
-            const std::uint16_t beside = before[i] != 0 ? before[i] : after[i];
-            const std::uint16_t owner = owners[i] != 0 ? owners[i] : beside;
+        owners.each([&](std::size_t voxel, std::uint16_t owner) {
             if (owner != known) {
                 known = owner;
-                const bool is_asked = owner != 0 && *identify_;
-                const Identity identity = is_asked ? (*identify_)(volume_->track_of(owner), layer) : Identity{};
+                const Identity identity = *identify_ ? (*identify_)(volume_->track_of(owner), layer) : Identity{};
                 texel = {identity.look, static_cast<std::uint8_t>(identity.number & 0xFFU),
                          static_cast<std::uint8_t>(identity.number >> 8U), 0};
             }
-            texels[i] = texel;
-        }
-        std::swap(before, owners);
-        std::swap(owners, after);
+            texels[voxel] = texel;
+        });
     }
 }
 

@@ -51,7 +51,6 @@ class BrickLayers {
 
   private:
     void lay_out_colours(const Layer& layer, std::span<ColouredTexel> texels) const;
-    void lay_out_owners(const Layer& layer, std::span<std::uint16_t> owners) const;
     void lay_out_identities(std::int64_t first, std::span<ColouredTexel> texels) const;
 
     Brick brick_;

@@ -13,7 +13,7 @@ constexpr int reach = 3;
 
 std::uint16_t Owners::number_of(std::size_t track) {
     if (const auto known = numbers_.find(track); known != numbers_.end()) return known->second;
-    if (full()) return 0;
+    if (room() == 0) return 0;
     std::uint16_t number = 0;
     if (free_.empty()) {
         tracks_.push_back(track);

@@ -21,7 +21,8 @@ class Owners {
     /// The track of a number that isn't 0.
     std::size_t track_of(std::uint16_t number) const { return tracks_[number - std::size_t{1}]; }
 
-    bool full() const { return free_.empty() && tracks_.size() == most; }
+    /// How many numbers are left.
+    std::size_t room() const { return free_.size() + most - tracks_.size(); }
 
     /// Takes the numbers from all tracks but those of `used`, which tells it for each number.
     void keep_only(const std::vector<bool>& used);

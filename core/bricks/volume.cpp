@@ -129,7 +129,7 @@ void Volume::add_missing(std::int64_t index, double pts) {
 /// Whose the pixels of a field are; empty where that isn't kept.
 OwnerPlane Volume::owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar) {
     if (!keeps_owners_) return {};
-    if (owners_.full()) {
+    if (owners_.room() < runs.size()) {
         std::vector<bool> used(std::size_t{1} << 16U);
         for (const Layer& layer : layers_) {
             layer.owner.each_run([&](int, int, std::span<const std::uint16_t> numbers) {
