@@ -8,15 +8,15 @@
 namespace vvr {
 namespace {
 
-/// Neighbouring pixels of one row that are not 0: columns first to last - 1.
+/// Neighbouring pixels of one row that are alike: columns first to last - 1.
 struct Run {
     int row;
     int first;
     int last;
-    std::size_t parent;  ///< of the same blob; its own number for the one that stands for the blob
+    std::size_t parent;  ///< another run of the same set; its own number for the set's root
 };
 
-/// Difference pictures are nearly all 0, so rows are passed over eight pixels at a time.
+/// Difference pictures are nearly all 0, so zeros are passed over eight at a time.
 int next_not_zero(std::span<const std::uint8_t> row, int i) {
     const int width = static_cast<int>(row.size());
     std::uint64_t eight = 0;
@@ -29,19 +29,40 @@ int next_not_zero(std::span<const std::uint8_t> row, int i) {
     return i;
 }
 
+int next_zero(std::span<const std::uint8_t> row, int i) {
+    const int width = static_cast<int>(row.size());
+    while (i < width && row[static_cast<std::size_t>(i)] != 0) ++i;
+    return i;
+}
+
+/// The runs of what is not 0, in order of rows and columns.
 std::vector<Run> runs_of(const Plane<std::uint8_t>& plane) {
     std::vector<Run> runs;
     for (int j = 0; j < plane.height(); ++j) {
         const std::span<const std::uint8_t> row = plane.row(j);
         int i = next_not_zero(row, 0);
         while (i < plane.width()) {
-            const int first = i;
-            while (i < plane.width() && row[static_cast<std::size_t>(i)] != 0) ++i;
-            runs.push_back({j, first, i, runs.size()});
-            i = next_not_zero(row, i);
+            const int end = next_zero(row, i);
+            runs.push_back({j, i, end, runs.size()});
+            i = next_not_zero(row, end);
         }
     }
     return runs;
+}
+
+/// The runs of what is 0.
+std::vector<Run> gaps_of(const Plane<std::uint8_t>& plane) {
+    std::vector<Run> gaps;
+    for (int j = 0; j < plane.height(); ++j) {
+        const std::span<const std::uint8_t> row = plane.row(j);
+        int i = next_zero(row, 0);
+        while (i < plane.width()) {
+            const int end = next_not_zero(row, i);
+            gaps.push_back({j, i, end, gaps.size()});
+            i = next_zero(row, end);
+        }
+    }
+    return gaps;
 }
 
 std::size_t root(std::vector<Run>& runs, std::size_t k) {
@@ -50,32 +71,85 @@ std::size_t root(std::vector<Run>& runs, std::size_t k) {
 }
 
 // Runs are in order of rows and columns, so two fingers find all that touch between one row and the next.
-void join_neighbours(std::vector<Run>& runs) {
+/// \param slack 1 where runs that meet at a corner touch, 0 where they don't
+void join_neighbours(std::vector<Run>& runs, int slack) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        while (above < k && (runs[above].row < runs[k].row - 1 ||
-                             (runs[above].row == runs[k].row - 1 && runs[above].last < runs[k].first))) {
+        while (above < k &&
+               (runs[above].row < runs[k].row - 1 ||
+                (runs[above].row == runs[k].row - 1 && runs[above].last + slack <= runs[k].first))) {
             ++above;
         }
-        for (std::size_t m = above; m < k && runs[m].row == runs[k].row - 1 && runs[m].first <= runs[k].last; ++m) {
+        for (std::size_t m = above;
+             m < k && runs[m].row == runs[k].row - 1 && runs[m].first < runs[k].last + slack; ++m) {
             runs[root(runs, m)].parent = root(runs, k);
         }
     }
+}
+
+std::vector<Run> blobs_of(const Plane<std::uint8_t>& plane) {
+    std::vector<Run> runs = runs_of(plane);
+    join_neighbours(runs, 1);
+    return runs;
+}
+
+/// Sets the runs to `value` of whose set the sum of `weight` is what `wanted` asks for.
+template <class Weight, class Wanted>
+void paint(Plane<std::uint8_t>& plane, std::vector<Run>& runs, Weight weight, Wanted wanted, std::uint8_t value) {
+    using Sum = decltype(weight(runs.front()));
+    std::vector<Sum> sums(runs.size());
+    for (std::size_t k = 0; k < runs.size(); ++k) sums[root(runs, k)] += weight(runs[k]);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        if (!wanted(sums[root(runs, k)])) continue;
+        const std::span<std::uint8_t> row = plane.row(runs[k].row);
+        std::fill(row.begin() + runs[k].first, row.begin() + runs[k].last, value);
+    }
+}
+
+int length(const Run& run) {
+    return run.last - run.first;
 }
 
 }  // namespace
 
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area) {
     if (min_area <= 1) return;
-    std::vector<Run> runs = runs_of(plane);
-    join_neighbours(runs);
-    std::vector<int> areas(runs.size());
-    for (std::size_t k = 0; k < runs.size(); ++k) areas[root(runs, k)] += runs[k].last - runs[k].first;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        if (areas[root(runs, k)] >= min_area) continue;
-        const std::span<std::uint8_t> row = plane.row(runs[k].row);
-        std::fill(row.begin() + runs[k].first, row.begin() + runs[k].last, std::uint8_t{0});
-    }
+    std::vector<Run> runs = blobs_of(plane);
+    paint(plane, runs, length, [&](int area) { return area < min_area; }, 0);
+}
+
+void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
+    struct Pixels {
+        int all = 0;
+        int strong = 0;
+
+        Pixels& operator+=(const Pixels& other) {
+            all += other.all;
+            strong += other.strong;
+            return *this;
+        }
+    };
+    const auto pixels_of = [&](const Run& run) {
+        const std::uint8_t* const value = plane.row(run.row).data();
+        const std::uint8_t* const enough = strong.row(run.row).data();
+        Pixels pixels{.all = length(run), .strong = 0};
+        for (int i = run.first; i < run.last; ++i) pixels.strong += value[i] >= enough[i] ? 1 : 0;
+        return pixels;
+    };
+    std::vector<Run> runs = blobs_of(plane);
+    paint(plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
+}
+
+void fill_holes(Plane<std::uint8_t>& plane, int max_area, std::uint8_t value) {
+    std::vector<Run> gaps = gaps_of(plane);
+    join_neighbours(gaps, 0);
+    const auto area = [&](const Run& gap) -> std::int64_t {
+        const bool at_edge =
+            gap.first == 0 || gap.last == plane.width() || gap.row == 0 || gap.row == plane.height() - 1;
+        // One run at the picture's edge makes its set too large to be a hole.
+        return at_edge ? max_area + std::int64_t{1} : length(gap);
+    };
+    paint(plane, gaps, area, [&](std::int64_t sum) { return sum <= max_area; }, value);
 }
 
 }  // namespace vvr

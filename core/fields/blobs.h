@@ -6,7 +6,17 @@
 
 namespace vvr {
 
-/// Sets to 0 every blob (pixels that are not 0 and touch, corners included) of fewer than `min_area` pixels.
+// A blob is a set of pixels that are not 0 and touch, corners included.
+
+/// Sets to 0 every blob of fewer than `min_area` pixels.
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
+
+/// Sets to 0 every blob of fewer than `min_area` pixels, or in which fewer than `least` of them reach the value that
+/// `strong` has there.
+void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
+
+/// Sets to `value` what is 0 and enclosed by a blob, where that is at most `max_area` pixels. What touches the
+/// picture's edge is not enclosed.
+void fill_holes(Plane<std::uint8_t>& plane, int max_area, std::uint8_t value);
 
 }  // namespace vvr
