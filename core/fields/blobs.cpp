@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace vvr {
@@ -75,13 +76,12 @@ std::size_t root(std::vector<Run>& runs, std::size_t k) {
 void join_neighbours(std::vector<Run>& runs, int slack) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        while (above < k &&
-               (runs[above].row < runs[k].row - 1 ||
-                (runs[above].row == runs[k].row - 1 && runs[above].last + slack <= runs[k].first))) {
+        while (above < k && (runs[above].row < runs[k].row - 1 ||
+                             (runs[above].row == runs[k].row - 1 && runs[above].last + slack <= runs[k].first))) {
             ++above;
         }
-        for (std::size_t m = above;
-             m < k && runs[m].row == runs[k].row - 1 && runs[m].first < runs[k].last + slack; ++m) {
+        for (std::size_t m = above; m < k && runs[m].row == runs[k].row - 1 && runs[m].first < runs[k].last + slack;
+             ++m) {
             runs[root(runs, m)].parent = root(runs, k);
         }
     }
@@ -110,25 +110,40 @@ int length(const Run& run) {
     return run.last - run.first;
 }
 
+/// Pixels of a blob, and those of them that are strong.
+struct Pixels {
+    int all = 0;
+    int strong = 0;
+
+    Pixels& operator+=(const Pixels& other) {
+        all += other.all;
+        strong += other.strong;
+        return *this;
+    }
+};
+
+/// The area of a set of gaps, and the sum of the differences in it.
+struct Hole {
+    std::int64_t area = 0;
+    std::int64_t difference = 0;
+
+    Hole& operator+=(const Hole& other) {
+        area += other.area;
+        difference += other.difference;
+        return *this;
+    }
+};
+
 }  // namespace
 
 void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area) {
     if (min_area <= 1) return;
     std::vector<Run> runs = blobs_of(plane);
-    paint(plane, runs, length, [&](int area) { return area < min_area; }, 0);
+    paint(
+        plane, runs, length, [&](int area) { return area < min_area; }, 0);
 }
 
 void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
-    struct Pixels {
-        int all = 0;
-        int strong = 0;
-
-        Pixels& operator+=(const Pixels& other) {
-            all += other.all;
-            strong += other.strong;
-            return *this;
-        }
-    };
     const auto pixels_of = [&](const Run& run) {
         const std::uint8_t* const value = plane.row(run.row).data();
         const std::uint8_t* const enough = strong.row(run.row).data();
@@ -137,19 +152,26 @@ void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& s
         return pixels;
     };
     std::vector<Run> runs = blobs_of(plane);
-    paint(plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
+    paint(
+        plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
 }
 
-void fill_holes(Plane<std::uint8_t>& plane, int max_area, std::uint8_t value) {
-    std::vector<Run> gaps = gaps_of(plane);
-    join_neighbours(gaps, 0);
-    const auto area = [&](const Run& gap) -> std::int64_t {
+void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options) {
+    const auto measured = [&](const Run& gap) {
         const bool at_edge =
             gap.first == 0 || gap.last == plane.width() || gap.row == 0 || gap.row == plane.height() - 1;
-        // One run at the picture's edge makes its set too large to be a hole.
-        return at_edge ? max_area + std::int64_t{1} : length(gap);
+        // A run that is too long makes its set too large to be a hole, and so does one at the picture's edge.
+        if (at_edge || length(gap) > options.max_area) return Hole{.area = options.max_area + std::int64_t{1}};
+        const std::uint8_t* const row = differences.row(gap.row).data();
+        return Hole{.area = length(gap),
+                    .difference = std::accumulate(row + gap.first, row + gap.last, std::int64_t{0})};
     };
-    paint(plane, gaps, area, [&](std::int64_t sum) { return sum <= max_area; }, value);
+    const auto is_wanted = [&](const Hole& hole) {
+        return hole.area <= options.max_area && hole.difference >= options.least * hole.area;
+    };
+    std::vector<Run> gaps = gaps_of(plane);
+    join_neighbours(gaps, 0);
+    paint(plane, gaps, measured, is_wanted, options.value);
 }
 
 }  // namespace vvr

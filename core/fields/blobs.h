@@ -15,8 +15,14 @@ void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
 /// `strong` has there.
 void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
 
-/// Sets to `value` what is 0 and enclosed by a blob, where that is at most `max_area` pixels. What touches the
-/// picture's edge is not enclosed.
-void fill_holes(Plane<std::uint8_t>& plane, int max_area, std::uint8_t value);
+/// Which holes are filled: what is 0 and enclosed by a blob. What touches the picture's edge is not enclosed.
+struct HoleOptions {
+    int max_area = 0;          ///< pixels; larger ones stay
+    int least = 0;             ///< grey levels; those whose mean difference is less stay
+    std::uint8_t value = 255;  ///< that they get
+};
+
+/// \param differences grey levels, of the plane's size
+void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options);
 
 }  // namespace vvr

@@ -19,7 +19,7 @@ namespace vvr {
 
 /// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
 struct Shot {
-    SharedFrame frame;  ///< aligned with the reference where the camera shakes
+    SharedFrame frame;               ///< aligned with the reference where the camera shakes
     std::optional<Visible> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it

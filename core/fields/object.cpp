@@ -18,7 +18,10 @@ constexpr int gain = 2;
 
 // What a blob is made of once a few of its pixels reach the threshold: clothes seldom differ from the floor as clearly
 // everywhere as they do somewhere.
-constexpr double weak_share = 0.75;
+constexpr double weak_share = 0.85;
+
+// What a thing encloses belongs to it if it differs by this share of the threshold; else the scene is seen through it.
+constexpr double hole_share = 0.25;
 
 // Thresholds in medians of the noise, at the usual threshold of 24, and how far noise may raise them there.
 constexpr double usual_threshold = 24;
@@ -43,19 +46,22 @@ std::uint8_t value_of(int difference) {
     return static_cast<std::uint8_t>(std::min(gain * difference, 255));
 }
 
-/// Makes values of differences, 0 where they are below `weak`.
-void apply(const Plane<std::uint8_t>& weak, Plane<std::uint8_t>& differences) {
-    std::uint8_t* const pixels = differences.pixels().data();
+/// The values of differences, 0 where they are below `weak`.
+Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plane<std::uint8_t>& weak) {
+    auto result = Plane<std::uint8_t>::for_overwrite(differences.size());
+    std::uint8_t* const out = result.pixels().data();
+    const std::uint8_t* const in = differences.pixels().data();
     const std::uint8_t* const least = weak.pixels().data();
     const std::size_t count = differences.pixels().size();
     constexpr std::uint8_t half = 255 / gain;
     // Plain byte arithmetic, so that the compiler makes vectors of it.
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t value = pixels[i];
+        const std::uint8_t value = in[i];
         const auto lit = static_cast<std::uint8_t>(std::min(value, half) * gain);
         const auto shown = static_cast<std::uint8_t>(value > half ? 255 : lit);
-        pixels[i] = value < least[i] ? std::uint8_t{0} : shown;
+        out[i] = value < least[i] ? std::uint8_t{0} : shown;
     }
+    return result;
 }
 
 void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane) {
@@ -75,14 +81,17 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
       min_area_(options.min_area),
       least_strong_(std::clamp(options.min_area / 5, 1, 4)),
-      hole_value_(value_of(threshold)),
+      threshold_value_(value_of(threshold)),
       removes_shadows_(choose(setting::shadows.name, options.shadows, shadow_kinds()).removes),
       region_(region) {
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
     reference_.noise = reference.noise;
     const Size size = reference.grey.size();
-    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes filled.
-    largest_hole_ = options.min_area > 0 ? size.width * size.height / 800 : 0;
+    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes
+    // filled.
+    holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
+              .least = static_cast<int>(std::lround(hole_share * threshold)),
+              .value = threshold_value_};
     const double scale = threshold / usual_threshold;
     weak_ = thresholds(size, reference.noise, weak_share * threshold, scale * weak_noise, scale * most_weak);
     strong_ = thresholds(size, reference.noise, threshold, scale * strong_noise, scale * most_strong);
@@ -98,22 +107,22 @@ Light ObjectFinder::light_of(const Planes& frame, const Planes& reference) const
 Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Planes& reference, const Light& light) const {
     const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
-    Plane<std::uint8_t> object = largest_difference(frame, empty);
-    apply(weak_, object);
+    const Plane<std::uint8_t> differences = largest_difference(frame, empty);
+    Plane<std::uint8_t> object = values_of(differences, weak_);
     clear_outside(region_, object);
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
     if (removes_shadows_) object = without_shadows(std::move(object), frame, empty);
-    if (largest_hole_ > 0) fill_holes(object, largest_hole_, hole_value_);
+    if (holes_.max_area > 0) fill_holes(object, differences, holes_);
     return object;
 }
 
 Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
                                                   const Planes& empty) const {
-    const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty);
+    const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty, threshold_value_);
     if (shadow.empty()) return object;
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
-    constexpr int reaches_per_side = 28;  // half of a car near by, in a usual picture
-    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side);
+    constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
+    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
     return object;
 }
 

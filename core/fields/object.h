@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/fields/blobs.h"
 #include "core/fields/illumination.h"
 #include "core/fields/options.h"
 #include "core/fields/reference.h"
@@ -10,7 +11,7 @@
 namespace vvr {
 
 /// Finds the difference object of §4 (Fig. 4a): what differs from the empty scene in any channel, by the threshold or
-/// more, with what touches it and differs by three quarters of that. Where the scene itself is restless, both are
+/// more, with what touches it and differs by a little less. Where the scene itself is restless, both are
 /// higher. Its value is twice the difference, 255 at most, because people and bags seldom differ by more than half
 /// the range.
 class ObjectFinder {
@@ -37,9 +38,9 @@ class ObjectFinder {
 
     const IlluminationRow& illumination_;
     int min_area_;
-    int least_strong_;  ///< pixels of a blob that must reach `strong_`
-    int largest_hole_;  ///< pixels that are filled where a blob encloses them
-    std::uint8_t hole_value_;
+    int least_strong_;              ///< pixels of a blob that must reach `strong_`
+    std::uint8_t threshold_value_;  ///< of what differs by the threshold; what is less is faint
+    HoleOptions holes_;
     bool removes_shadows_;
     const Plane<std::uint8_t>& region_;
     Reference reference_;

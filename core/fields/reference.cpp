@@ -16,6 +16,7 @@
 #include "core/choice.h"
 #include "core/cv_view.h"
 #include "core/error.h"
+#include "core/fields/filter.h"
 #include "core/fields/noise.h"
 #include "core/fields/rank.h"
 #include "core/fields/settings.h"
@@ -87,8 +88,8 @@ std::vector<Frame> first_frame(FrameSource& clip) {
     return first_frames(clip, 1, 1);
 }
 
-// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again, it
-// is the first twenty seconds, so that people who pass are gone before half of them is over.
+// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again,
+// it is the first twenty seconds, so that people who pass are gone for most of them.
 std::vector<Frame> first_seconds(FrameSource& clip) {
     const VideoInfo& info = clip.info();
     constexpr double seconds = 20;
@@ -102,7 +103,7 @@ constexpr std::array rows{
     ReferenceRow{"median", "each pixel's median over the clip, or of what was first where things came to stay",
                  spread_over_clip, lasting_reference, true},
     ReferenceRow{"first", "the first frame", first_frame, median_reference},
-    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, median_reference, false,
+    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, lasting_reference, false,
                  true},
 };
 
@@ -187,7 +188,10 @@ Reference learnt(FrameSource& clip, const ReferenceRow& row, const FieldOptions&
     std::vector<Frame> frames =
         in_one_light(row.look(clip), choose(setting::illumination.name, options.illumination, illuminations()));
     Reference reference;
-    reference.shakes = choose(setting::stabilize.name, options.stabilize, stabilizers()).aligns && camera_shakes(frames);
+    // A filter that shows the video itself, or its motion, is to show the camera's too.
+    const bool is_compared = find_filter(options.filter).traits.object;
+    const bool aligns = is_compared && choose(setting::stabilize.name, options.stabilize, stabilizers()).aligns;
+    reference.shakes = aligns && camera_shakes(frames);
     if (reference.shakes) align(frames);
     static_cast<Planes&>(reference) = row.scene(frames);
     if (frames.empty()) return reference;

@@ -17,8 +17,14 @@ constexpr float darkest = 0.45F;
 // By how much the channels' shares may differ.
 constexpr float most_tint = 0.07F;
 
-// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is allowed
-// for the share of the light that is missing.
+// And by how much those of a single pixel, which prove less.
+constexpr float least_tint = 0.06F;
+
+// A pixel with more than this is none in whatever surroundings.
+constexpr float hopeless_tint = 0.3F;
+
+// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is
+// allowed for the share of the light that is missing.
 constexpr float sky_tint = 0.1F;
 
 /// 1 / (level + 1), for a division takes as long as all the rest.
@@ -28,17 +34,25 @@ constexpr std::array<float, 256> inverses() {
     return table;
 }
 
-/// Whether every channel is darker there, and none too dark.
-bool is_darker(const Bgr& frame, const Bgr& empty) {
-    static constexpr std::array<float, 256> inverse = inverses();
+/// The channels' shares of the light before that are left, the smallest and the largest.
+struct Shares {
     float least = 10;
     float most = 0;
+};
+
+Shares shares_of(const Bgr& frame, const Bgr& empty) {
+    static constexpr std::array<float, 256> inverse = inverses();
+    Shares shares;
     for (std::size_t c = 0; c < 3; ++c) {
         const float share = (frame[c] + 1.F) * inverse[empty[c]];
-        least = std::min(least, share);
-        most = std::max(most, share);
+        shares.least = std::min(shares.least, share);
+        shares.most = std::max(shares.most, share);
     }
-    return least > darkest && most < 1;
+    return shares;
+}
+
+bool is_darker(const Shares& shares) {
+    return shares.least > darkest && shares.most < 1;
 }
 
 /// Sums of a picture's channels over a square of 5 × 5 pixels, of which every second of a row and column counts. At the
@@ -106,7 +120,8 @@ std::span<const ShadowRow> shadow_kinds() {
     return rows;
 }
 
-std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
+std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
+                                      std::uint8_t faint) {
     if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return {};
@@ -116,8 +131,12 @@ std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes&
     const int j0 = points.front().j - 1;
     Plane<std::int8_t> votes({right.i - left.i + 3, points.back().j - points.front().j + 3});
     for (const auto& [i, j] : points) {
-        const bool shadow =
-            is_darker(frame.colour.at(i, j), empty.colour.at(i, j)) && has_kept_colour(frame, empty, i, j);
+        const Shares shares = shares_of(frame.colour.at(i, j), empty.colour.at(i, j));
+        // Next to its thing a shadow has that thing's colour in its surroundings.
+        const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
+        const float tint = shares.most - shares.least;
+        const bool may_be = is_darker(shares) && tint < hopeless_tint;
+        const bool shadow = may_be && (tint < own_tint || has_kept_colour(frame, empty, i, j));
         votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
     std::vector<ShadowPixel> taken;
@@ -127,12 +146,15 @@ std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes&
         for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
             for (int x = i - i0 - 1; x <= i - i0 + 1; ++x) sum += votes.at(x, y);
         }
-        if (sum > 0) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
+        // Along a thing's edge half of them are the thing's: there the pixel itself decides.
+        const bool is_taken = sum > 0 || (sum == 0 && votes.at(i - i0, j - j0) > 0);
+        if (is_taken) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
     }
     return taken;
 }
 
-void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach) {
+void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
+                        std::uint8_t faint) {
     const std::ptrdiff_t width = object.width();
     /// Whether one of the next `most` pixels is an object's.
     const auto is_object_within = [&](const std::uint8_t* from, std::ptrdiff_t step, int most) {
@@ -143,11 +165,12 @@ void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel
     };
     std::vector<ShadowPixel> enclosed;
     for (const ShadowPixel& p : shadow) {
+        if (p.value < faint) continue;
         const std::uint8_t* const here = &object.at(p.i, p.j);
+        if (!is_object_within(here, width, object.height() - 1 - p.j)) continue;
         int missing = is_object_within(here, -1, p.i) ? 0 : 1;
         missing += is_object_within(here, 1, object.width() - 1 - p.i) ? 0 : 1;
-        if (missing < 2) missing += is_object_within(here, -width, p.j) ? 0 : 1;
-        if (missing < 2) missing += is_object_within(here, width, object.height() - 1 - p.j) ? 0 : 1;
+        if (missing == 1) missing += is_object_within(here, -width, p.j) ? 0 : 1;
         if (missing < 2) enclosed.push_back(p);
     }
     for (const ShadowPixel& p : enclosed) object.at(p.i, p.j) = p.value;

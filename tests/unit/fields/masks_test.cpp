@@ -41,18 +41,22 @@ TEST(Blobs, FaintOnesGo) {
 TEST(Blobs, HolesAreFilledAndBaysAreNot) {
     Plane<std::uint8_t> plane(size);
     paint(plane, 10, 10, 30, 30, 40);
-    paint(plane, 12, 12, 3, 3, 0);   // a hole
+    paint(plane, 12, 12, 3, 3, 0);    // a hole
     paint(plane, 20, 20, 10, 10, 0);  // one that is too large
-    paint(plane, 38, 30, 2, 4, 0);   // a bay
-    paint(plane, 0, 50, 5, 14, 40);  // a hole at the picture's edge is none
+    paint(plane, 38, 30, 2, 4, 0);    // a bay
+    paint(plane, 0, 50, 5, 14, 40);   // a hole at the picture's edge is none
     paint(plane, 0, 55, 2, 2, 0);
-    fill_holes(plane, 20, 48);
+    Plane<std::uint8_t> differences(size, 7);
+    differences.at(21, 21) = 255;
+    fill_holes(plane, differences, {.max_area = 20, .least = 8, .value = 48});
+    EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 0) << "the scene is seen through it";
+    fill_holes(plane, differences, {.max_area = 20, .least = 7, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 9);
     EXPECT_EQ(plane.at(13, 13), 48);
-    fill_holes(plane, 100, 48);
-    EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 109);
+    fill_holes(plane, differences, {.max_area = 100, .least = 9, .value = 48});
+    EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 109) << "the mean counts";
     Plane<std::uint8_t> nothing(size);
-    fill_holes(nothing, size.width * size.height, 48);
+    fill_holes(nothing, differences, {.max_area = size.width * size.height});
     EXPECT_EQ(lit(nothing), 0);
 }
 
@@ -69,7 +73,7 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
             if (shadow.at(i, j) != 0) taken.push_back({i, j, shadow.at(i, j)});
         }
     }
-    give_back_enclosed(object, taken, 16);
+    give_back_enclosed(object, taken, 16, 20);
     EXPECT_EQ(std::ranges::count(object.pixels(), 30), 50);
     EXPECT_EQ(object.at(30, 20), 30);
     EXPECT_EQ(object.at(45, 38), 0);

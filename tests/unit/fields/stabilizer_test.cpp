@@ -1,5 +1,3 @@
-#include "core/fields/stabilizer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/pipeline.h"
+#include "core/fields/stabilizer.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
 #include "tests/unit/fields/pictures.h"
