@@ -156,6 +156,27 @@ void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& s
         plane, runs, pixels_of, [&](const Pixels& p) { return p.all < min_area || p.strong < least; }, 0);
 }
 
+void restore_small_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& before, int max_area) {
+    std::vector<Run> runs = blobs_of(before);
+    std::vector<Pixels> sums(runs.size());
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const std::uint8_t* const row = plane.row(runs[k].row).data();
+        const bool at_edge = runs[k].first == 0 || runs[k].last == plane.width() || runs[k].row == 0 ||
+                             runs[k].row == plane.height() - 1;
+        // What the picture's edge cuts is not small.
+        Pixels pixels{.all = at_edge ? max_area + 1 : length(runs[k]), .strong = 0};
+        for (int i = runs[k].first; i < runs[k].last; ++i) pixels.strong += row[i] != 0 ? 1 : 0;
+        sums[root(runs, k)] += pixels;
+    }
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const Pixels& blob = sums[root(runs, k)];
+        if (blob.all > max_area || 2 * blob.strong < blob.all || blob.strong == blob.all) continue;
+        const std::span<const std::uint8_t> from = before.row(runs[k].row);
+        std::copy(from.begin() + runs[k].first, from.begin() + runs[k].last,
+                  plane.row(runs[k].row).begin() + runs[k].first);
+    }
+}
+
 void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options) {
     const auto measured = [&](const Run& gap) {
         const bool at_edge =

@@ -15,6 +15,10 @@ void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
 /// `strong` has there.
 void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
 
+/// Gives back to `plane` what it has lost of each blob of `before` that has at most `max_area` pixels, of which at
+/// least half are left and that lies within the picture.
+void restore_small_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& before, int max_area);
+
 /// Which holes are filled: what is 0 and enclosed by a blob. What touches the picture's edge is not enclosed.
 struct HoleOptions {
     int max_area = 0;          ///< pixels; larger ones stay

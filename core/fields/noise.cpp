@@ -23,6 +23,12 @@ constexpr std::size_t frame_step = 3;
 constexpr double share = 0.35;
 constexpr double to_median = 1.5;
 
+// The share of the frames in which the scene is sure to be seen where something lies for most of the clip. Noise is no
+// more than so many times what it is in them, and some levels: the rest is the thing.
+constexpr double sure_share = 0.15;
+constexpr int most_times = 4;
+constexpr int most_more = 2;
+
 }  // namespace
 
 Plane<std::uint8_t> noise_of(std::span<const Frame> frames, const Planes& scene, double smooth) {
@@ -32,12 +38,20 @@ Plane<std::uint8_t> noise_of(std::span<const Frame> frames, const Planes& scene,
         const Frame& frame = frames[k * frame_step];
         differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
     });
-    const auto last = static_cast<std::size_t>(share * static_cast<double>(differences.size() - 1));
+    const auto place_of = [&](double part) {
+        return differences.size() - static_cast<std::size_t>(part * static_cast<double>(differences.size() - 1));
+    };
     Plane<std::uint8_t> noise(scene.grey.size());
     oneapi::tbb::parallel_for(0, noise.height(), [&](int j) {
         std::vector<const std::uint8_t*> rows;
         for (const Plane<std::uint8_t>& plane : differences) rows.push_back(plane.row(j).data());
-        rank_rows(rows, rows.size() - last, noise.row(j));
+        const std::span<std::uint8_t> row = noise.row(j);
+        std::vector<std::uint8_t> sure(row.size());
+        rank_rows(rows, place_of(share), row);
+        rank_rows(rows, place_of(sure_share), sure);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = static_cast<std::uint8_t>(std::min<int>(row[i], most_times * sure[i] + most_more));
+        }
     });
     // What sways here sways beside it too.
     cv::Mat out = cv_view(noise);

@@ -23,6 +23,10 @@ constexpr double weak_share = 0.85;
 // What a thing encloses belongs to it if it differs by this share of the threshold; else the scene is seen through it.
 constexpr double hole_share = 0.25;
 
+// Times the least area. The rim of a smaller thing, where the scene shines through, is much of it and looks like a
+// shadow.
+constexpr int smalls = 4;
+
 // Thresholds in medians of the noise, at the usual threshold of 24, and how far noise may raise them there.
 constexpr double usual_threshold = 24;
 constexpr double strong_noise = 5;
@@ -118,8 +122,10 @@ Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Planes& ref
 
 Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
                                                   const Planes& empty) const {
+    const Plane<std::uint8_t> before = object;
     const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty, threshold_value_);
     if (shadow.empty()) return object;
+    restore_small_blobs(object, before, smalls * min_area_);
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
     constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
     give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
