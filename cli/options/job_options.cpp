@@ -7,6 +7,8 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
+#include "core/fields/shadows.h"
+#include "core/fields/stabilizer.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
 #include "core/fields/solvers.h"
@@ -69,6 +71,8 @@ void add_field_options(CommandLine& line, FieldOptions& options) {
     line.number(fields, options.smooth, setting::smooth);
     line.number(fields, options.min_area, setting::min_area);
     line.choice(fields, illuminations(), options.illumination, setting::illumination);
+    line.choice(fields, shadow_kinds(), options.shadows, setting::shadows);
+    line.choice(fields, stabilizers(), options.stabilize, setting::stabilize);
     line.text(fields, options.roi, setting::roi);
     line.text(fields, options.mask, setting::mask);
 

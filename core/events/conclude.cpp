@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -35,6 +36,7 @@ class Conclusion {
         join();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_pieces();
+        for (std::size_t k = 0; k < candidates_.size(); ++k) find_bearer(k);
         return listed();
     }
 
@@ -133,7 +135,9 @@ class Conclusion {
         const bool stands_only = own.settled && own.stood_from_start;
         const bool jumps =
             own.continuous < options_.continuous || (!own.settled && steadiness_of(own.path) < options_.steady_way);
-        candidate.wanted = own.seconds() >= options_.least && !jumps && (went || own.settled);
+        const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
+        candidate.wanted =
+            own.seconds() >= (inside ? options_.least_inside : options_.least) && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
@@ -230,6 +234,44 @@ class Conclusion {
         }
     }
 
+    /// Whether somebody was beside the place of a thing at a moment of the seconds before it came, or went.
+    bool was_beside(const Tracklet& bearer, const Tracklet& thing) const {
+        constexpr int samples = 8;
+        const PixelBox& place = thing.settled->patch.box;
+        for (int n = 0; n <= samples; ++n) {
+            const double seconds = thing.begin.at.seconds + just_after - n * (just_after + just_before) / samples;
+            const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
+            const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
+            if (box && box->grown(1 + box->width(), 1 + box->height() / 2).meets(place)) return true;
+        }
+        return false;
+    }
+
+    /// Nothing is put down by nobody: what appears in the middle of a scene with nobody beside it is a patch of light,
+    /// a caption, or what a codec leaves.
+    void find_bearer(std::size_t k) {
+        Candidate& candidate = candidates_[k];
+        Tracklet& own = candidate.whole;
+        const bool is_thing = candidate.kind == EventKind::left || candidate.kind == EventKind::taken;
+        if (!candidate.wanted || !is_thing || !own.settled) return;
+        if (own.from && object_of_.contains(*own.from)) return;
+        const bool was_there = own.begin.at.seconds - span_.first.seconds < options_.stay;
+        // Of few frames per second somebody may come and go between two.
+        if (was_there || span_.seconds_per_frame() > most_between) return;
+        bool any = false;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t other = 0; other < candidates_.size(); ++other) {
+            const Tracklet& bearer = candidates_[other].whole;
+            if (other == k || bearer.stood_from_start || !was_beside(bearer, own)) continue;
+            any = true;
+            const double away = glm::distance(place_at(bearer.path, own.begin.at.frame), own.settled->patch.centre);
+            if (!candidates_[other].wanted || away >= nearest) continue;
+            nearest = away;
+            own.from = bearer.number;
+        }
+        if (!any) candidate.wanted = false;
+    }
+
     /// When whoever left a thing was a length away from it for the last time before the thing went, or had gone.
     static std::optional<Moment> alone_since(const Event& thing, const Event& owner, double length) {
         if (owner.last.seconds < thing.first.seconds) return thing.first;
@@ -299,9 +341,12 @@ class Conclusion {
     static constexpr double piece_shared = 0.7;  // of its time
     static constexpr double least_group = 1.4;   // times a group is larger than one of it
     static constexpr double most_group = 3.3;
-    static constexpr double small_part = 0.7;   // of a group's area: then it was not the group yet
-    static constexpr double ghost_ratio = 1.3;  // by which the edges must be stronger on one side
-    static constexpr double least_edges = 10;   // grey levels; weaker ones are those of light and noise
+    static constexpr double small_part = 0.7;    // of a group's area: then it was not the group yet
+    static constexpr double just_before = 3;     // seconds before a thing comes to light in which its bearer was there
+    static constexpr double just_after = 0.5;    // and after
+    static constexpr double most_between = 0.5;  // seconds from frame to frame
+    static constexpr double ghost_ratio = 1.3;   // by which the edges must be stronger on one side
+    static constexpr double least_edges = 10;    // grey levels; weaker ones are those of light and noise
 
     std::vector<Tracklet> tracklets_;
     Span span_;

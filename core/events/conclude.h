@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/events/event.h"
@@ -14,6 +15,10 @@ struct Span {
     Size field;
     Moment first;
     Moment last;
+
+    double seconds_per_frame() const {
+        return (last.seconds - first.seconds) / std::max(1.0, static_cast<double>(last.frame - first.frame));
+    }
 };
 
 /// Makes events of all tracklets of a clip: joins those of one object, tells what kind each is, and leaves out what is

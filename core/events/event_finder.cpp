@@ -240,7 +240,7 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
     double together = 0;
     double largest = 0;
     for (const std::size_t k : chosen) {
-        largest = std::max(largest, tracks_[k].usual_area());
+        largest = std::max(largest, tracks_[k].area_by_now());
         together += tracks_[k].usual_area();
         templates.push_back(&tracks_[k].looked_like());
         expected.push_back(tracks_[k].template_shift_at(now));
@@ -251,7 +251,7 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
         // Anything small is like some part of a person.
-        const bool is_small = track.usual_area() < small_part * largest;
+        const bool is_small = track.area_by_now() < small_part * largest;
         if (is_small) {
             track.miss_within(now);
             if (now.seconds - track.seen().seconds > options_.lost_after) end(track, true, now);

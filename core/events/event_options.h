@@ -8,6 +8,7 @@ struct EventOptions {
     // What is an event.
     double stay = 2;               ///< seconds; who keeps a place for less has only slowed down
     double least = 0.8;            ///< seconds; what is seen for less is a blink of the light or a piece of something
+    double least_inside = 2;       ///< seconds; the same of what neither comes in nor goes out at the picture's border
     double own_lengths = 1.25;     ///< what goes less far than this flutters at its place, as a flag does
     double seen_part = 0.5;        ///< share of its frames in which a mover is seen; foliage comes and goes
     double steady_way = 0.25;      ///< cosine between steps half a second apart: leaves and rain turn back and forth

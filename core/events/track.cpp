@@ -15,10 +15,9 @@ namespace {
 constexpr double recent = 0.8;  // seconds over which the velocity is measured: about one step of a walker
 // A patch that becomes so much larger or smaller from one field to the next has met or lost something.
 constexpr double abrupt = 1.5;
-constexpr double grows_in = 2;        // seconds over which a larger size becomes the usual one
-constexpr double shrinks_in = 8;      // and a smaller one: it may be half hidden for that long
-constexpr double comes_back = 1.6;    // times its least area by which a blob is too large for who was leaving
-constexpr double whole_enough = 0.6;  // of its usual area: then it is seen well enough to learn how it looks now
+constexpr double grows_in = 2;      // seconds over which a larger size becomes the usual one
+constexpr double shrinks_in = 8;    // and a smaller one: it may be half hidden for that long
+constexpr double comes_back = 1.6;  // times its least area by which a blob is too large for who was leaving
 constexpr double too_much = 1.5;
 constexpr double unlike = 0.3;          // distance of looks of different people
 constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
@@ -29,6 +28,7 @@ constexpr double rolls_out = 1;         // seconds for which something of one co
 constexpr double no_jump = 0.3;         // of the smaller box that is common with where it was, or should be
 constexpr double goes_on = 0.5;         // lengths in `stay` seconds that are more than swaying
 constexpr double portrait_each = 0.2;   // seconds
+constexpr double in_company = 0.3;      // worth of a portrait with others in it; who is never alone has no better one
 constexpr double cut_off = 0.25;        // worth of a portrait that the border of the picture cuts
 constexpr double part_of_the_way = 0.25;  // by which a place within a shared blob corrects the velocity
 
@@ -187,9 +187,11 @@ bool Track::see_within(const Share& share, const Patch& blob, bool has_room, con
     move_to(place);
     place_at_ = now;
     pixels_ = share.patch;
-    if (false && has_room && share.patch.area >= whole_enough * usual_area_) template_ = Template(share.patch, sight);
     recent_.clear();
-    if (found) went_on(now, patch_.box, place, patch_.area);
+    if (found) {
+        went_on(now, patch_.box, place, patch_.area);
+        take_portrait(sight, patch_, now, in_company);
+    }
     return found;
 }
 
@@ -318,12 +320,12 @@ void Track::join(const Track& piece) {
     box_ = hull_of(box_, piece.box_);
 }
 
-void Track::take_portrait(const Sight& sight, const Patch& patch, const Moment& now) {
+void Track::take_portrait(const Sight& sight, const Patch& patch, const Moment& now, double worth) {
     if (now.seconds < portrait_due_) return;
     portrait_due_ = now.seconds + portrait_each;
-    const double whole = touches_border(patch.box) ? cut_off : 1;
+    if (touches_border(patch.box)) worth *= cut_off;
     const double score =
-        whole * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
+        worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
 }
 

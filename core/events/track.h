@@ -47,6 +47,8 @@ class Track {
     const Moment& seen() const { return seen_; }
     glm::dvec2 usual_size() const { return usual_size_; }
     double usual_area() const { return usual_area_; }
+    /// The same of who is coming in, and has been larger of late than usual.
+    double area_by_now() const { return std::max<double>(usual_area_, template_.patch.area); }
     std::optional<std::size_t> near() const { return near_; }
 
     /// Whether it has been seen for long enough to be more than a piece of something.
@@ -137,7 +139,7 @@ class Track {
     PixelBox moved_box_at(const Moment& now) const;
     void end_stay();
     bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
-    void take_portrait(const Sight& sight, const Patch& patch, const Moment& now);
+    void take_portrait(const Sight& sight, const Patch& patch, const Moment& now, double worth = 1);
     bool touches_border(const PixelBox& box) const;
 
     std::size_t number_;

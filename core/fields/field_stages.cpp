@@ -72,6 +72,7 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
         object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_);
     }
+    if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
     needs_age_ = flow_ != nullptr && choose(setting::seed_order.name, options.seeds.order, seed_orders()).needs_age;
     remembers_ = row_.traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous ? 1 : 0);
@@ -80,16 +81,23 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
 
 std::shared_ptr<Shot> FieldStages::begin(Frame frame) const {
     auto shot = std::make_shared<Shot>();
+    if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
     shot->frame = std::make_shared<const Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
-    if (object_ && !object_->adapts()) shot->object = object_->find(shot->smooth);
+    if (object_ && !object_->adapts()) {
+        shot->object = object_->find(shot->smooth);
+        if (shot->visible) clear_beside(*shot->visible, shot->object);
+    }
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
 }
 
 Neighbourhood FieldStages::gather(std::shared_ptr<Shot> shot) {
     if (shot) {
-        if (object_ && object_->adapts()) shot->object = object_->find_and_adapt(shot->smooth);
+        if (object_ && object_->adapts()) {
+            shot->object = object_->find_and_adapt(shot->smooth);
+            if (shot->visible) clear_beside(*shot->visible, shot->object);
+        }
         if (row_.traits.in_order) shot->foreground = filtered(*shot, nullptr, {});
         if (needs_age_) {
             const Shot* const before = last_.back().get();

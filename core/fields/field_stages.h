@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/fields/field.h"
@@ -12,12 +13,14 @@
 #include "core/fields/object.h"
 #include "core/fields/options.h"
 #include "core/fields/pipeline.h"
+#include "core/fields/stabilizer.h"
 
 namespace vvr {
 
 /// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
 struct Shot {
-    SharedFrame frame;
+    SharedFrame frame;               ///< aligned with the reference where the camera shakes
+    std::optional<Visible> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
     Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps
@@ -68,6 +71,7 @@ class FieldStages {
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
     std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object
+    std::optional<Stabilizer> stabilizer_;  ///< where the camera shakes
     bool needs_age_ = false;
     bool remembers_ = false;
     int reach_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -19,13 +20,13 @@ namespace {
 constexpr int darkest = 3;
 constexpr int brightest = 250;
 
-// Smoothed noise about a level that is cut off: from here on it is more than it seems.
+// Smoothing mixes pixels that are cut off with others: a level above this one may have been brighter in truth.
 constexpr int cut_off = 240;
 
 // Every few pixels are enough to learn a light from.
 constexpr int sampling = 3;
 
-/// Something that is believed as much as its weight.
+/// A weighted sample.
 struct Vote {
     double value;
     double weight;
@@ -44,7 +45,7 @@ double weighted_median(std::vector<Vote>& votes) {
 }
 
 /// What became of the reference's pixels of some neighbouring levels.
-class Class {
+class LevelChange {
   public:
     void add(std::uint8_t before, std::uint8_t now) {
         ++counts_[now];
@@ -69,20 +70,20 @@ class Class {
     int total_ = 0;
 };
 
-/// What the levels of a picture became, in classes.
-std::vector<Class> classes_of(const Planes& reference, const Planes& frame) {
-    constexpr int levels_a_class = 8;
+/// What the levels of a picture became, in classes of neighbouring levels.
+std::vector<LevelChange> level_changes(const Planes& reference, const Planes& frame) {
+    constexpr int levels_per_class = 8;
     constexpr int fewest = 20;
-    std::vector<Class> classes(256 / levels_a_class);
+    std::vector<LevelChange> classes(256 / levels_per_class);
     for (int j = 0; j < frame.grey.height(); j += sampling) {
         for (int i = 0; i < frame.grey.width(); i += sampling) {
             const std::uint8_t before = reference.grey.at(i, j);
             const std::uint8_t now = frame.grey.at(i, j);
             if (before < darkest || before > brightest || now < darkest || now > brightest) continue;
-            classes[before / levels_a_class].add(before, now);
+            classes[before / levels_per_class].add(before, now);
         }
     }
-    std::erase_if(classes, [](const Class& c) { return c.total() < fewest; });
+    std::erase_if(classes, [](const LevelChange& c) { return c.total() < fewest; });
     return classes;
 }
 
@@ -125,8 +126,8 @@ Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
     return result;
 }
 
-const Planes& as_it_is(const Planes& reference, const Planes&, const Light&, Planes&) {
-    return reference;
+std::optional<Planes> unchanged(const Planes&, const Planes&, const Light&) {
+    return std::nullopt;
 }
 
 std::span<const std::uint8_t> bytes(const Plane<std::uint8_t>& plane) {
@@ -149,14 +150,14 @@ void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T
     }
 }
 
-const Planes& relit_globally(const Planes& reference, const Planes& frame, const Light& light, Planes& room) {
-    if (!light.is_visible()) return reference;
-    room = in_light(reference, light);
+std::optional<Planes> relit_globally(const Planes& reference, const Planes& frame, const Light& light) {
+    if (!light.is_visible()) return std::nullopt;
+    Planes lit = in_light(reference, light);
     if (light(255) < 255) {
-        allow_for_cut_off(reference.grey, frame.grey, room.grey);
-        allow_for_cut_off(reference.colour, frame.colour, room.colour);
+        allow_for_cut_off(reference.grey, frame.grey, lit.grey);
+        allow_for_cut_off(reference.colour, frame.colour, lit.colour);
     }
-    return room;
+    return lit;
 }
 
 // Blocks of a size that a person seldom fills; a gain must then agree with its neighbours', so that a coat is not
@@ -202,35 +203,35 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     return result;
 }
 
-const Planes& relit_locally(const Planes& reference, const Planes& frame, const Light& light, Planes& room) {
-    const Planes& lit = relit_globally(reference, frame, light, room);
+std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame, const Light& light) {
+    const std::optional<Planes> globally = relit_globally(reference, frame, light);
+    const Planes& lit = globally ? *globally : reference;
     const Plane<float> blocks = local_gains(lit, frame);
     // The blocks may reach beyond the picture: enlarged as they are, then cut.
     cv::Mat gains;
     cv::resize(cv_view(blocks), gains, {blocks.width() * block, blocks.height() * block}, 0, 0, cv::INTER_LINEAR);
     gains = gains(cv::Rect(0, 0, frame.grey.width(), frame.grey.height())).clone();
-    room = {times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
-    return room;
+    return Planes{times(lit.grey, gains), lit.colour.empty() ? Plane<Bgr>{} : times(lit.colour, gains)};
 }
 
 constexpr std::array rows{
     IlluminationRow{"global", "one change for the whole picture: exposure, clouds, lamps", true, relit_globally},
     IlluminationRow{"local", "a change that varies over the picture: shadows, a lamp at one side", true, relit_locally},
-    IlluminationRow{"none", "every change of light counts", false, as_it_is},
+    IlluminationRow{"none", "every change of light counts", false, unchanged},
 };
 
 }  // namespace
 
 Light light_between(const Planes& reference, const Planes& frame) {
-    const std::vector<Class> classes = classes_of(reference, frame);
+    const std::vector<LevelChange> classes = level_changes(reference, frame);
     int places = 0;
-    for (const Class& c : classes) places += c.total();
+    for (const LevelChange& c : classes) places += c.total();
     // Where nearly all is cut off there is nothing to learn.
     const int looked_at =
         ((frame.grey.width() + sampling - 1) / sampling) * ((frame.grey.height() + sampling - 1) / sampling);
     if (places == 0 || 5 * places < looked_at) return {};
     std::vector<Change> changes;
-    for (const Class& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
+    for (const LevelChange& c : classes) changes.push_back({c.before(), c.now(), 1.0 * c.total()});
     return line_through(changes);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -23,7 +24,7 @@ struct Light {
     bool is_visible() const { return std::abs(offset) >= 1 || std::abs((*this)(255) - 255) >= 1; }
 };
 
-/// The change from `reference` to `frame`, from what became of each level of grey in most places. It stands as long
+/// The change from `reference` to `frame`, from what became of each level of grey in most places. It holds as long
 /// as objects cover less than half of the places of most levels; `Light{}` where there is nothing to learn from.
 Light light_between(const Planes& reference, const Planes& frame);
 
@@ -31,21 +32,21 @@ Light light_between(const Planes& reference, const Planes& frame);
 using Quantiles = std::array<float, 19>;
 Quantiles quantiles_of(const Plane<std::uint8_t>& grey);
 
-/// Whether the light jumps between two frames near each other: by three levels or more for most pixels. Unlike the
-/// above it compares no pixel with itself, so it stands when everything moves.
+/// Whether the light jumps between two frames near each other: by three levels or more for most pixels. Unlike
+/// `light_between` it compares no pixel with itself, so it holds when everything moves.
 bool light_jumps(const Quantiles& from, const Quantiles& to);
 
 /// A picture as it would look in another light.
 Planes in_light(const Planes& picture, const Light& light);
 
-/// One row of the illumination table: how a change of light between reference and frame is told from an object.
+/// One row of the illumination table: how to know a change of light between reference and frame from an object.
 struct IlluminationRow {
     std::string_view name;
     std::string_view help;
     bool compensates;
-    /// What the picture `reference` would look like in the light of `frame`, which has changed by `light` on the whole:
-    /// itself, or what becomes of it in `room`.
-    const Planes& (*relit)(const Planes& reference, const Planes& frame, const Light& light, Planes& room);
+    /// The picture `reference` in the light of `frame`, which has changed by `light` on the whole; nothing where it
+    /// would be the same.
+    std::optional<Planes> (*relit)(const Planes& reference, const Planes& frame, const Light& light);
 };
 
 /// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.

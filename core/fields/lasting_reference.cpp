@@ -66,7 +66,7 @@ class FirstLasting {
 };
 
 template <class Pixel>
-void correct(Reference& reference, std::span<const Frame> frames, Plane<Pixel> Frame::*plane,
+void correct(Planes& reference, std::span<const Frame> frames, Plane<Pixel> Frame::*plane,
              const Plane<Pixel>& medians) {
     const FirstLasting<Pixel> lasting(frames, plane);
     using oneapi::tbb::blocked_range;
@@ -89,9 +89,9 @@ void correct(Reference& reference, std::span<const Frame> frames, Plane<Pixel> F
 
 }  // namespace
 
-Reference lasting_reference(std::span<const Frame> frames) {
-    Reference reference = median_reference(frames);
-    const Reference medians = reference;
+Planes lasting_reference(std::span<const Frame> frames) {
+    Planes reference = median_reference(frames);
+    const Planes medians = reference;
     if (medians.colour.empty()) {
         correct(reference, frames, &Frame::grey, medians.grey);
     } else {

@@ -1,35 +1,134 @@
 #include "core/fields/object.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include "core/choice.h"
 #include "core/fields/blobs.h"
 #include "core/fields/settings.h"
 #include "core/fields/shadows.h"
 
 namespace vvr {
+namespace {
+
+constexpr int gain = 2;
+
+// What a blob is made of once a few of its pixels reach the threshold: clothes seldom differ from the floor as clearly
+// everywhere as they do somewhere.
+constexpr double weak_share = 0.85;
+
+// What a thing encloses belongs to it if it differs by this share of the threshold; else the scene is seen through it.
+constexpr double hole_share = 0.25;
+
+// Times the least area. The rim of a smaller thing, where the scene shines through, is much of it and looks like a
+// shadow.
+constexpr int smalls = 4;
+
+// Thresholds in medians of the noise, at the usual threshold of 24, and how far noise may raise them there.
+constexpr double usual_threshold = 24;
+constexpr double strong_noise = 5;
+constexpr double weak_noise = 3;
+constexpr double most_strong = 60;
+constexpr double most_weak = 36;
+
+/// The threshold of each pixel.
+Plane<std::uint8_t> thresholds(Size size, const Plane<std::uint8_t>& noise, double least, double per_noise,
+                               double highest) {
+    Plane<std::uint8_t> result(size, static_cast<std::uint8_t>(std::lround(least)));
+    if (noise.empty()) return result;
+    std::ranges::transform(noise.pixels(), result.pixels().begin(), [&](std::uint8_t median) {
+        const double level = std::max(least, std::min(per_noise * median, highest));
+        return static_cast<std::uint8_t>(std::lround(std::min(level, 255.0)));
+    });
+    return result;
+}
+
+std::uint8_t value_of(int difference) {
+    return static_cast<std::uint8_t>(std::min(gain * difference, 255));
+}
+
+/// The values of differences, 0 where they are below `weak`.
+Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plane<std::uint8_t>& weak) {
+    auto result = Plane<std::uint8_t>::for_overwrite(differences.size());
+    std::uint8_t* const out = result.pixels().data();
+    const std::uint8_t* const in = differences.pixels().data();
+    const std::uint8_t* const least = weak.pixels().data();
+    const std::size_t count = differences.pixels().size();
+    constexpr std::uint8_t half = 255 / gain;
+    // Plain byte arithmetic, so that the compiler makes vectors of it.
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t value = in[i];
+        const auto lit = static_cast<std::uint8_t>(std::min(value, half) * gain);
+        const auto shown = static_cast<std::uint8_t>(value > half ? 255 : lit);
+        out[i] = value < least[i] ? std::uint8_t{0} : shown;
+    }
+    return result;
+}
+
+void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane) {
+    if (region.empty()) return;
+    std::uint8_t* const pixels = plane.pixels().data();
+    const std::uint8_t* const inside = region.pixels().data();
+    const std::size_t count = plane.pixels().size();
+    for (std::size_t i = 0; i < count; ++i) {
+        pixels[i] = inside[i] == 0 ? std::uint8_t{0} : pixels[i];
+    }
+}
+
+}  // namespace
 
 ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
                            const Plane<std::uint8_t>& region)
     : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
-      clean_{.threshold = threshold, .gain = 2},
       min_area_(options.min_area),
-      shadows_(options.shadows),
-      region_(region),
-      reference_(smoothed(reference.grey, reference.colour, options.smooth)) {
+      least_strong_(std::clamp(options.min_area / 5, 1, 4)),
+      threshold_value_(value_of(threshold)),
+      removes_shadows_(choose(setting::shadows.name, options.shadows, shadow_kinds()).removes),
+      region_(region) {
+    static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
+    reference_.noise = reference.noise;
+    const Size size = reference.grey.size();
+    // A hole as large as a head, at the size of people in a usual picture. Whoever wants every pixel has no holes
+    // filled.
+    holes_ = {.max_area = options.min_area > 0 ? size.width * size.height / 800 : 0,
+              .least = static_cast<int>(std::lround(hole_share * threshold)),
+              .value = threshold_value_};
+    const double scale = threshold / usual_threshold;
+    weak_ = thresholds(size, reference.noise, weak_share * threshold, scale * weak_noise, scale * most_weak);
+    strong_ = thresholds(size, reference.noise, threshold, scale * strong_noise, scale * most_strong);
+    std::ranges::transform(strong_.pixels(), strong_.pixels().begin(), value_of);
     const ReferenceRow* const row = find_reference(options.reference);
     if (row != nullptr && row->adapts) running_.emplace(reference_);
 }
 
-Light ObjectFinder::light_of(const Planes& frame, const Reference& reference) const {
+Light ObjectFinder::light_of(const Planes& frame, const Planes& reference) const {
     return illumination_.compensates ? light_between(reference, frame) : Light{};
 }
 
-Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Reference& reference, const Light& light) const {
-    Planes room;
-    const Planes& empty = illumination_.relit(reference, frame, light, room);
-    Plane<std::uint8_t> object = largest_difference(frame, empty);
-    clean(object, clean_, region_);
-    if (!shadows_) remove_shadows(object, frame, empty);
-    remove_small_blobs(object, min_area_);
+Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Planes& reference, const Light& light) const {
+    const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
+    const Planes& empty = lit ? *lit : reference;
+    const Plane<std::uint8_t> differences = largest_difference(frame, empty);
+    Plane<std::uint8_t> object = values_of(differences, weak_);
+    clear_outside(region_, object);
+    remove_faint_blobs(object, strong_, least_strong_, min_area_);
+    if (removes_shadows_) object = without_shadows(std::move(object), frame, empty);
+    if (holes_.max_area > 0) fill_holes(object, differences, holes_);
+    return object;
+}
+
+Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
+                                                  const Planes& empty) const {
+    const Plane<std::uint8_t> before = object;
+    const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty, threshold_value_);
+    if (shadow.empty()) return object;
+    restore_small_blobs(object, before, smalls * min_area_);
+    remove_faint_blobs(object, strong_, least_strong_, min_area_);
+    constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
+    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
     return object;
 }
 

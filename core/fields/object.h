@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/fields/clean.h"
+#include "core/fields/blobs.h"
 #include "core/fields/illumination.h"
 #include "core/fields/options.h"
 #include "core/fields/reference.h"
@@ -11,8 +11,9 @@
 namespace vvr {
 
 /// Finds the difference object of §4 (Fig. 4a): what differs from the empty scene in any channel, by the threshold or
-/// more. Its value is twice the difference, 255 at most, because people and bags seldom differ by more than half the
-/// range.
+/// more, with what touches it and differs by a little less. Where the scene itself is restless, both are
+/// higher. Its value is twice the difference, 255 at most, because people and bags seldom differ by more than half
+/// the range.
 class ObjectFinder {
   public:
     /// \param reference the empty scene, not smoothed
@@ -31,15 +32,20 @@ class ObjectFinder {
     Plane<std::uint8_t> find_and_adapt(const Planes& frame);
 
   private:
-    Light light_of(const Planes& frame, const Reference& reference) const;
-    Plane<std::uint8_t> compare(const Planes& frame, const Reference& reference, const Light& light) const;
+    Light light_of(const Planes& frame, const Planes& reference) const;
+    Plane<std::uint8_t> compare(const Planes& frame, const Planes& reference, const Light& light) const;
+    Plane<std::uint8_t> without_shadows(Plane<std::uint8_t> object, const Planes& frame, const Planes& empty) const;
 
     const IlluminationRow& illumination_;
-    CleanOptions clean_;
     int min_area_;
-    bool shadows_;
+    int least_strong_;              ///< pixels of a blob that must reach `strong_`
+    std::uint8_t threshold_value_;  ///< of what differs by the threshold; what is less is faint
+    HoleOptions holes_;
+    bool removes_shadows_;
     const Plane<std::uint8_t>& region_;
     Reference reference_;
+    Plane<std::uint8_t> weak_;    ///< differences below it are nothing
+    Plane<std::uint8_t> strong_;  ///< values of the object; a blob without any that high is nothing
     std::optional<RunningReference> running_;
 };
 

@@ -11,7 +11,9 @@
 #include "core/fields/region.h"
 #include "core/fields/seeds.h"
 #include "core/fields/settings.h"
+#include "core/fields/shadows.h"
 #include "core/fields/solvers.h"
+#include "core/fields/stabilizer.h"
 
 namespace vvr {
 namespace {
@@ -52,6 +54,8 @@ void validate(const FrameSpan& span) {
 void validate(const FieldOptions& options) {
     find_filter(options.filter);
     choose(setting::illumination.name, options.illumination, illuminations());
+    choose(setting::shadows.name, options.shadows, shadow_kinds());
+    choose(setting::stabilize.name, options.stabilize, stabilizers());
     if (options.threshold) check(setting::threshold, *options.threshold);
     check(setting::smooth, options.smooth);
     check(setting::min_area, options.min_area);

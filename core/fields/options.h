@@ -35,7 +35,8 @@ struct FieldOptions {
     double smooth = 0.7;                  ///< σ in field pixels of the smoothing before a comparison, 0 = none
     int min_area = 20;                    ///< field pixels; blobs of fewer become 0
     std::string illumination = "global";  ///< a name in the illumination table: changes of light that don't count
-    bool shadows = false;                 ///< whether cast shadows count as objects
+    std::string shadows = "remove";       ///< a name in the table of shadows: whether cast shadows count as objects
+    std::string stabilize = "auto";       ///< a name in the table of stabilizers: what to do when the camera shakes
     std::string roi{};                    ///< where to look: polygons or a picture; empty = everywhere
     std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};

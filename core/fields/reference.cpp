@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -14,28 +16,15 @@
 #include "core/choice.h"
 #include "core/cv_view.h"
 #include "core/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/noise.h"
+#include "core/fields/rank.h"
 #include "core/fields/settings.h"
+#include "core/fields/stabilizer.h"
 #include "core/video/scaler.h"
 
 namespace vvr {
 namespace {
-
-// Finds the median bit by bit, from the highest: a bit is set when more than half of the values reach it. Every
-// loop runs along the row, so the compiler makes vectors of them; sorting each pixel's values takes 40 times as long.
-void median_row(std::span<const std::uint8_t* const> rows, std::span<std::uint8_t> median) {
-    const auto needed = static_cast<std::uint16_t>((rows.size() + 1) / 2);
-    std::vector<std::uint16_t> reached(median.size());
-    std::ranges::fill(median, std::uint8_t{0});
-    for (int bit = 128; bit != 0; bit /= 2) {
-        std::ranges::fill(reached, std::uint16_t{0});
-        for (const std::uint8_t* row : rows) {
-            for (std::size_t i = 0; i < median.size(); ++i) reached[i] += row[i] >= (median[i] | bit);
-        }
-        for (std::size_t i = 0; i < median.size(); ++i) {
-            if (reached[i] >= needed) median[i] = static_cast<std::uint8_t>(median[i] | bit);
-        }
-    }
-}
 
 std::span<std::uint8_t> bytes(std::span<std::uint8_t> row) {
     return row;
@@ -56,7 +45,7 @@ Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
     oneapi::tbb::parallel_for(0, result.height(), [&](int j) {
         std::vector<const std::uint8_t*> rows(frames.size());
         std::ranges::transform(frames, rows.begin(), [&](const Frame& f) { return first_byte((f.*plane).row(j)); });
-        median_row(rows, bytes(result.row(j)));
+        rank_rows(rows, (rows.size() + 1) / 2, bytes(result.row(j)));
     });
     return result;
 }
@@ -77,8 +66,8 @@ std::vector<Frame> in_one_light(std::vector<Frame> frames, const IlluminationRow
     return frames;
 }
 
-Reference median_of_clip(FrameSource& clip, const IlluminationRow& illumination) {
-    return lasting_reference(in_one_light(clip.sample(frames_for_median), illumination));
+std::vector<Frame> spread_over_clip(FrameSource& clip) {
+    return clip.sample(frames_for_median);
 }
 
 /// The clip's first frames, every `step`-th.
@@ -95,20 +84,27 @@ std::vector<Frame> first_frames(FrameSource& clip, int count, int step) {
     return frames;
 }
 
-Reference first_frame(FrameSource& clip, const IlluminationRow&) {
-    return median_reference(first_frames(clip, 1, 1));
+std::vector<Frame> first_frame(FrameSource& clip) {
+    return first_frames(clip, 1, 1);
 }
 
-// A stream can't be looked at to its end: two seconds of 25 frames must do to begin with.
-Reference first_seconds(FrameSource& clip, const IlluminationRow& illumination) {
-    return median_reference(in_one_light(first_frames(clip, 25, 2), illumination));
+// Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again,
+// it is the first twenty seconds, so that people who pass are gone for most of them.
+std::vector<Frame> first_seconds(FrameSource& clip) {
+    const VideoInfo& info = clip.info();
+    constexpr double seconds = 20;
+    const bool is_live = info.duration <= 0 && info.frames <= 0;
+    const double rate = info.rate > 0 ? info.rate : 25;
+    const int step = is_live ? 2 : std::clamp(static_cast<int>(seconds * rate / frames_for_median), 2, 50);
+    return first_frames(clip, frames_for_median, step);
 }
 
 constexpr std::array rows{
     ReferenceRow{"median", "each pixel's median over the clip, or of what was first where things came to stay",
-                 median_of_clip, true},
-    ReferenceRow{"first", "the first frame", first_frame},
-    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, false, true},
+                 spread_over_clip, lasting_reference, true},
+    ReferenceRow{"first", "the first frame", first_frame, median_reference},
+    ReferenceRow{"running", "the first seconds, then following slow changes", first_seconds, lasting_reference, false,
+                 true},
 };
 
 // How far the reference moves toward a frame: settled after some four seconds of 25 frames.
@@ -128,6 +124,79 @@ void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const
         if (near_object[i / channels] == 0) exact[i] += pace * (levels[i] - exact[i]);
         out[i] = static_cast<std::uint8_t>(std::lround(exact[i]));
     }
+}
+
+// Grey levels by which what stands still may vary.
+constexpr int steady_tolerance = 12;
+
+constexpr int frames_between_looks = 25;
+
+// A ghost's outline is that much clearer in the reference than in the frame; smaller steps, in grey levels, prove
+// nothing.
+constexpr double clearer = 2;
+constexpr double least_step = 8;
+
+/// How steep a picture is at and next to each pixel.
+cv::Mat steepness(const Plane<std::uint8_t>& grey) {
+    cv::Mat steep;
+    cv::morphologyEx(cv_view(grey), steep, cv::MORPH_GRADIENT, cv::Mat::ones(3, 3, CV_8U));
+    return steep;
+}
+
+/// 255 where one of the blobs of `steady` is a ghost, and `edge` pixels about it; empty where none is.
+Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<std::uint8_t>& frame,
+                                 const Plane<std::uint8_t>& reference) {
+    cv::Mat labels, boxes, centres;
+    const int count = cv::connectedComponentsWithStats(cv_view(steady), labels, boxes, centres);
+    if (count <= 1) return {};
+    cv::Mat inner;
+    cv::erode(cv_view(steady), inner, cv::Mat::ones(3, 3, CV_8U));
+    const cv::Mat here = steepness(frame);
+    const cv::Mat there = steepness(reference);
+    struct Outline {
+        double here = 0, there = 0, pixels = 0;
+    };
+    std::vector<Outline> outlines(static_cast<std::size_t>(count));
+    for (int j = 0; j < labels.rows; ++j) {
+        for (int i = 0; i < labels.cols; ++i) {
+            const int label = labels.at<int>(j, i);
+            if (label == 0 || inner.at<std::uint8_t>(j, i) != 0) continue;
+            Outline& outline = outlines[static_cast<std::size_t>(label)];
+            outline.here += here.at<std::uint8_t>(j, i);
+            outline.there += there.at<std::uint8_t>(j, i);
+            outline.pixels += 1;
+        }
+    }
+    Plane<std::uint8_t> ghosts(steady.size());
+    bool any = false;
+    for (int j = 0; j < labels.rows; ++j) {
+        for (int i = 0; i < labels.cols; ++i) {
+            const Outline& outline = outlines[static_cast<std::size_t>(labels.at<int>(j, i))];
+            if (outline.there < least_step * outline.pixels || outline.there < clearer * outline.here) continue;
+            if (labels.at<int>(j, i) == 0) continue;
+            ghosts.at(i, j) = 255;
+            any = true;
+        }
+    }
+    if (!any) return {};
+    cv::Mat out = cv_view(ghosts);
+    cv::dilate(out, out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8U));
+    return ghosts;
+}
+
+Reference learnt(FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
+    std::vector<Frame> frames =
+        in_one_light(row.look(clip), choose(setting::illumination.name, options.illumination, illuminations()));
+    Reference reference;
+    // A filter that shows the video itself, or its motion, is to show the camera's too.
+    const bool is_compared = find_filter(options.filter).traits.object;
+    const bool aligns = is_compared && choose(setting::stabilize.name, options.stabilize, stabilizers()).aligns;
+    reference.shakes = aligns && camera_shakes(frames);
+    if (reference.shakes) align(frames);
+    static_cast<Planes&>(reference) = row.scene(frames);
+    if (frames.empty()) return reference;
+    reference.noise = noise_of(frames, smoothed(reference.grey, reference.colour, options.smooth), options.smooth);
+    return reference;
 }
 
 }  // namespace
@@ -151,23 +220,25 @@ void validate_reference(const std::string& kind) {
 Reference make_reference(FrameSource& clip, const FieldOptions& options) {
     const std::string& kind = options.reference;
     validate_reference(kind);
-    if (const ReferenceRow* const row = find_reference(kind)) {
-        return row->make(clip, choose(setting::illumination.name, options.illumination, illuminations()));
-    }
+    if (const ReferenceRow* const row = find_reference(kind)) return learnt(clip, *row, options);
     SourceOptions like_clip;
     like_clip.field_size = clip.field_size();
     like_clip.colour = clip.colour();
     const auto picture = open_source(kind, like_clip);
     Frame frame = Scaler(*picture)(*picture->next());
-    return {std::move(frame.grey), std::move(frame.colour)};
+    return Planes{std::move(frame.grey), std::move(frame.colour)};
 }
 
-RunningReference::RunningReference(const Reference& start)
-    : now_(start), grey_(start.grey.pixels().begin(), start.grey.pixels().end()) {
+RunningReference::RunningReference(const Planes& start)
+    : now_(start),
+      last_level_(start.grey.size()),
+      steady_for_(start.grey.size()),
+      grey_(start.grey.pixels().begin(), start.grey.pixels().end()) {
     for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
 }
 
 void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const Light& light) {
+    let_ghosts_go(frame, object);
     Plane<std::uint8_t> near_object(object.size());
     cv::Mat out = cv_view(near_object);
     cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
@@ -176,7 +247,34 @@ void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& obj
     follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
 }
 
-Reference median_reference(std::span<const Frame> frames) {
+void RunningReference::let_ghosts_go(const Planes& frame, const Plane<std::uint8_t>& object) {
+    for (std::size_t i = 0; i < object.pixels().size(); ++i) {
+        std::uint16_t& steady = steady_for_.pixels()[i];
+        std::uint8_t& last = last_level_.pixels()[i];
+        const std::uint8_t level = frame.grey.pixels()[i];
+        const bool is_same = steady > 0 && std::abs(level - last) <= steady_tolerance;
+        if (!is_same) last = level;
+        const int count = object.pixels()[i] == 0 ? 0 : is_same ? std::min(steady + 1, 2 * ghost_frames) : 1;
+        steady = static_cast<std::uint16_t>(count);
+    }
+    if (++frames_ % frames_between_looks != 0) return;
+    Plane<std::uint8_t> steady(object.size());
+    std::ranges::transform(steady_for_.pixels(), steady.pixels().begin(),
+                           [](int frames) { return static_cast<std::uint8_t>(frames >= ghost_frames ? 255 : 0); });
+    const Plane<std::uint8_t> ghosts = ghosts_among(steady, frame.grey, now_.grey);
+    if (ghosts.empty()) return;
+    for (std::size_t i = 0; i < grey_.size(); ++i) {
+        if (ghosts.pixels()[i] == 0) continue;
+        grey_[i] = frame.grey.pixels()[i];
+        now_.grey.pixels()[i] = frame.grey.pixels()[i];
+        steady_for_.pixels()[i] = 0;
+        if (colour_.empty() || frame.colour.empty()) continue;
+        now_.colour.pixels()[i] = frame.colour.pixels()[i];
+        for (std::size_t c = 0; c < 3; ++c) colour_[3 * i + c] = frame.colour.pixels()[i][c];
+    }
+}
+
+Planes median_reference(std::span<const Frame> frames) {
     if (frames.empty()) return {};
     return {median(frames, &Frame::grey), median(frames, &Frame::colour)};
 }

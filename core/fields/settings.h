@@ -13,6 +13,8 @@ inline constexpr Setting threshold{
 inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
 inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};
+inline constexpr Setting shadows{"shadows", "NAME", "cast shadows"};
+inline constexpr Setting stabilize{"stabilize", "NAME", "a camera that shakes"};
 inline constexpr Setting roi{.name = "roi",
                              .unit = "AREA",
                              .help = "look only here: 'x,y x,y x,y; ...' in pixels of the video, or a picture",

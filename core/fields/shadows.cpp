@@ -5,16 +5,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace vvr {
 namespace {
 
 // A shadow leaves at least this share of the light, for the sky still shines there. Dark clothes leave less.
-constexpr float darkest = 0.5F;
+constexpr float darkest = 0.45F;
 
-// By how much the channels' shares may differ: the sky's light is bluer than the sun's.
-constexpr float most_tint = 0.08F;
+// By how much the channels' shares may differ.
+constexpr float most_tint = 0.07F;
+
+// And by how much those of a single pixel, which prove less.
+constexpr float least_tint = 0.06F;
+
+// A pixel with more than this is none in whatever surroundings.
+constexpr float hopeless_tint = 0.3F;
+
+// The deeper a shadow the more of its light comes from the sky, which is bluer than the sun: so much more tint is
+// allowed for the share of the light that is missing.
+constexpr float sky_tint = 0.1F;
 
 /// 1 / (level + 1), for a division takes as long as all the rest.
 constexpr std::array<float, 256> inverses() {
@@ -23,17 +34,60 @@ constexpr std::array<float, 256> inverses() {
     return table;
 }
 
-bool is_shadow(const Bgr& frame, const Bgr& empty) {
-    static constexpr std::array<float, 256> inverse = inverses();
+/// The channels' shares of the light before that are left, the smallest and the largest.
+struct Shares {
     float least = 10;
     float most = 0;
+};
+
+Shares shares_of(const Bgr& frame, const Bgr& empty) {
+    static constexpr std::array<float, 256> inverse = inverses();
+    Shares shares;
     for (std::size_t c = 0; c < 3; ++c) {
         const float share = (frame[c] + 1.F) * inverse[empty[c]];
-        least = std::min(least, share);
-        most = std::max(most, share);
+        shares.least = std::min(shares.least, share);
+        shares.most = std::max(shares.most, share);
     }
-    return least > darkest && most < 1 && most - least < most_tint;
+    return shares;
 }
+
+bool is_darker(const Shares& shares) {
+    return shares.least > darkest && shares.most < 1;
+}
+
+/// Sums of a picture's channels over a square of 5 × 5 pixels, of which every second of a row and column counts. At the
+/// picture's edges it is cut.
+std::array<int, 3> sums_about(const Plane<Bgr>& picture, int i, int j) {
+    constexpr int radius = 2;
+    std::array<int, 3> sums{};
+    for (int y = std::max(j - radius, 0); y <= std::min(j + radius, picture.height() - 1); y += 2) {
+        const Bgr* const row = picture.row(y).data();
+        for (int x = std::max(i - radius, 0); x <= std::min(i + radius, picture.width() - 1); x += 2) {
+            for (std::size_t c = 0; c < 3; ++c) sums[c] += row[x][c];
+        }
+    }
+    return sums;
+}
+
+/// Whether the pixels about it have kept their colour. Of one pixel alone compression leaves too little colour.
+bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
+    constexpr float one = 9;  // a level more in each pixel: no share of 0
+    const std::array<int, 3> now = sums_about(frame.colour, i, j);
+    const std::array<int, 3> before = sums_about(empty.colour, i, j);
+    std::array<float, 3> shares{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        shares[c] = (static_cast<float>(now[c]) + one) / (static_cast<float>(before[c]) + one);
+    }
+    const auto [least, most] = std::ranges::minmax(shares);
+    const bool bluer = shares[0] >= shares[2];
+    const float tint = most_tint + (bluer ? sky_tint * std::max(1 - most, 0.F) : 0.F);
+    return most - least < tint;
+}
+
+constexpr std::array rows{
+    ShadowRow{"remove", "what is only darker, with its colour kept, is no object", true},
+    ShadowRow{"keep", "shadows count as objects", false},
+};
 
 struct Point {
     int i, j;
@@ -62,26 +116,64 @@ std::vector<Point> points_of(const Plane<std::uint8_t>& object) {
 
 }  // namespace
 
-void remove_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty) {
-    if (frame.colour.empty() || empty.colour.empty()) return;
+std::span<const ShadowRow> shadow_kinds() {
+    return rows;
+}
+
+std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
+                                      std::uint8_t faint) {
+    if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
-    if (points.empty()) return;
+    if (points.empty()) return {};
     // The votes of the box around the points and one pixel more on each side, where nobody votes. Points come by rows.
     const auto [left, right] = std::ranges::minmax(points, {}, &Point::i);
     const int i0 = left.i - 1;
     const int j0 = points.front().j - 1;
     Plane<std::int8_t> votes({right.i - left.i + 3, points.back().j - points.front().j + 3});
     for (const auto& [i, j] : points) {
-        votes.at(i - i0, j - j0) = is_shadow(frame.colour.at(i, j), empty.colour.at(i, j)) ? 1 : -1;
+        const Shares shares = shares_of(frame.colour.at(i, j), empty.colour.at(i, j));
+        // Next to its thing a shadow has that thing's colour in its surroundings.
+        const float own_tint = object.at(i, j) < faint ? most_tint : least_tint;
+        const float tint = shares.most - shares.least;
+        const bool may_be = is_darker(shares) && tint < hopeless_tint;
+        const bool shadow = may_be && (tint < own_tint || has_kept_colour(frame, empty, i, j));
+        votes.at(i - i0, j - j0) = shadow ? 1 : -1;
     }
+    std::vector<ShadowPixel> taken;
     // One pixel proves nothing: most of those about it must look like a shadow too.
     for (const auto& [i, j] : points) {
         int sum = 0;
         for (int y = j - j0 - 1; y <= j - j0 + 1; ++y) {
             for (int x = i - i0 - 1; x <= i - i0 + 1; ++x) sum += votes.at(x, y);
         }
-        if (sum > 0) object.at(i, j) = 0;
+        // Along a thing's edge half of them are the thing's: there the pixel itself decides.
+        const bool is_taken = sum > 0 || (sum == 0 && votes.at(i - i0, j - j0) > 0);
+        if (is_taken) taken.push_back({i, j, std::exchange(object.at(i, j), std::uint8_t{0})});
     }
+    return taken;
+}
+
+void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
+                        std::uint8_t faint) {
+    const std::ptrdiff_t width = object.width();
+    /// Whether one of the next `most` pixels is an object's.
+    const auto is_object_within = [&](const std::uint8_t* from, std::ptrdiff_t step, int most) {
+        for (int k = 1; k <= std::min(most, reach); ++k) {
+            if (from[k * step] != 0) return true;
+        }
+        return false;
+    };
+    std::vector<ShadowPixel> enclosed;
+    for (const ShadowPixel& p : shadow) {
+        if (p.value < faint) continue;
+        const std::uint8_t* const here = &object.at(p.i, p.j);
+        if (!is_object_within(here, width, object.height() - 1 - p.j)) continue;
+        int missing = is_object_within(here, -1, p.i) ? 0 : 1;
+        missing += is_object_within(here, 1, object.width() - 1 - p.i) ? 0 : 1;
+        if (missing == 1) missing += is_object_within(here, -width, p.j) ? 0 : 1;
+        if (missing < 2) enclosed.push_back(p);
+    }
+    for (const ShadowPixel& p : enclosed) object.at(p.i, p.j) = p.value;
 }
 
 }  // namespace vvr

@@ -76,7 +76,7 @@ void fields() {
     options.flow.method = "none";
     EmptyScene scene;
     const Frame empty = frame_of(-60);
-    scene.reference = {empty.grey, empty.colour};
+    scene.reference = Planes{empty.grey, empty.colour};
     FieldStages work(scene, options);
     std::vector<Frame> clip;
     for (int f = 0; f < 4; ++f) clip.push_back(frame_of(f));

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "core/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
@@ -14,8 +16,8 @@ class Temporal final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
         const Light light = illumination_.compensates ? light_between(*input.previous, input.smooth) : Light{};
-        Planes room;
-        return largest_difference(input.smooth, illumination_.relit(*input.previous, input.smooth, light, room));
+        const std::optional<Planes> lit = illumination_.relit(*input.previous, input.smooth, light);
+        return largest_difference(input.smooth, lit ? *lit : *input.previous);
     }
 
   private:

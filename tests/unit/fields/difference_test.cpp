@@ -14,7 +14,7 @@ constexpr int pixels = size.width * size.height;
 
 Plane<std::uint8_t> object_in(const Frame& frame, const Frame& empty, const FieldOptions& options,
                               const Plane<std::uint8_t>& region = {}) {
-    const ObjectFinder finder(options, 24, {empty.grey, empty.colour}, region);
+    const ObjectFinder finder(options, 24, Planes{empty.grey, empty.colour}, region);
     return finder.find(smoothed(frame.grey, frame.colour, options.smooth));
 }
 
@@ -233,7 +233,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     EXPECT_EQ(object.at(15, 25), 0);
     EXPECT_NE(object.at(45, 25), 0);
     EXPECT_NE(object.at(75, 25), 0);
-    options.shadows = true;
+    options.shadows = "keep";
     EXPECT_NE(object_in(frame, empty, options).at(15, 25), 0);
 }
 

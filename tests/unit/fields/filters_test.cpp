@@ -17,7 +17,7 @@ constexpr Size size{64, 48};
 
 EmptyScene scene_of(const Frame& empty) {
     EmptyScene scene;
-    scene.reference = {empty.grey, empty.colour};
+    scene.reference = Planes{empty.grey, empty.colour};
     return scene;
 }
 

@@ -1,5 +1,6 @@
 #include "core/fields/reference.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ TEST(Reference, MedianForgetsWhoPassedBy) {
         frames.back().grey.at(4 * f, 3) = 255;
         frames.back().grey.at(4 * f + 1, 3) = 0;
     }
-    const Reference reference = median_reference(frames);
+    const Planes reference = median_reference(frames);
     const Frame empty = test::texture_frame({40, 7}, 0, 0, 0);
     EXPECT_TRUE(std::ranges::equal(reference.grey.pixels(), empty.grey.pixels()));
     EXPECT_TRUE(reference.colour.empty());
@@ -56,7 +57,7 @@ TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
         if (f < 2) frames.back().colour.at(4, 1) = {10, 10, 10};
     }
     EXPECT_EQ(median_reference(frames).grey.at(2, 2), 160);
-    const Reference reference = lasting_reference(frames);
+    const Planes reference = lasting_reference(frames);
     EXPECT_EQ(reference.colour.at(2, 2), (Bgr{90, 100, 110}));
     EXPECT_NEAR(reference.grey.at(2, 2), 101, 1);
     EXPECT_EQ(reference.colour.at(4, 1), (Bgr{90, 100, 110}));
@@ -92,6 +93,34 @@ TEST(RunningReference, LightChangesBehindObjectsToo) {
     RunningReference running(flat(100));
     running.adapt(flat(120), Plane<std::uint8_t>({40, 30}, 255), {.gain = 1.2, .offset = 5});
     EXPECT_EQ(running.now().grey.at(20, 15), 125);
+}
+
+/// A square in the middle, as an object shows it.
+Plane<std::uint8_t> square(Size picture, std::uint8_t about, std::uint8_t inside) {
+    Plane<std::uint8_t> plane(picture, about);
+    for (int j = 20; j < 40; ++j) std::fill_n(plane.row(j).begin() + 20, 20, inside);
+    return plane;
+}
+
+TEST(RunningReference, AGhostIsLetGoAndWhatWasLeftIsNot) {
+    const Size picture{64, 64};
+    const Plane<std::uint8_t> object = square(picture, 0, 120);
+    const Plane<std::uint8_t> bare(picture, 100);
+    const Plane<std::uint8_t> with_thing = square(picture, 100, 160);
+    RunningReference stood({with_thing, {}});  // who stood there while it was learnt has gone
+    RunningReference left({bare, {}});
+    for (int f = 0; f < 100; ++f) {
+        stood.adapt({bare, {}}, object, {});
+        left.adapt({with_thing, {}}, object, {});
+    }
+    EXPECT_EQ(stood.now().grey.at(30, 30), 160) << "too early to know";
+    for (int f = 0; f < 300; ++f) {
+        stood.adapt({bare, {}}, object, {});
+        left.adapt({with_thing, {}}, object, {});
+    }
+    EXPECT_EQ(stood.now().grey.at(30, 30), 100);
+    EXPECT_EQ(stood.now().grey.at(20, 20), 100);
+    EXPECT_EQ(left.now().grey.at(30, 30), 100);
 }
 
 TEST(Reference, NoFramesNoReference) {

@@ -109,7 +109,8 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
         if (bag == nullptr || near || f < facts.put_down || f >= facts.taken_up) continue;
         ++alone;
         const double iou = overlap(field.scalar, bag->mask, 4);
-        good += iou > 0.8 ? 1 : 0;
+        // What is faint beside it counts too where it touches the bag: some of its shadow, and its handle's hole.
+        good += iou > 0.75 ? 1 : 0;
         visible += iou > 0.5 ? 1 : 0;
         for (const Seed& seed : field.seeds) {
             EXPECT_GT(std::hypot(seed.x - facts.x, seed.y - facts.y), 20) << "a seed on the still bag in frame " << f;

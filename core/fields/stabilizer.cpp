@@ -1,0 +1,180 @@
+#include "core/fields/stabilizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include "core/cv_view.h"
+
+namespace vvr {
+namespace {
+
+constexpr std::array rows{
+    StabilizerRow{"auto", "where the camera shakes its motion is taken out before anything is compared", true},
+    StabilizerRow{"off", "frames are compared as they are", false},
+};
+
+// Points all over the picture, so that no object covers most of them.
+constexpr int most_points = 120;
+constexpr double least_quality = 0.01;  // of the best corner
+constexpr int points_per_side = 24;     // at most
+
+// Windows of 15 pixels at four scales find shifts of some thirty pixels.
+const cv::Size window{15, 15};
+constexpr int top_level = 3;
+
+// A tenth of a pixel is as good as noise and compression allow.
+const cv::TermCriteria accuracy{cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 12, 0.05};
+
+// Points whose shifts differ by less than this, in pixels, agree; and so many of them prove a shift.
+constexpr float tolerance = 0.75F;
+constexpr int fewest_agreeing = 8;
+constexpr double least_agreeing = 0.25;  // of the points that were found again
+
+// From here on, in pixels, edges light up.
+constexpr double least_shake = 0.5;
+
+// Of the frames that the reference is learnt from, so many tell whether the camera shakes.
+constexpr std::size_t frames_to_tell = 6;
+
+/// The mean of the shifts on which most agree.
+Shift most_agreed(const std::vector<cv::Point2f>& shifts) {
+    const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
+        return std::abs(a.x - b.x) < tolerance && std::abs(a.y - b.y) < tolerance;
+    };
+    std::ptrdiff_t most = 0;
+    cv::Point2f best;
+    for (const cv::Point2f& candidate : shifts) {
+        const auto count = std::ranges::count_if(shifts, [&](const cv::Point2f& s) { return agree(s, candidate); });
+        if (count > most) {
+            most = count;
+            best = candidate;
+        }
+    }
+    const double needed = std::max<double>(fewest_agreeing, least_agreeing * static_cast<double>(shifts.size()));
+    if (static_cast<double>(most) < needed) return {};
+    Shift mean;
+    for (const cv::Point2f& shift : shifts) {
+        if (!agree(shift, best)) continue;
+        mean.x += shift.x / static_cast<double>(most);
+        mean.y += shift.y / static_cast<double>(most);
+    }
+    return mean;
+}
+
+double median_of(std::span<const Shift> shifts, double Shift::*part) {
+    std::vector<double> values;
+    for (const Shift& shift : shifts) values.push_back(shift.*part);
+    const auto half = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, half);
+    return *half;
+}
+
+bool is_visible(const Shift& shift) {
+    return std::hypot(shift.x, shift.y) >= least_shake;
+}
+
+template <class T>
+void move_back(Plane<T>& plane, const Plane<T>& background, const Shift& shift) {
+    if (plane.empty() || background.empty()) return;
+    Plane<T> moved = background;
+    cv::Mat out = cv_view(moved);
+    const cv::Matx23d move(1, 0, shift.x, 0, 1, shift.y);
+    cv::warpAffine(cv_view(plane), out, move, out.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                   cv::BORDER_TRANSPARENT);
+    plane = std::move(moved);
+}
+
+Planes planes_of(const Frame& frame) {
+    return {frame.grey, frame.colour};
+}
+
+}  // namespace
+
+std::span<const StabilizerRow> stabilizers() {
+    return rows;
+}
+
+/// What is recognised of the reference.
+struct Stabilizer::Landmarks {
+    std::vector<cv::Mat> pyramid;
+    std::vector<cv::Point2f> points;
+
+    explicit Landmarks(const Plane<std::uint8_t>& picture) {
+        const cv::Mat grey = cv_view(picture);
+        const double apart = std::max(picture.width(), picture.height()) / double{points_per_side};
+        cv::goodFeaturesToTrack(grey, points, most_points, least_quality, apart);
+        cv::buildOpticalFlowPyramid(grey, pyramid, window, top_level);
+    }
+};
+
+Stabilizer::Stabilizer(const Planes& reference)
+    : reference_(reference), landmarks_(std::make_unique<const Landmarks>(reference_.grey)) {}
+
+Stabilizer::~Stabilizer() = default;
+
+Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
+    const std::vector<cv::Point2f>& points = landmarks_->points;
+    if (points.empty()) return {};
+    std::vector<cv::Point2f> found;
+    std::vector<unsigned char> is_found;
+    cv::calcOpticalFlowPyrLK(landmarks_->pyramid, cv_view(grey), points, found, is_found, cv::noArray(), window,
+                             top_level, accuracy);
+    std::vector<cv::Point2f> shifts;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (is_found[k] != 0) shifts.push_back(found[k] - points[k]);
+    }
+    return most_agreed(shifts);
+}
+
+Visible Stabilizer::align(Frame& frame, const Shift& shift) const {
+    const int width = frame.grey.width();
+    const int height = frame.grey.height();
+    move_back(frame.grey, reference_.grey, shift);
+    move_back(frame.colour, reference_.colour, shift);
+    const auto cut = [](double edge, int most) { return std::clamp(static_cast<int>(std::ceil(edge)), 0, most); };
+    return {.left = cut(-shift.x, width),
+            .right = width - cut(shift.x, width),
+            .top = cut(-shift.y, height),
+            .bottom = height - cut(shift.y, height)};
+}
+
+void clear_beside(const Visible& visible, Plane<std::uint8_t>& plane) {
+    for (int j = 0; j < plane.height(); ++j) {
+        const std::span<std::uint8_t> row = plane.row(j);
+        const bool seen = j >= visible.top && j < visible.bottom;
+        std::fill(row.begin(), row.begin() + (seen ? visible.left : plane.width()), std::uint8_t{0});
+        std::fill(row.begin() + visible.right, row.end(), std::uint8_t{0});
+    }
+}
+
+bool camera_shakes(std::span<const Frame> frames) {
+    if (frames.size() < 2) return false;
+    const Stabilizer stabilizer(planes_of(frames.front()));
+    const std::size_t count = std::min(frames.size() - 1, frames_to_tell);
+    std::array<char, frames_to_tell> moved{};
+    oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        moved[k] = is_visible(stabilizer.shift_of(frames[1 + k * (frames.size() - 1) / count].grey)) ? 1 : 0;
+    });
+    // One frame alone may be damaged.
+    return std::ranges::count(moved, 1) >= 2;
+}
+
+void align(std::span<Frame> frames) {
+    if (frames.empty()) return;
+    const Stabilizer stabilizer(planes_of(frames.front()));
+    std::vector<Shift> shifts(frames.size());
+    const auto each = [&](const auto& work) { oneapi::tbb::parallel_for(std::size_t{0}, frames.size(), work); };
+    each([&](std::size_t k) { shifts[k] = stabilizer.shift_of(frames[k].grey); });
+    const Shift middle{median_of(shifts, &Shift::x), median_of(shifts, &Shift::y)};
+    each([&](std::size_t k) { stabilizer.align(frames[k], {shifts[k].x - middle.x, shifts[k].y - middle.y}); });
+}
+
+}  // namespace vvr

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/fields/pipeline.h"
+#include "core/fields/stabilizer.h"
+#include "tests/scene/scene.h"
+#include "tests/scene/scene_source.h"
+#include "tests/unit/fields/pictures.h"
+
+namespace vvr {
+namespace {
+
+constexpr Size size{192, 144};
+
+Frame rough(double dx, double dy) {
+    return {0, 0, test::grey_plane(size, [&](int i, int j) { return test::rough_texture(i - dx, j - dy); }), {}};
+}
+
+Planes planes_of(const Frame& frame) {
+    return {frame.grey, frame.colour};
+}
+
+TEST(Stabilizer, FindsAShift) {
+    const Stabilizer stabilizer(planes_of(rough(0, 0)));
+    for (const auto& [x, y] : {Shift{0, 0}, Shift{0.4, -0.3}, Shift{6, -6}, Shift{-5.5, 3.25}, Shift{14, 9}}) {
+        const Shift found = stabilizer.shift_of(rough(x, y).grey);
+        EXPECT_NEAR(found.x, x, 0.1);
+        EXPECT_NEAR(found.y, y, 0.1);
+    }
+}
+
+TEST(Stabilizer, WhatMovesByItselfIsNotTheCamera) {
+    const Stabilizer stabilizer(planes_of(rough(0, 0)));
+    Frame frame = rough(4, -3);
+    const Frame crowd = rough(-7, 2);
+    for (int j = 0; j < size.height; ++j) {  // four tenths of the picture
+        std::copy_n(crowd.grey.row(j).begin(), 4 * size.width / 10, frame.grey.row(j).begin());
+    }
+    const Shift found = stabilizer.shift_of(frame.grey);
+    EXPECT_NEAR(found.x, 4, 0.2);
+    EXPECT_NEAR(found.y, -3, 0.2);
+}
+
+TEST(Stabilizer, NothingToSeeIsNoShift) {
+    const Stabilizer stabilizer({test::flat_frame(size, 0, 90).grey, {}});
+    const Shift shift = stabilizer.shift_of(rough(3, 3).grey);
+    EXPECT_EQ(shift.x, 0);
+    EXPECT_EQ(shift.y, 0);
+}
+
+TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
+    const Frame here = rough(0, 0);
+    const Stabilizer stabilizer(planes_of(here));
+    Frame frame = rough(5, -3);
+    const Visible visible = stabilizer.align(frame, {5, -3});
+    EXPECT_EQ(visible.left, 0);
+    EXPECT_EQ(visible.right, size.width - 5);
+    EXPECT_EQ(visible.top, 3);
+    EXPECT_EQ(visible.bottom, size.height);
+    for (int j = 0; j < size.height; ++j) {
+        for (int i = 0; i < size.width; ++i) {
+            ASSERT_NEAR(frame.grey.at(i, j), here.grey.at(i, j), 1) << i << ", " << j;
+        }
+    }
+    Plane<std::uint8_t> plane(size, 7);
+    clear_beside(visible, plane);
+    EXPECT_EQ(std::ranges::count(plane.pixels(), 7), (size.width - 5) * (size.height - 3));
+    EXPECT_EQ(plane.at(0, 2), 0);
+    EXPECT_EQ(plane.at(0, 3), 7);
+}
+
+/// Where the camera looks at a frame: up to six pixels to each side, and still for the clip's first tenth.
+Shift shake_at(int frame, int frames) {
+    if (10 * frame < frames) return {0, 0};
+    return {6 * std::sin(1.7 * frame) * std::cos(0.31 * frame), 6 * std::cos(2.3 * frame + 1)};
+}
+
+/// A picture between its pixels; beyond its edges it goes on as there.
+Bgr level_at(const Plane<Bgr>& picture, double x, double y) {
+    const int i = static_cast<int>(std::floor(x));
+    const int j = static_cast<int>(std::floor(y));
+    const double s = x - i, t = y - j;
+    const auto pixel = [&](int u, int v) {
+        return picture.at(std::clamp(u, 0, picture.width() - 1), std::clamp(v, 0, picture.height() - 1));
+    };
+    Bgr result;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double above = pixel(i, j)[c] * (1 - s) + pixel(i + 1, j)[c] * s;
+        const double below = pixel(i, j + 1)[c] * (1 - s) + pixel(i + 1, j + 1)[c] * s;
+        result[c] = static_cast<std::uint8_t>(std::lround(above * (1 - t) + below * t));
+    }
+    return result;
+}
+
+/// A scene seen by a camera that shakes.
+class Shaken final : public scene::Story {
+  public:
+    explicit Shaken(scene::Scene still) : still_(std::move(still)) {}
+
+    Plane<Bgr> paint(int frame) const override {
+        const Plane<Bgr> picture = still_.frame(frame);
+        const Shift shift = shake_at(frame, still_.frames());
+        Plane<Bgr> moved(picture.size());
+        for (int j = 0; j < moved.height(); ++j) {
+            for (int i = 0; i < moved.width(); ++i) moved.at(i, j) = level_at(picture, i - shift.x, j - shift.y);
+        }
+        return moved;
+    }
+
+    scene::Truth truth(int frame) const override { return still_.truth(frame); }
+
+  private:
+    scene::Scene still_;
+};
+
+std::vector<Field> fields_of(const scene::Scene& scene, const FieldOptions& options) {
+    SourceOptions colour;
+    colour.colour = true;
+    std::vector<Field> fields;
+    compute_fields(*scene::open_scene(scene, colour), options,
+                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
+    return fields;
+}
+
+/// How well fields show what moves: 2 · both / (shown + there), over all frames.
+double f_measure(const std::vector<Field>& fields, const scene::Scene& truth) {
+    double both = 0, shown = 0, there = 0;
+    for (const Field& field : fields) {
+        Plane<std::uint8_t> mask(truth.size());
+        for (const scene::Object& object : truth.truth(static_cast<int>(field.index)).objects) {
+            for (std::size_t i = 0; i < mask.pixels().size(); ++i) mask.pixels()[i] |= object.mask.pixels()[i];
+        }
+        for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+            const bool is_shown = field.scalar.pixels()[i] != 0;
+            const bool is_there = mask.pixels()[i] != 0;
+            both += is_shown && is_there ? 1 : 0;
+            shown += is_shown ? 1 : 0;
+            there += is_there ? 1 : 0;
+        }
+    }
+    return 2 * both / (shown + there);
+}
+
+FieldOptions without_flow(const char* stabilize, const char* reference = "median") {
+    FieldOptions options;
+    options.flow.method = "none";
+    options.stabilize = stabilize;
+    options.reference = reference;
+    return options;
+}
+
+TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
+    scene::Options options;
+    options.frames = 120;
+    options.noise = 2;
+    const scene::Scene still = scene::make_walkers(options);
+    const scene::Scene shaken({.frames = options.frames}, std::make_shared<Shaken>(still));
+    const double best = f_measure(fields_of(still, without_flow("auto")), still);
+    for (const char* const reference : {"median", "running"}) {
+        const double aligned = f_measure(fields_of(shaken, without_flow("auto", reference)), still);
+        const double as_it_is = f_measure(fields_of(shaken, without_flow("off", reference)), still);
+        EXPECT_GT(aligned, best - 0.1) << reference << " best " << best;
+        EXPECT_LT(as_it_is, aligned - 0.2) << reference;
+    }
+}
+
+TEST(ShakingCamera, AStillOneIsLeftAlone) {
+    scene::Options options;
+    options.frames = 60;
+    options.noise = 3;
+    options.drift = 20;
+    for (const scene::Scene& scene : {scene::make_walkers(options), scene::make_left_bag(options)}) {
+        const std::vector<Field> aligned = fields_of(scene, without_flow("auto"));
+        const std::vector<Field> as_it_is = fields_of(scene, without_flow("off"));
+        ASSERT_EQ(aligned.size(), as_it_is.size());
+        for (std::size_t f = 0; f < aligned.size(); ++f) {
+            ASSERT_TRUE(std::ranges::equal(aligned[f].scalar.pixels(), as_it_is[f].scalar.pixels())) << f;
+        }
+    }
+}
+
+TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
+    scene::Options options;
+    options.frames = 40;
+    const scene::Scene shaken({.frames = options.frames}, std::make_shared<Shaken>(scene::make_walkers(options)));
+    FieldOptions fields = without_flow("auto");
+    fields.threads = 1;
+    const std::vector<Field> one = fields_of(shaken, fields);
+    fields.threads = 5;
+    const std::vector<Field> five = fields_of(shaken, fields);
+    ASSERT_EQ(one.size(), five.size());
+    for (std::size_t f = 0; f < one.size(); ++f) {
+        ASSERT_TRUE(std::ranges::equal(one[f].scalar.pixels(), five[f].scalar.pixels())) << f;
+    }
+}
+
+}  // namespace
+}  // namespace vvr
