@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
+#include "core/machine_memory.h"
 
 namespace vvr {
 
@@ -74,6 +76,12 @@ std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const W
     return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
+/// OpenGL's memory is given back before the libraries that encode pictures take as much.
+void close(Drawing& drawing) {
+    { const Drawing closed = std::move(drawing); }
+    give_back_freed();
+}
+
 /// All after the fields: draws each picture and gives it to the sink.
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
@@ -119,6 +127,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
         Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);
         report.stages.end("draw");
         report.pictures = i + 1;
+        if (report.pictures == products.pictures) close(drawing);
         sink(report, i, std::move(picture));
         report.stages.end("write");
     }
