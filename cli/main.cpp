@@ -5,8 +5,10 @@
 #include "cli/log.h"
 #include "cli/report_errors.h"
 #include "cli/signals.h"
+#include "core/machine_memory.h"
 
 int main(int argc, char** argv) {
+    vvr::keep_freed_planes();
     const auto log = vvr::make_log();
     return static_cast<int>(vvr::report_errors(*log, [&] {
         vvr::Signals signals;

@@ -1,11 +1,25 @@
 #include "core/machine_memory.h"
 
+#include <malloc.h>
 #include <unistd.h>
 
 namespace vvr {
 
 std::int64_t machine_memory() {
     return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+}
+
+void keep_freed_planes() {
+    constexpr int larger_than_a_plane = 2 << 20;
+    // One heap for all threads: planes are freed by other threads than those that took them, and each heap would keep
+    // its own.
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
+    mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
+}
+
+void give_back_freed() {
+    malloc_trim(0);
 }
 
 }  // namespace vvr

@@ -7,4 +7,11 @@ namespace vvr {
 /// Bytes of the machine's memory; 0 or less = unknown.
 std::int64_t machine_memory();
 
+/// Has the process keep the memory of the planes that come and go by the frame, instead of giving it back and touching
+/// it anew. Larger things go back at once.
+void keep_freed_planes();
+
+/// Gives the system back what the process has freed and kept.
+void give_back_freed();
+
 }  // namespace vvr

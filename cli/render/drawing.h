@@ -11,7 +11,7 @@ namespace vvr {
 
 /// What draws the pictures of a job. It is made, used and closed on one thread (cli/render/render_thread.h).
 struct Drawing {
-    std::unique_ptr<Context> context;
+    std::shared_ptr<Context> context;
     std::unique_ptr<Layout> layout;
     Framing framing;
     std::unique_ptr<Renderer> renderer;

@@ -1,10 +1,10 @@
 #include "cli/render/picture_output.h"
 
 #include <span>
+#include <utility>
 
 #include "core/fit_into.h"
 #include "core/image/atomic_file.h"
-#include "core/image/codec.h"
 #include "core/image/resized.h"
 
 namespace vvr {
@@ -26,27 +26,23 @@ PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
     } else {
         check_picture_path(name_.at(0));
     }
-    if (is_animation(options.path)) {
-        animation_.emplace(options.path, pictures_per_second);
-    } else {
-        loading_ = std::async(std::launch::async, [] { picture_codec(); });
-    }
+    if (is_animation(options.path)) animation_.emplace(options.path, pictures_per_second);
 }
 
-void PictureOutput::add(int number, const Picture& picture, const Metadata& metadata) {
+void PictureOutput::add(int number, Picture picture, const Metadata& metadata) {
     if (name_.path().empty()) return;
     if (animation_) {
         animation_->add(picture);
         return;
     }
     const auto held = observer_.guard();
-    write_picture(name_.at(number), picture, metadata);
+    write_picture(name_.at(number), std::move(picture), metadata);
 }
 
 void PictureOutput::add_thumbnail(const Picture& picture) {
     if (thumbnail_.empty()) return;
-    const Picture small{resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)), picture.encoding};
-    const std::vector<std::byte> encoded = encode_picture(thumbnail_, small, {}, thumbnail_quality);
+    Picture small{resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)), picture.encoding};
+    const std::vector<std::byte> encoded = encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
     replace_file(thumbnail_, encoded);
 }

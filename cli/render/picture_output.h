@@ -1,6 +1,5 @@
 #pragma once
 
-#include <future>
 #include <optional>
 #include <string>
 
@@ -19,7 +18,7 @@ class PictureOutput {
     /// \throws Error usage or io
     PictureOutput(const OutputOptions& options, Observer& observer);
 
-    void add(int number, const Picture& picture, const Metadata& metadata);
+    void add(int number, Picture picture, const Metadata& metadata);
 
     /// The picture once more, small, where that is asked for.
     void add_thumbnail(const Picture& picture);
@@ -36,7 +35,6 @@ class PictureOutput {
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
     std::optional<AnimationFile> animation_;
-    std::future<void> loading_;  ///< of the library that encodes pictures, while the clip is read
 };
 
 }  // namespace vvr

@@ -89,9 +89,12 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     const PictureSink write = [&](const RenderReport& report, int number, Picture&& picture) {
         const Metadata record = record_of(job, report, products.series);
         if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
-        if (!is_page(job.output.path)) pictures.add(number, picture, record);
         pictures.add_thumbnail(picture);
-        if (watched == nullptr) return;
+        if (watched == nullptr) {
+            pictures.add(number, std::move(picture), record);
+            return;
+        }
+        if (!is_page(job.output.path)) pictures.add(number, picture, record);
         pictures.add_page(page_text(page, job.input.names.front(), job.look.title, report, std::move(picture), record,
                                     watched->take()));
     };

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
@@ -14,6 +15,7 @@
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
+#include "core/machine_memory.h"
 
 namespace vvr {
 
@@ -117,6 +119,12 @@ Plane<Bgr> scene_of(const Fields& fields) {
     return picture_of(Frame{0, 0, scene.grey, scene.colour});
 }
 
+/// OpenGL's memory is given back before the libraries that encode pictures take as much.
+void close(Drawing& drawing) {
+    { const Drawing closed = std::move(drawing); }
+    give_back_freed();
+}
+
 /// All after the fields: draws each picture and gives it to the sink.
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
@@ -173,6 +181,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
         Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);
         report.stages.end("draw");
         report.pictures = i + 1;
+        if (report.pictures == products.pictures) close(drawing);
         sink(report, i, std::move(picture));
         report.stages.end("write");
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -162,8 +163,8 @@ void check_picture_path(const std::filesystem::path& path) {
     check_file_path(path);
 }
 
-std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Picture& picture,
-                                      const Metadata& metadata, int jpeg_quality) {
+std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata,
+                                      int jpeg_quality) {
     const Format& format = format_of(path);
     const bool opaque = std::ranges::all_of(picture.pixels.pixels(), [](const Rgba& pixel) { return pixel.a >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
@@ -173,6 +174,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
     if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     if (format.stored == Stored::uint8) {
         const std::vector<std::uint8_t> values = bytes_of(picture, channels);
+        picture = {};
         file.values = std::as_bytes(std::span(values));
         return picture_codec().encode(file);
     }
@@ -186,6 +188,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
     }
     const std::vector<float> values =
         floats_of(picture, picture.encoding == Encoding::linear && !linear, channels, pixel_data);
+    picture = {};
     file.values = std::as_bytes(std::span(values));
     return picture_codec().encode(file);
 }
@@ -198,9 +201,9 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
     return picture_codec().encode(file);
 }
 
-void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata) {
+void write_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata) {
     // Encoded in memory: then every byte goes through our own checked write, and no library's opinion of a full disk.
-    replace_file(path, encode_picture(path, picture, metadata));
+    replace_file(path, encode_picture(path, std::move(picture), metadata));
 }
 
 Metadata settings_of(const Samples& file) {

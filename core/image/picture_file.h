@@ -30,8 +30,9 @@ bool holds_pixel_data(const std::filesystem::path& path);
 /// into the file. Formats of integers hold sRGB, so linear values are converted.
 /// \param jpeg_quality 1..100
 /// \throws Error usage for an ending that is not in the table of formats, io for a picture too large for the format
-std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Picture& picture,
-                                      const Metadata& metadata = {}, int jpeg_quality = 95);
+/// The picture is taken by value: one that is moved here is freed before it is encoded.
+std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata = {},
+                                      int jpeg_quality = 95);
 
 /// The same for a frame, in a format of 8-bit values.
 std::vector<std::byte> encode_picture(const std::filesystem::path& path, const Plane<Bgr>& picture,
@@ -39,7 +40,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, const P
 
 /// Writes what `encode_picture` makes. The target is replaced as a whole or not touched at all.
 /// \throws Error usage or io, as `check_picture_path` does, and io when the disk is full
-void write_picture(const std::filesystem::path& path, const Picture& picture, const Metadata& metadata = {});
+void write_picture(const std::filesystem::path& path, Picture picture, const Metadata& metadata = {});
 
 /// The settings that `write_picture` left in a file.
 Metadata settings_of(const Samples& file);

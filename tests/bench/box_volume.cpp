@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -36,18 +37,18 @@ nlohmann::json colours(const TransferFunction& transfer) {
 }
 
 void compare_box(const std::filesystem::path& folder, const std::string& backend, int runs) {
-    const auto context = open_context(backend);
+    const std::shared_ptr<Context> context = open_context(backend);
     const Volume volume = bench::left_bag_volume("difference");
-    RenderOptions options;
-    options.size = {800, 600};
-    options.view = {-20, 25, 30, 0.04};
+    RenderJob job = bench::paper_job({800, 600}, 8);
+    job.layout = "box";
+    job.picture.view = {-20, 25, 30, 0.04};
     const double voxel = shape_for(volume.size()).y_s / volume.size().height;
     {
-        bench::Drawing probe(*context, volume, "box", 1, options);
+        bench::Drawing probe(context, volume, job);
         const SliceStack stack = probe.renderer().slices(probe.window(), probe.renderer().camera());
-        options.slices = static_cast<int>(std::ceil(stack.count * stack.spacing / voxel));
+        job.picture.slices = static_cast<int>(std::ceil(stack.count * stack.spacing / voxel));
     }
-    bench::Drawing drawing(*context, volume, "box", 8, options);
+    bench::Drawing drawing(context, volume, job);
     Renderer& renderer = drawing.renderer();
     write_picture(folder / "vvr.png", to_picture(renderer.draw(drawing.window())));
     const auto seconds = bench::in_turn({{{}, [&] { drawing.draw(); }}}, runs);
@@ -65,7 +66,7 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
     const Camera& camera = renderer.camera();
     const glm::dvec3 far_corner = drawing.layout().p_from_c({1, 1, 1});
     const nlohmann::json scene{{"voxels", {volume.size().width, volume.size().height, volume.layers()}},
-                               {"size", {options.size.width, options.size.height}},
+                               {"size", {job.picture.size.width, job.picture.size.height}},
                                {"low", as_json(drawing.layout().p_from_c({0, 0, 0}))},
                                {"high", as_json(far_corner)},
                                {"eye", as_json(camera.eye)},
@@ -73,7 +74,7 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
                                {"scale", camera.projection[1][1]},
                                {"shift", {camera.projection[2][0], camera.projection[2][1]}},
                                {"step", voxel},
-                               {"slices", options.slices},
+                               {"slices", job.picture.slices},
                                {"colours", colours(default_transfer_function())},
                                {"renderer", context->renderer()},
                                {"seconds", seconds.front()}};

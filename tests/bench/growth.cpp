@@ -31,21 +31,19 @@ struct Point {
     Size size;
 };
 
-bench::Drawing drawing_of(const Context& context, const Point& point) {
-    RenderOptions options;
-    options.size = point.size;
-    return {context, *point.volume, "horseshoe", point.bricks, options};
+bench::Drawing drawing_of(const std::shared_ptr<Context>& context, const Point& point) {
+    return {context, *point.volume, bench::paper_job(point.size, point.bricks)};
 }
 
 /// What the renderer holds to draw a point and read its picture back, beside the volume itself.
-double megabytes_of(const Context& context, const Point& point) {
+double megabytes_of(const std::shared_ptr<Context>& context, const Point& point) {
     const bench::PeakMemory peak;
     bench::Drawing drawing = drawing_of(context, point);
     drawing.renderer().draw(drawing.window());
     return peak.megabytes();
 }
 
-nlohmann::json measure(const Context& context, const std::vector<Point>& points, int runs) {
+nlohmann::json measure(const std::shared_ptr<Context>& context, const std::vector<Point>& points, int runs) {
     std::vector<double> megabytes;
     for (const Point& point : points) megabytes.push_back(megabytes_of(context, point));
     std::vector<std::unique_ptr<bench::Drawing>> drawings;
@@ -62,7 +60,7 @@ nlohmann::json measure(const Context& context, const std::vector<Point>& points,
     return curve;
 }
 
-nlohmann::json measure_all(const Context& context, int runs, double scale) {
+nlohmann::json measure_all(const std::shared_ptr<Context>& context, int runs, double scale) {
     const int frames = bench::scaled(1600, scale);
     const Size common_size = bench::scaled(Size{800, 600}, scale);
     const Volume bag = bench::left_bag_volume("difference", scale);
@@ -90,7 +88,7 @@ nlohmann::json measure_all(const Context& context, int runs, double scale) {
     std::vector<Point> occupied;
     for (std::size_t i = 0; i < shares.size(); ++i) occupied.push_back({shares[i], &lit[i], 8, common_size});
 
-    return {{"renderer", context.renderer()},           {"version", context.version()},
+    return {{"renderer", context->renderer()},          {"version", context->version()},
             {"pixels", measure(context, pixels, runs)}, {"bricks", measure(context, bricks, runs)},
             {"voxels", measure(context, voxels, runs)}, {"occupied", measure(context, occupied, runs)}};
 }
@@ -99,10 +97,10 @@ nlohmann::json measure_all(const Context& context, int runs, double scale) {
 
 int main(int argc, char** argv) {
     try {
-        const auto context = open_context(argc > 1 ? argv[1] : "auto");
+        const std::shared_ptr<Context> context = open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 5;
         const double scale = argc > 3 ? std::stod(argv[3]) : 1;
-        fmt::print("{}\n", measure_all(*context, runs, scale).dump());
+        fmt::print("{}\n", measure_all(context, runs, scale).dump());
     } catch (const std::exception& error) {
         fmt::print(stderr, "growth: {}\n", error.what());
         return 1;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/fields/pipeline.h"
+#include "core/fields/field_source.h"
+#include "tests/bench/drawing.h"
 #include "tests/bench/scale.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
@@ -15,12 +16,14 @@ Volume left_bag_volume(const std::string& filter, double scale) {
     scene.size = scaled(scene.size, scale);
     SourceOptions in_colour;
     in_colour.colour = true;
-    const auto source = scene::open_scene(scene::make_left_bag(scene), in_colour);
     FieldOptions options;
     options.filter = filter;
-    options.flow.every = 16;
-    Volume volume(source->field_size(), scene.frames, 1, options.flow.every);
-    compute_fields(*source, options, [&](const SharedFrame&, Field&& field) { volume.add(field); });
+    ClipFields fields(scene::open_scene(scene::make_left_bag(scene), in_colour), options);
+    const RenderJob job = paper_job({}, 1, {Part::volume, Part::arrows, Part::tracelines});
+    const FieldNeeds needs = needs_of(job, fields, scene.frames);
+    Volume volume(fields.field_size(), scene.frames, 1, needs.every);
+    volume.keep_flow();
+    fields.read(needs, [&](const SharedFrame&, const Field& field) { volume.add(field); });
     return volume;
 }
 

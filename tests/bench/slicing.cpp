@@ -27,6 +27,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program_sources.h"
 #include "gl/volume_slicer.h"
+#include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
 #include "tests/bench/scale.h"
@@ -72,26 +73,23 @@ ProgramSource bare_program(const char* name, const Layout& layout, std::string_v
 
 /// A volume in k bricks, as the renderer holds it, and where it is seen from.
 struct Bricks {
-    Bricks(const GladGLContext& gl, const Volume& volume, Size picture)
-        : layout(make_layout("horseshoe", shape_for(volume.size()))),
-          camera(fit_camera({}, outline_points(*layout), picture)),
-          stack(stack_slices(camera, *layout, 0, 2 * layout->shape().y_s / volume.size().height)),
-          window(gl, *layout, volume.layers(), k) {
-        window.show(volume, cut_into(volume.layers(), k));
-    }
+    Bricks(const std::shared_ptr<Context>& context, const Volume& volume, Size picture)
+        : drawing(context, volume, bench::paper_job(picture, k)),
+          camera(drawing.renderer().camera()),
+          stack(drawing.renderer().slices(drawing.window(), camera)) {}
 
-    std::vector<SliceMesh> cut_all() const {
+    std::vector<SliceMesh> cut_all() {
         std::vector<SliceMesh> meshes;
-        for (std::size_t i = 0; i < window.cells().size(); ++i) {
-            meshes.push_back(cut_slices(window.cells(), i, *layout, default_transfer_function(), camera, stack));
+        const auto cells = drawing.window().cells();
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            meshes.push_back(cut_slices(cells, i, drawing.layout(), default_transfer_function(), camera, stack));
         }
         return meshes;
     }
 
-    std::unique_ptr<Layout> layout;
+    bench::Drawing drawing;
     Camera camera;
     SliceStack stack;
-    BrickWindow window;
 };
 
 /// The polygons of all slices, cut once and kept where OpenGL has them at hand: what is timed is only their drawing.
@@ -99,8 +97,8 @@ class ReadyPolygons {
   public:
     ReadyPolygons(const GladGLContext& gl, Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
         std::vector<double> borders{0};
-        for (const PlacedCells& brick : bricks.window.cells()) borders.push_back(brick.t_end);
-        order_ = bricks.layout->back_to_front(bricks.camera.eye, borders);
+        for (const PlacedCells& brick : bricks.drawing.window().cells()) borders.push_back(brick.t_end);
+        order_ = bricks.drawing.layout().back_to_front(bricks.camera.eye, borders);
         for (const SliceMesh& mesh : bricks.cut_all()) add(mesh);
         gl.BindVertexArray(0);
         check_gl(gl, "keeping polygons");
@@ -115,8 +113,8 @@ class ReadyPolygons {
         for (const int number : order_) {
             const auto i = static_cast<std::size_t>(number);
             const Mesh& mesh = meshes_[i];
-            bricks_->window.bind(i);
-            const TextureMap map = bricks_->window.texture_map(i);
+            bricks_->drawing.window().bind(i);
+            const TextureMap map = bricks_->drawing.window().texture_map(i);
             gl_->Uniform3fv(scale, 1, &map.scale.x);
             gl_->Uniform3fv(offset, 1, &map.offset.x);
             gl_->BindVertexArray(mesh.array.id());
@@ -165,19 +163,19 @@ class ReadyPolygons {
 /// The ways to draw one volume that are compared.
 class Ways {
   public:
-    Ways(const GladGLContext& gl, const Volume& volume, Size picture)
-        : gl_(&gl),
+    Ways(const std::shared_ptr<Context>& context, const Volume& volume, Size picture)
+        : gl_(&context->gl()),
           picture_(picture),
-          bricks_(gl, volume, picture),
-          polygons_(gl, bricks_),
-          slicer_(gl, *bricks_.layout, VolumeColour::transfer, VolumeShading::none),
-          fetching_(gl, bare_program("a bare fetch", *bricks_.layout, fetch_frag)),
-          blending_(gl, bare_program("a bare blend", *bricks_.layout, blend_frag)),
-          framebuffer_(gl, picture, 1) {
+          bricks_(context, volume, picture),
+          polygons_(*gl_, bricks_),
+          slicer_(*gl_, bricks_.drawing.layout(), VolumeColour::transfer, VolumeShading::none),
+          fetching_(*gl_, bare_program("a bare fetch", bricks_.drawing.layout(), fetch_frag)),
+          blending_(*gl_, bare_program("a bare blend", bricks_.drawing.layout(), blend_frag)),
+          framebuffer_(*gl_, picture, 1) {
         slicer_.set_transfer(default_transfer_function());
         for (const Program* program : {&fetching_, &blending_}) {
             program->use();
-            set_layout(*program, *bricks_.layout);
+            set_layout(*program, bricks_.drawing.layout());
             program->set("clip_from_p", glm::mat4(bricks_.camera.clip_from_p()));
         }
         blending_.set("value", 1.0F / 512);
@@ -185,7 +183,7 @@ class Ways {
         slicer();
         // The slicer leaves its program, with all uniforms and textures, in use.
         GLint program = 0;
-        gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+        gl_->GetIntegerv(GL_CURRENT_PROGRAM, &program);
         slicing_program_ = static_cast<GLuint>(program);
     }
 
@@ -227,7 +225,7 @@ class Ways {
         gl_->Finish();
     }
 
-    void slicer() { slicer_.draw(bricks_.window, bricks_.camera, bricks_.stack); }
+    void slicer() { slicer_.draw(bricks_.drawing.window(), bricks_.camera, bricks_.stack); }
 
     /// The slicer's own program on polygons that are ready: its state of depth test and blending is still set.
     void shader() {
@@ -281,7 +279,7 @@ class Ways {
 
 int main(int argc, char** argv) {
     try {
-        const auto context = open_context(argc > 1 ? argv[1] : "auto");
+        const std::shared_ptr<Context> context = open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 5;
         const double scale = argc > 3 ? std::stod(argv[3]) : 1;
         const Size picture = bench::scaled(Size{1280, 1024}, scale);
@@ -294,7 +292,7 @@ int main(int argc, char** argv) {
             const Volume volume = bench::left_bag_volume(filter, scale);
             const double occupied = bench::occupied_share(volume);
             // What is quickly drawn can be drawn more often.
-            nlohmann::json row = Ways(context->gl(), volume, picture).measure(occupied < 0.1 ? 5 * runs : runs);
+            nlohmann::json row = Ways(context, volume, picture).measure(occupied < 0.1 ? 5 * runs : runs);
             row["filter"] = filter;
             row["occupied"] = occupied;
             report["volumes"].push_back(row);

@@ -5,13 +5,13 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/glyph.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"
 #include "tests/bench/left_bag.h"
@@ -25,43 +25,41 @@ constexpr int k = 8;
 
 struct Style {
     const char* name;
-    bool bricks;
-    bool geometry;
+    int bricks;
+    Parts show;
     bool moving;                  ///< a brick enters before each picture
     std::array<double, 3> paper;  ///< on a GeForce 7800 GTX
 };
 
-constexpr std::array styles = {
-    Style{"V-S", false, false, false, {11.04, 10.20, 8.64}}, Style{"V+S", true, false, false, {9.63, 7.83, 5.47}},
-    Style{"V+S+G", true, true, false, {9.63, 7.83, 5.47}},   Style{"V+DS", true, false, true, {7.40, 6.80, 5.13}},
-    Style{"all", true, true, true, {7.20, 6.65, 4.56}},
+const std::array styles = {
+    Style{"V-S", 1, {Part::volume}, false, {11.04, 10.20, 8.64}},
+    Style{"V+S", k, {Part::volume}, false, {9.63, 7.83, 5.47}},
+    Style{"V+S+G", k, {Part::volume, Part::arrows}, false, {9.63, 7.83, 5.47}},
+    Style{"V+DS", k, {Part::volume}, true, {7.40, 6.80, 5.13}},
+    Style{"all", k, {Part::volume, Part::arrows, Part::tracelines}, true, {7.20, 6.65, 4.56}},
 };
 
 constexpr std::array sizes = {Size{800, 600}, Size{1024, 768}, Size{1280, 1024}};
 
-std::vector<std::vector<double>> seconds_of_styles(const Context& context, const Volume& volume, Size size, int runs) {
-    RenderOptions options;
-    options.size = size;
-    bench::Drawing whole(context, volume, "horseshoe", 1, options);
-    bench::Drawing bricks(context, volume, "horseshoe", k, options);
+std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<Context>& context, const Volume& volume,
+                                                   Size size, int runs) {
+    std::vector<std::unique_ptr<bench::Drawing>> drawings;
     std::vector<bench::Work> works;
     for (const Style& style : styles) {
-        bench::Drawing& drawing = style.bricks ? bricks : whole;
-        Scene scene;
-        if (style.geometry) scene.arrows = arrows(volume, drawing.layout(), {});
-        works.push_back({[&drawing, scene] { drawing.renderer().set_scene(scene); },
-                         [&drawing, moving = style.moving] {
-                             if (moving) drawing.push();
-                             drawing.draw();
+        drawings.push_back(
+            std::make_unique<bench::Drawing>(context, volume, bench::paper_job(size, style.bricks, style.show)));
+        works.push_back({{}, [drawing = drawings.back().get(), moving = style.moving] {
+                             if (moving) drawing->push();
+                             drawing->draw();
                          }});
     }
     return bench::in_turn(works, runs);
 }
 
-nlohmann::json measure(const Context& context, const std::string& filter, int runs, double scale) {
+nlohmann::json measure(const std::shared_ptr<Context>& context, const std::string& filter, int runs, double scale) {
     const Volume volume = bench::left_bag_volume(filter, scale);
-    nlohmann::json report{{"renderer", context.renderer()},
-                          {"version", context.version()},
+    nlohmann::json report{{"renderer", context->renderer()},
+                          {"version", context->version()},
                           {"filter", filter},
                           {"occupied", bench::occupied_share(volume)},
                           {"seeds", volume.seeds().size()},
@@ -84,10 +82,10 @@ nlohmann::json measure(const Context& context, const std::string& filter, int ru
 
 int main(int argc, char** argv) {
     try {
-        const auto context = open_context(argc > 2 ? argv[2] : "auto");
+        const std::shared_ptr<Context> context = open_context(argc > 2 ? argv[2] : "auto");
         const int runs = argc > 3 ? std::stoi(argv[3]) : 5;
         const double scale = argc > 4 ? std::stod(argv[4]) : 1;
-        fmt::print("{}\n", measure(*context, argc > 1 ? argv[1] : "difference", runs, scale).dump());
+        fmt::print("{}\n", measure(context, argc > 1 ? argv[1] : "difference", runs, scale).dump());
     } catch (const std::exception& error) {
         fmt::print(stderr, "table1: {}\n", error.what());
         return 1;
