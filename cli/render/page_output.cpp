@@ -23,6 +23,8 @@ std::string page_text(const fs::path& path, const std::string& input, const std:
     content.settings = settings;
     content.moments = std::move(moments);
     content.events = report.events;
+    content.colours = report.event_colours;
+    for (const Region& region : report.lettering.regions) content.regions.push_back({region.box, region.number});
     return make_page(content);
 }
 

@@ -176,6 +176,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     drawing.renderer->set_scene(std::move(scene));
     const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
     report.lettering = lettering;
+    report.event_colours = glance.objects.colours;
     for (int i = 0; i < products.pictures; ++i) {
         const double phase = static_cast<double>(i) / products.pictures;
         Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);

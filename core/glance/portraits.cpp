@@ -85,6 +85,8 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
     write(deed_of(event), text_left, base, ink);
     write(time_of(event, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
+    lettering.regions.push_back(
+        {{still.left, still.top - 2 * line, still.right, still.bottom}, objects.numbers[candidate.event]});
 }
 
 }  // namespace
@@ -129,6 +131,7 @@ void letter_numbers(const Objects& objects, const Trails& trails, const Sheet& s
                                            opaque(objects.colours[k]));
             if (!sheet.between.holds(badge.box) || !lettering.is_free(badge.box)) continue;
             lettering.badges.push_back(badge);
+            lettering.regions.push_back({badge.box, objects.numbers[k]});
             ++written;
             break;
         }

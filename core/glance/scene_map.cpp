@@ -137,6 +137,7 @@ class Map {
             numbers_.push_back(there);
             lettering_.badges.push_back(make_badge(fmt::format("{}", objects_.numbers[k]), there,
                                                    std::max(9, text_ * 4 / 5), opaque(objects_.colours[k])));
+            lettering_.regions.push_back({lettering_.badges.back().box, objects_.numbers[k]});
             return;
         }
     }

@@ -78,6 +78,9 @@ class Strip {
         };
         add(event.first.seconds, event.last.seconds, low);
         for (const Stay& stay : event.stays) add(stay.first.seconds, stay.last.seconds, high);
+        lettering_.regions.push_back(
+            {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
+             objects_.numbers[bar.event]});
         letter_number(bar, bottom - high / 2);
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,6 +53,12 @@ struct Badge {
     PixelBox box;
 };
 
+/// A part of the picture that stands for an object: its portrait, its number, its bar.
+struct Region {
+    PixelBox box;
+    std::size_t number = 0;  ///< of the object
+};
+
 /// What is written and drawn flat over a picture: pictures first, then bars, strokes, badges and texts. No text lies
 /// over another text, a bar of the legend, a picture or a badge, and all are inside the picture.
 struct Lettering {
@@ -60,6 +67,7 @@ struct Lettering {
     std::vector<Stroke> strokes;
     std::vector<Badge> badges;
     std::vector<Label> labels;
+    std::vector<Region> regions;
     bool font_missing = false;  ///< text was asked for, and there is no font
 
     /// Whether nothing that may not be hidden is in a box.

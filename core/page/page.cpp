@@ -24,19 +24,44 @@ double rounded(double value) {
     return std::round(value * 1e6) / 1e6;
 }
 
-/// The frame of each pixel, as a picture: 0 = none, else one more than the frame counted from `first`, in three bytes.
-/// All browsers decode PNG, and nothing else is as small without a decoder of our own.
-Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
-    constexpr std::int64_t most = 0xFF'FF'FF;
-    Plane<Bgr> picture(frames.size());
+/// A number for each pixel, as a picture, in three bytes. All browsers decode PNG, and nothing else is as small without
+/// a decoder of our own.
+template <class ValueOf>
+Json json_of_pixels(const Plane<float>& pixels, const ValueOf& value_of) {
+    Plane<Bgr> picture(pixels.size());
     std::int64_t sum = 0;
-    std::ranges::transform(frames.pixels(), picture.pixels().begin(), [&](float frame) {
-        const auto value = frame < 0 ? 0 : std::clamp<std::int64_t>(std::llround(frame) - first + 1, 1, most);
+    std::ranges::transform(pixels.pixels(), picture.pixels().begin(), [&](float pixel) {
+        const std::int64_t value = std::clamp<std::int64_t>(value_of(pixel), 0, 0xFF'FF'FF);
         sum += value;
         const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
         return Bgr{byte(0), byte(8), byte(16)};
     });
-    return {{"src", data_url("image/png", encode_picture("frames.png", picture))}, {"first", first}, {"sum", sum}};
+    return {{"src", data_url("image/png", encode_picture("pixels.png", picture))}, {"sum", sum}};
+}
+
+/// The frame of each pixel: 0 = none, else one more than the frame counted from `first`.
+Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
+    Json json = json_of_pixels(frames, [first](float frame) {
+        return frame < 0 ? 0 : std::max<std::int64_t>(std::llround(frame) - first + 1, 1);
+    });
+    json["first"] = first;
+    return json;
+}
+
+/// The number of the event that each pixel shows: 0 = none.
+Json json_of_objects(const Plane<float>& objects) {
+    if (objects.empty()) return {};
+    return json_of_pixels(objects, [](float number) { return std::llround(number); });
+}
+
+Json json_of(const PageContent::Region& region) {
+    const PixelBox& box = region.box;
+    return {box.left, box.top, box.right, box.bottom, region.number - 1};
+}
+
+std::string css_of(const glm::vec3& colour) {
+    const auto byte = [](float channel) { return static_cast<int>(std::lround(channel * 255)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
 }
 
 Json json_of(const std::vector<SteadyFrames>& times) {
@@ -64,8 +89,9 @@ Json json_of(const std::vector<PathPoint>& path, Size field) {
 Json json_of(const Event& event, Size field) {
     double still = 0;
     for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
-    return {{"first", event.first.frame},    {"last", event.last.frame},      {"still", rounded(still)},
-            {"from", number_of(event.from)}, {"into", number_of(event.into)}, {"path", json_of(event.path, field)}};
+    return {{"kind", name_of(event.kind)},       {"first", event.first.frame},    {"last", event.last.frame},
+            {"still", rounded(still)},           {"from", number_of(event.from)}, {"into", number_of(event.into)},
+            {"path", json_of(event.path, field)}};
 }
 
 Json json_of(const Still& still) {
@@ -83,12 +109,18 @@ Json json_of(const PageContent& content) {
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
-              {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)}};
+              {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
+              {"objects", json_of_objects(content.picture.pixel_data.object)}};
     json["events"] = Json();
     if (content.events) {
         json["events"] = Json::array();
         for (const Event& event : *content.events) json["events"].push_back(json_of(event, content.field));
+        for (std::size_t k = 0; k < std::min(content.colours.size(), content.events->size()); ++k) {
+            json["events"][k]["colour"] = css_of(content.colours[k]);
+        }
     }
+    json["regions"] = Json::array();
+    for (const PageContent::Region& region : content.regions) json["regions"].push_back(json_of(region));
     json["stills"] = Json::array();
     for (const Still& still : moments.stills) json["stills"].push_back(json_of(still));
     json["preview"] = moments.preview ? json_of(*moments.preview) : Json();

@@ -20,6 +20,14 @@ struct PageContent {
     Metadata settings;     ///< of the picture
     Moments moments;
     std::optional<std::vector<Event>> events;  ///< if they were searched for
+    std::vector<glm::vec3> colours;            ///< of the events in the picture, sRGB; empty where they have none
+
+    /// A part of the picture that stands for an event.
+    struct Region {
+        PixelBox box;
+        std::size_t number = 0;  ///< of the event: its place in the list, plus 1
+    };
+    std::vector<Region> regions;
 };
 
 /// A page that needs only a browser, and no file but the clip: the picture, the moment that each of its pixels shows,

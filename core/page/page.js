@@ -64,18 +64,16 @@ function clockOf(seconds, tenths = true) {
 const picture = at('picture');
 const width = Number(picture.getAttribute('width'));
 const height = Number(picture.getAttribute('height'));
-let frames = null;  // of each pixel; -1 = none
+let frames = null;   // of each pixel; -1 = none
+let objects = null;  // the place in data.events that each pixel shows; -1 = none
 
 function bytesOf(base64) {
     return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
 }
 
-async function readFrames() {
-    await picture.decode();
-    const ground = groundOf(picture);
-    pale = colour(...ground, 205);
-    view.style.backgroundColor = `rgb(${ground})`;
-    const png = new Blob([bytesOf(data.pixels.src.split(',')[1])], {type: 'image/png'});
+/// The number of each pixel, less by one: -1 = none.
+async function readPixels(source) {
+    const png = new Blob([bytesOf(source.src.split(',')[1])], {type: 'image/png'});
     const bitmap = await createImageBitmap(png, {premultiplyAlpha: 'none', colorSpaceConversion: 'none'});
     const canvas = document.createElement('canvas');
     canvas.width = width;
@@ -88,15 +86,25 @@ async function readFrames() {
     for (let k = 0; k < read.length; ++k) {
         const value = bytes[4 * k] << 16 | bytes[4 * k + 1] << 8 | bytes[4 * k + 2];
         sum += value;
-        read[k] = value === 0 ? -1 : value - 1 + data.pixels.first;
+        read[k] = value - 1;
     }
     // Some browsers answer with noise, so that pages can't tell machines apart.
-    if (sum !== data.pixels.sum) throw new Error('this browser changes what pages read from pictures');
+    if (sum !== source.sum) throw new Error('this browser changes what pages read from pictures');
     return read;
 }
 
-/// The frame that is seen nearest to a point of the picture, a few pixels away at most; null = none.
-function frameNear(x, y) {
+async function readPicture() {
+    await picture.decode();
+    const ground = groundOf(picture);
+    pale = colour(...ground, 205);
+    view.style.backgroundColor = `rgb(${ground})`;
+    const read = await readPixels(data.pixels);
+    if (data.objects) objects = await readPixels(data.objects);
+    frames = read.map(value => value < 0 ? -1 : value + data.pixels.first);
+}
+
+/// The place of the pixel nearest to a point of the picture that shows a frame, a few pixels away at most; null = none.
+function pixelNear(x, y) {
     if (!frames) return null;
     const reach = 4;
     let nearest = null;
@@ -106,11 +114,21 @@ function frameNear(x, y) {
             const frame = frames[j * width + i];
             const distance = (i - Math.floor(x)) ** 2 + (j - Math.floor(y)) ** 2;
             if (frame < 0 || distance >= least) continue;
-            nearest = frame;
+            nearest = j * width + i;
             least = distance;
         }
     }
     return nearest;
+}
+
+/// What a point of the picture shows: the frame, and the place of the event in the list; null where there is none.
+function shownAt(x, y) {
+    // Of the parts that stand for an event, the last drawn is on top.
+    const region = data.regions.findLast(([left, top, right, bottom]) => x >= left && x < right && y >= top && y < bottom);
+    if (region) return {frame: data.events[region[4]].first, event: region[4]};
+    const pixel = pixelNear(x, y);
+    if (pixel === null) return {frame: null, event: null};
+    return {frame: frames[pixel], event: objects && objects[pixel] >= 0 ? objects[pixel] : null};
 }
 
 /// The colour behind everything in the picture, which is that of its corner.
@@ -136,12 +154,14 @@ function drawVeil() {
     const reach = Math.max(1, Math.round((lastFrame - firstFrame) * 0.003));
     const from = now - reach;
     const to = now + reach;
-    const event = chosen === null ? null : data.events[chosen];
+    const lit = lightened ?? chosen;
+    const event = lit === null ? null : data.events[lit];
+    const isOther = objects ? k => objects[k] !== lit : k => frames[k] < event.first || frames[k] > event.last;
     for (let k = 0; k < frames.length; ++k) {
         const frame = frames[k];
         if (frame < 0) veilWords[k] = 0;  // lines and writing
         else if (moved && frame >= from && frame <= to && frame !== firstFrame && frame !== lastFrame) veilWords[k] = glow;
-        else veilWords[k] = event && (frame < event.first || frame > event.last) ? pale : 0;
+        else veilWords[k] = event && isOther(k) ? pale : 0;
     }
     veil.putImageData(veilPixels, 0, 0);
 }
@@ -288,15 +308,15 @@ const peeker = at('peeker');
 let pointed = null;  // the frame
 peeker.hidden = true;
 
-function pointAt(frame, x, y) {
+function pointAt(frame, x, y, event = null) {
     tip.hidden = frame === null;
+    light(event);
     if (frame === null) {
         pointed = null;
         return;
     }
     if (frame !== pointed) {
         pointed = frame;
-        at('when').textContent = clockOf(secondsOf(frame));
         const nearest = stillNear(frame);
         const apart = Math.abs(secondsOf(nearest.frame) - secondsOf(frame));
         at('about').textContent = film || apart < 0.5 ? '' : 'picture of ' + clockOf(secondsOf(nearest.frame));
@@ -304,6 +324,7 @@ function pointAt(frame, x, y) {
         peeker.hidden = true;
         peekAt(frame);
     }
+    at('when').textContent = clockOf(secondsOf(frame)) + (event === null ? '' : ` · ${event + 1} ${data.events[event].kind}`);
     const box = tip.getBoundingClientRect();
     const beside = x + 18 + box.width > innerWidth ? x - 18 - box.width : x + 18;
     tip.style.transform = `translate(${Math.max(4, beside)}px, ${clamp(y - box.height / 2, 4, innerHeight - box.height - 4)}px)`;
@@ -367,9 +388,9 @@ function showWhole() {
     place();
 }
 
-function frameUnder(event) {
+function shownUnder(event) {
     const box = picture.getBoundingClientRect();
-    return frameNear((event.clientX - box.left) / box.width * width, (event.clientY - box.top) / box.height * height);
+    return shownAt((event.clientX - box.left) / box.width * width, (event.clientY - box.top) / box.height * height);
 }
 
 let press = null;  // where the pointer went down
@@ -388,18 +409,19 @@ view.addEventListener('pointermove', event => {
             return;
         }
     }
-    pointAt(event.target.closest('button') ? null : frameUnder(event), event.clientX, event.clientY);
+    const shown = event.target.closest('button') ? {frame: null, event: null} : shownUnder(event);
+    pointAt(shown.frame, event.clientX, event.clientY, shown.event);
 });
 view.addEventListener('pointerup', event => {
     const clicked = press && !press.drag;
     press = null;
     view.classList.remove('dragging');
     if (!clicked) return;
-    const frame = frameUnder(event);
-    if (frame === null) return;
-    choose(null);
-    show(frame, true);
-    say('Plays from ' + clockOf(secondsOf(frame)));
+    const shown = shownUnder(event);
+    if (shown.frame === null) return;
+    choose(shown.event);
+    show(shown.frame, true);
+    say('Plays from ' + clockOf(secondsOf(shown.frame)) + (shown.event === null ? '' : `, event ${shown.event + 1}`));
 });
 view.addEventListener('pointercancel', () => { press = null; });
 view.addEventListener('pointerleave', () => pointAt(null));
@@ -440,6 +462,7 @@ function drawStrip() {
         if (row < 0) row = rows.length;
         rows[row] = event.last;
         const bar = document.createElement('i');
+        if (event.colour) bar.style.background = event.colour;
         bar.style.left = (secondsOf(event.first) - begins) / lasts * 100 + '%';
         bar.style.width = (secondsOf(event.last) - secondsOf(event.first)) / lasts * 100 + '%';
         bar.dataset.row = row;
@@ -455,6 +478,14 @@ function drawStrip() {
 // ---- Events
 
 let chosen = null;  // place in data.events
+let lightened = null;  // the one that the pointer is on
+
+/// Shows which event the pointer is on, without choosing it.
+function light(number) {
+    if (number === lightened) return;
+    lightened = number;
+    drawVeil();
+}
 
 function say(text) {
     at('said').textContent = text;
@@ -463,6 +494,7 @@ function say(text) {
 function textOf(event) {
     const parts = [];
     const seconds = secondsOf(event.last) - secondsOf(event.first);
+    parts.push(event.kind);
     parts.push(seconds.toFixed(1) + ' s');
     if (event.still > 0) parts.push('still for ' + event.still.toFixed(1) + ' s');
     if (event.from !== null) parts.push('came out of ' + (event.from + 1));
@@ -529,6 +561,7 @@ function listEvents() {
         times.textContent = `${number + 1}.  ${clockOf(secondsOf(event.first))} – ${clockOf(secondsOf(event.last))}`;
         const text = document.createElement('span');
         text.textContent = textOf(event);
+        if (event.colour) button.style.borderLeft = '5px solid ' + event.colour;
         button.append(portraitOf(event), times, text);
         button.addEventListener('click', () => {
             choose(number);
@@ -597,8 +630,7 @@ place();
 drawNow();
 openFilm(0);
 followPlayer();
-readFrames().then(read => {
-    frames = read;
+readPicture().then(() => {
     labelEnds();
     drawVeil();
     document.documentElement.dataset.ready = '';
