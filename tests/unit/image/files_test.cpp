@@ -188,6 +188,17 @@ TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
         EXPECT_TRUE(std::isnan(read.pixel_data.time.at(0, 0)) && std::isnan(read.pixel_data.depth.at(0, 0)));
         EXPECT_EQ(read.pixel_data.frame.at(0, 0), -1);
 
+        EXPECT_TRUE(read.pixel_data.object.empty()) << "a plane that is not there is no channel";
+
+        picture.pixel_data.object = Plane<float>({5, 3});
+        picture.pixel_data.object.at(2, 1) = 65'535;
+        write_picture(file("b.exr"), picture);
+        const Picture with_objects = read_picture(file("b.exr"));
+        ASSERT_EQ(with_objects.pixel_data.object.size(), picture.pixels.size());
+        EXPECT_EQ(with_objects.pixel_data.object.at(2, 1), 65'535);
+        EXPECT_EQ(with_objects.pixel_data.object.at(0, 0), 0);
+        EXPECT_EQ(with_objects.pixel_data.frame.at(4, 1), 2159999);
+
         write_picture(file("a.png"), picture);
         EXPECT_TRUE(read_picture(file("a.png")).pixel_data.empty());
     }
