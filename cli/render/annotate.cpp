@@ -59,7 +59,7 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
     const auto flow = [&](const std::string& what) {
         return LegendEntry{
             gradient(style.slow_colour, style.fast_colour),
-            fmt::format("{}, {:g} to {:g} pixels a frame", what, style.speed_range.x, style.speed_range.y),
+            fmt::format("{}, {:g} to {:g} pixels per frame", what, style.speed_range.x, style.speed_range.y),
             fmt::format("speed {:g} to {:g} px/frame", style.speed_range.x, style.speed_range.y)};
     };
     if (job.look.show.has(Part::arrows)) {
