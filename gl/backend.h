@@ -14,7 +14,7 @@ struct Backend {
     std::string what;
     std::unique_ptr<Context> (*open)(int device);
     std::vector<std::string> (*devices)();  ///< what `device` counts; empty for a backend without devices
-    std::string mend;                       ///< the command that makes it work on Debian
+    std::string advice;                     ///< the command that makes it work on Debian
 };
 
 Backend egl_hardware_backend();

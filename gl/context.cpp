@@ -62,7 +62,7 @@ std::vector<BackendReport> probe_backends() {
             report.version = context->version();
         } catch (const Error& error) {
             report.reason = error.what();
-            report.mend = backend.mend;
+            report.advice = backend.advice;
         }
         reports.push_back(std::move(report));
     }

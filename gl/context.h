@@ -48,7 +48,7 @@ struct BackendReport {
     std::string renderer;              ///< GL_RENDERER, when it works
     std::string version;               ///< GL_VERSION, when it works
     std::string reason;                ///< why it doesn't work
-    std::string mend;                  ///< the one command that would mend it
+    std::string advice;                ///< the one command that would fix it
     std::vector<std::string> devices;  ///< EGL devices by number, for the EGL backends
 };
 

@@ -6,16 +6,9 @@
 #include "core/scene/glyph.h"
 #include "core/space/camera.h"
 #include "gl/program.h"
+#include "gl/render_options.h"
 
 namespace vvr {
-
-/// How arrows look.
-struct GlyphStyle {
-    float thickness = 0.05F;            ///< P-space units per unit of the reference glyph's radius
-    glm::vec2 speed_range{0.3F, 6.0F};  ///< pixels per frame at the ends of the colour scale
-    glm::vec3 slow_colour{0.98F, 0.72F, 0.20F};
-    glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
-};
 
 /// Draws one reference glyph at every seed, instanced, as opaque geometry (§5.2, §6.2).
 class FlowGeometry {

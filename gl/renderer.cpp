@@ -71,7 +71,7 @@ PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times)
             for (int i = 0; i < tile.width(); ++i) {
                 const glm::vec4& pixel = data.at(i, j);
                 if (pixel.w < least_opacity) continue;
-                const FrameTime at = times.at(static_cast<double>(pixel.y));
+                const Moment at = times.at(static_cast<double>(pixel.y));
                 shown.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
                 shown.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
                 shown.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);

@@ -19,24 +19,11 @@
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
 #include "gl/pixel_data_target.h"
+#include "gl/render_options.h"
 #include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
 namespace vvr {
-
-struct RenderOptions {
-    Size size{1280, 800};
-    View view;
-    std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
-    int slices = 0;                       ///< 0 = one for every two voxels
-    int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
-    std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
-    glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
-    VolumeColour colour = VolumeColour::transfer;
-    VolumeShading shading = VolumeShading::none;
-    GlyphStyle glyphs;
-    TraceStyle traces;
-};
 
 /// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
 /// (§6.2), so that each hides the other.

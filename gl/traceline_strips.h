@@ -4,18 +4,10 @@
 
 #include "core/scene/traceline.h"
 #include "core/space/camera.h"
-#include "gl/flow_geometry.h"
 #include "gl/program.h"
+#include "gl/render_options.h"
 
 namespace vvr {
-
-/// How tracelines look; their colours are those of the arrows.
-struct TraceStyle {
-    float width = 0.0045F;        ///< P-space units
-    float least_width = 1.6F;     ///< pixels
-    float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
-    float shade = 0.3F;           ///< what is left of the colour in a dark stripe
-};
 
 /// Draws tracelines as strips of real width that face the camera, lit as tubes, with the zebra texture moving along
 /// them (§6.2.1). Stripes are of equal length on all lines, so long lines have more of them and not longer ones.

@@ -21,7 +21,7 @@ std::string describe(const BackendReport& report) {
     line("renderer", report.renderer);
     line("version", report.version);
     line("reason", report.reason);
-    line("fix with", report.mend);
+    line("fix with", report.advice);
     for (std::size_t i = 0; i < report.devices.size(); ++i) line(fmt::format("device {}", i), report.devices[i]);
     return text;
 }

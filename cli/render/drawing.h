@@ -6,6 +6,7 @@
 #include "cli/render/annotate.h"
 #include "cli/render/job.h"
 #include "gl/context.h"
+#include "gl/renderer.h"
 
 namespace vvr {
 

@@ -13,14 +13,14 @@ namespace vvr {
 void inspect(const InspectJob& job, Observer& observer) {
     constexpr bool colour = true;
     const auto clip = open_clip(job.input, colour, job.fields.threads);
-    const FoundFrame found = frame_at(*clip, job.frame);
+    const Moment found = find_frame(*clip, job.frame);
     // The other frames only serve as neighbours.
     FieldOptions fields = job.fields;
-    fields.span.first = found.index;
-    fields.span.stop = found.index + 1;
+    fields.span.first = found.frame;
+    fields.span.stop = found.frame + 1;
     Inspection inspection;
     compute_fields(*clip, fields, [&](const SharedFrame& frame, const Field& field) {
-        if (field.index == found.index) inspection = inspect(*frame, field);
+        if (field.index == found.frame) inspection = inspect(*frame, field);
     });
     const std::string name = job.path.string();
     if (!inspection.captions) {
@@ -31,7 +31,7 @@ void inspect(const InspectJob& job, Observer& observer) {
     }
     const auto held = observer.guard();
     write_picture(job.path, inspection.picture);
-    observer.info(fmt::format("'{}': frame {} at {:.3f} s", name, found.index, found.pts));
+    observer.info(fmt::format("'{}': frame {} at {:.3f} s", name, found.frame, found.seconds));
 }
 
 }  // namespace vvr

@@ -17,7 +17,7 @@
 #include "core/scene/transfer_function.h"
 #include "core/space/layout.h"
 #include "core/video/frame_source.h"
-#include "gl/renderer.h"
+#include "gl/render_options.h"
 
 namespace vvr {
 

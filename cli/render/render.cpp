@@ -98,7 +98,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
         pictures.add_page(page_text(page, job.input.names.front(), job.look.title, report, std::move(picture), record,
                                     watched->take()));
     };
-    const RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
+    RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
                                                 : render_clip(job, products, *fields.source, observer, write);
     show_warnings(job, report, observer);
     pictures.close();

@@ -112,7 +112,7 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or mend what is in "
+        throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in "
                                                "the way",
                                                folder.string(), error.message()));
     }

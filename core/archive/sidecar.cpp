@@ -160,7 +160,7 @@ void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
         std::error_code error;
         fs::remove(file, error);
         if (error) {
-            throw Error(ErrorKind::io, fmt::format("cannot remove '{}': {}; mend the permissions of its folder",
+            throw Error(ErrorKind::io, fmt::format("cannot remove '{}': {}; fix the permissions of its folder",
                                                    file.string(), error.message()));
         }
     }

@@ -28,7 +28,7 @@ class FlowVolume {
     std::size_t layers() const { return layers_.size(); }
     std::size_t bytes() const;
 
-    /// (u, v) in field pixels a frame at (column, row, frame), linear between pixel centres and between the frames
+    /// (u, v) in field pixels per frame at (column, row, frame), linear between pixel centres and between the frames
     /// that are kept; beyond the outermost ones, theirs. Zero where nothing is kept.
     glm::dvec2 at(const glm::dvec3& point) const;
 

@@ -57,8 +57,8 @@ struct FrameSeed {
 class Volume {
   public:
     /// \param capacity layers at most, at least 2
-    /// \param step frames a layer takes to begin with, at least 1
-    /// \param seed_interval seeds are kept of each so many-th frame; doubles with the step
+    /// \param step frames per layer to begin with, at least 1
+    /// \param seed_interval seeds are kept of every n-th frame; doubles with the step
     Volume(Size size, std::int64_t capacity, std::int64_t step = 1, std::int64_t seed_interval = 1);
 
     /// From now on keeps the flow of the frames whose seeds are kept, for tracelines.
@@ -91,7 +91,7 @@ class Volume {
     void put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
 
     Size size() const { return size_; }
-    std::int64_t step() const { return step_; }  ///< frames a layer takes now
+    std::int64_t step() const { return step_; }  ///< frames per layer now
     std::int64_t frames() const { return frames_; }
     std::int64_t missing() const;  ///< of the frames, those that never came
     double left_out() const;       ///< seconds of the clip that were passed over

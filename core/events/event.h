@@ -8,16 +8,11 @@
 
 #include <glm/glm.hpp>
 
+#include "core/moment.h"
 #include "core/pixel_box.h"
 #include "core/plane.h"
 
 namespace vvr {
-
-/// A frame of the clip and its time.
-struct Moment {
-    std::int64_t frame = 0;
-    double seconds = 0;
-};
 
 /// A time for which something kept its place.
 struct Stay {

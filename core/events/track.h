@@ -171,7 +171,7 @@ class Track {
     bool parent_was_alone_ = false;
     glm::dvec2 place_{};     ///< where its middle is, also while it is not seen
     Moment place_at_;        ///< when it was there
-    glm::dvec2 velocity_{};  ///< field pixels a second
+    glm::dvec2 velocity_{};  ///< field pixels per second
     std::deque<PathPoint> recent_;
     TrackEnd begin_;
     bool begun_ = false;  ///< whether the velocity at the beginning is known

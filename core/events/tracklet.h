@@ -20,7 +20,7 @@ struct Settled {
 struct TrackEnd {
     Moment at;
     glm::dvec2 place{};
-    glm::dvec2 velocity{};   ///< field pixels a second
+    glm::dvec2 velocity{};   ///< field pixels per second
     bool at_border = false;  ///< it touched the border of the field: it came in or went out there
 };
 

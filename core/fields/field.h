@@ -7,7 +7,7 @@
 
 namespace vvr {
 
-/// Optical flow of one frame in field pixels a frame, u to the right, v down (the convention of .flo files).
+/// Optical flow of one frame in field pixels per frame, u to the right, v down (the convention of .flo files).
 struct Flow {
     Plane<float> u;
     Plane<float> v;
@@ -17,7 +17,7 @@ struct Flow {
 struct Seed {
     float x = 0;  ///< column in field pixels, the centre of the first pixel is 0
     float y = 0;  ///< row in field pixels, from the top
-    float u = 0;  ///< flow at the point, pixels a frame
+    float u = 0;  ///< flow at the point, pixels per frame
     float v = 0;
     bool used = true;  ///< whether the brick that the frame falls in makes geometry of it (§6)
 

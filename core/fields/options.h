@@ -23,7 +23,7 @@ struct FlowOptions {
 /// §4.2's three phases: points of a grid that move, put in an order, and some of them taken.
 struct SeedOptions {
     int grid = 14;                    ///< grid interval in field pixels
-    double min_magnitude = 0.3;       ///< pixels a frame
+    double min_magnitude = 0.3;       ///< pixels per frame
     std::string order = "magnitude";  ///< a name in the table of seed orders
     std::string select = "all";       ///< "all", "first:N", or "random:N" or "random:N:NUMBER" with a seed number
 };

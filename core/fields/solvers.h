@@ -34,7 +34,7 @@ std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings);
 
 /// Coarse to fine: at each scale `iterations` times the second frame is warped by the flow so far and the equations
 /// solved again, after Meinhardt-Llopis, Sánchez and Kondermann (Image Processing On Line, 2013). Follows motion of
-/// many pixels a frame.
+/// many pixels per frame.
 std::unique_ptr<FlowMethod> make_pyramid(const SolverSettings& settings);
 
 }  // namespace vvr

@@ -61,8 +61,6 @@ AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::
 }
 
 AnimationFile::~AnimationFile() = default;
-AnimationFile::AnimationFile(AnimationFile&&) noexcept = default;
-AnimationFile& AnimationFile::operator=(AnimationFile&&) noexcept = default;
 
 void AnimationFile::add(const Picture& picture) {
     if (!encoder_) {

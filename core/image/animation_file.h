@@ -26,8 +26,8 @@ class AnimationFile {
     /// \throws Error usage for another ending, io when libav has no encoder for it
     AnimationFile(std::filesystem::path path, int rate);
     ~AnimationFile();
-    AnimationFile(AnimationFile&&) noexcept;
-    AnimationFile& operator=(AnimationFile&&) noexcept;
+    AnimationFile(const AnimationFile&) = delete;
+    AnimationFile& operator=(const AnimationFile&) = delete;
 
     /// \throws Error io when it can't be encoded
     void add(const Picture& picture);

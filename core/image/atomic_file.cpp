@@ -139,7 +139,7 @@ class TemporaryFile {
         const bool full = error == ENOSPC || error == EFBIG || error == EDQUOT;
         throw Error(ErrorKind::io, fmt::format("cannot {} '{}': {}; {}", what, path.string(), reason(error),
                                                full ? "free some space or choose another folder"
-                                                    : "choose another folder or mend its permissions"));
+                                                    : "choose another folder or fix its permissions"));
     }
 
     fs::path path_;

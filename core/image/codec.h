@@ -43,7 +43,7 @@ struct PictureFile {
 };
 
 /// What vvr uses of OpenImageIO. With the 250 libraries it depends on, it takes 0.2 s to load. So it is in a library of
-/// our own, made of core/image/oiio.cpp, which is loaded while a clip is read.
+/// our own, made of core/image/oiio.cpp, which is loaded with the first picture.
 struct PictureCodec {
     /// The bytes of a picture file; same picture, same bytes.
     /// \throws Error io when OpenImageIO refuses

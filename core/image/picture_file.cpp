@@ -15,6 +15,7 @@
 #include "core/image/atomic_file.h"
 #include "core/image/codec.h"
 #include "core/image/pixel_data_channels.h"
+#include "core/image/png_text.h"
 #include "core/suggest.h"
 #include "core/version.h"
 
@@ -72,8 +73,9 @@ Rgba in_srgb(Rgba pixel) {
 }
 
 std::uint8_t byte_of(float value) {
+    constexpr float to_nearest = 0.5F;  // std::lround takes five times as long
     // std::clamp would pass on NaN.
-    return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + 0.5F);
+    return static_cast<std::uint8_t>(255 * std::min(std::max(0.F, value), 1.F) + to_nearest);
 }
 
 /// The values of an 8-bit file, pixel by pixel: `channels` is 3, or 4 with alpha.
@@ -176,7 +178,8 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
         const std::vector<std::uint8_t> values = bytes_of(picture, channels);
         picture = {};
         file.values = std::as_bytes(std::span(values));
-        return picture_codec().encode(file);
+        std::vector<std::byte> encoded = picture_codec().encode(file);
+        return file.format == "png" ? with_utf8_texts(encoded) : encoded;
     }
     file.attributes.emplace_back("Compression", "zip");
     const PixelData none;

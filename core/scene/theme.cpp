@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "core/choice.h"
-
 namespace vvr {
 
 namespace {
@@ -65,10 +63,6 @@ constexpr std::array table{
 
 std::span<const Theme> themes() {
     return table;
-}
-
-const Theme& find_theme(std::string_view name) {
-    return choose("theme", name, table);
 }
 
 }  // namespace vvr

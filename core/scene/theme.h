@@ -27,7 +27,4 @@ struct Theme {
 /// The themes; the first is the default.
 std::span<const Theme> themes();
 
-/// \throws Error usage when there is none of that name
-const Theme& find_theme(std::string_view name);
-
 }  // namespace vvr

@@ -12,7 +12,7 @@ TimeTable::TimeTable(const Volume& volume) : step_(volume.step()) {
     }
 }
 
-FrameTime TimeTable::at(double frame) const {
+Moment TimeTable::at(double frame) const {
     if (empty()) return {};
     const std::int64_t last = step_ * (static_cast<std::int64_t>(layers_.size()) - 1) + layers_.back().frames - 1;
     const std::int64_t number = std::clamp<std::int64_t>(std::llround(frame), 0, last);

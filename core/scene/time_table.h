@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "core/bricks/volume.h"
+#include "core/moment.h"
 
 namespace vvr {
-
-/// A frame of the clip.
-struct FrameTime {
-    std::int64_t frame = 0;  ///< index in the clip
-    double seconds = 0;
-};
 
 /// Which frame of the clip a frame of a volume is, and when it was.
 class TimeTable {
@@ -20,7 +15,7 @@ class TimeTable {
 
     /// The frame nearest to a (fractional) number counted from the volume's first frame; beyond the ends, theirs.
     /// Between the first and the last frame of a layer times are linear, as only those two are known.
-    FrameTime at(double frame) const;
+    Moment at(double frame) const;
 
     std::int64_t frames_per_layer() const { return step_; }
     bool empty() const { return layers_.empty(); }

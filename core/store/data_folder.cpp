@@ -26,7 +26,7 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, mend its permissions or choose "
+    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
                                            "another folder",
                                            path.string(), std::generic_category().message(error)));
 }

@@ -19,7 +19,7 @@ class Demuxer {
         picture,  ///< a file that is one picture: the format has to be a picture's, and nothing is probed twice
     };
 
-    /// \param rate frames a second for formats that carry no times
+    /// \param rate frames per second for formats that carry no times
     /// \throws Error io when the input can't be opened, not_video when it has no video stream that can be decoded,
     ///         limit when its pictures are too large
     Demuxer(const Input& input, Kind kind, double rate);

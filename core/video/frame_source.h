@@ -17,7 +17,7 @@ struct VideoInfo {
     std::string container;                  ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
     std::string codec;                      ///< short name of the codec, e.g. "h264"
     Size size;                              ///< of the picture as it is to be seen: rotated, square pixels
-    double rate = 0;                        ///< frames a second, the container's average; 0 = unknown
+    double rate = 0;                        ///< frames per second, the container's average; 0 = unknown
     double duration = 0;                    ///< seconds; 0 = unknown
     std::int64_t frames = 0;                ///< estimate of the number of frames; 0 = unknown
     std::optional<std::int64_t> created{};  ///< time of recording by the container, seconds since 1970 (UTC)
@@ -28,7 +28,7 @@ struct SourceOptions {
     Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
     bool colour = false;    ///< fill Frame::colour as well
     int threads = 0;        ///< decoder threads; 0 = one for each core, or one alone for small pictures
-    double rate = 25;       ///< frames a second of what carries no times: image sequences, raw streams
+    double rate = 25;       ///< frames per second of what carries no times: image sequences, raw streams
 };
 
 /// Frames of a video file, an image sequence or a piped stream, each once and in order.

@@ -1,4 +1,4 @@
-// Frames a second of a clip, on two threads: decoded and scaled to 384 pixels of grey, and with all fields as well.
+// Frames per second of a clip, on two threads: decoded and scaled to 384 pixels of grey, and with all fields as well.
 // JSON on stdout.
 //
 //     fields_rate CLIP

@@ -102,7 +102,7 @@ def pipeline(rows, aims, path):
 def length(points, path):
     figure, axes = pyplot.subplots(1, 2, figsize=(8, 2.8))
     xs = [point["frames"] for point in points]
-    for axis, key, label in zip(axes, ("milliseconds", "megabytes"), ("ms a frame", "MB")):
+    for axis, key, label in zip(axes, ("milliseconds", "megabytes"), ("ms per frame", "MB")):
         band(axis, xs, [point[key] for point in points])
         logarithmic(axis, xs, [f"{point['name']}\n{point['frames']}" for point in points])
         axis.set_xlim(min(xs) / 1.6, max(xs) * 1.6)
@@ -203,7 +203,7 @@ def table1(rows, dense_rows, path):
         axis.tick_params(axis="x", length=0, labelsize=8)
         axis.grid(visible=False, axis="x")
         axis.set_title(f"{width}×{height} pixels")
-    axes[0].set_ylabel("pictures a second")
+    axes[0].set_ylabel("pictures per second")
     axes[-1].legend(loc="upper right")  # the largest pictures have the lowest bars
     save(figure, path)
 

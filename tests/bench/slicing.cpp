@@ -1,4 +1,4 @@
-// How many samples a second the volume slicer takes, beside a bare shader that fetches a texel and blends it and does
+// How many samples per second the volume slicer takes, beside a bare shader that fetches a texel and blends it and does
 // nothing else, on the same polygons into the same framebuffer, in turn. Of the left-bag volume as one sees it, nearly
 // empty, and with nothing left out. Samples are counted by an occlusion query, and again by adding up ones.
 // JSON on stdout.

@@ -1,5 +1,5 @@
-// Table 1 of the paper: frames a second of its five styles at three picture sizes, on a left-bag volume of 384x288x1600
-// voxels. The styles are drawn in turn. JSON on stdout; scripts/bench makes a table of it.
+// Table 1 of the paper: frames per second of its five styles at three picture sizes, on a left-bag volume of
+// 384x288x1600 voxels. The styles are drawn in turn. JSON on stdout; scripts/bench makes a table of it.
 //
 //     table1 [FILTER] [BACKEND] [RUNS] [SCALE]
 #include <array>

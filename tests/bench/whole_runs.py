@@ -71,7 +71,7 @@ def pipeline(setting):
         numbers[clip] = {"frames": frames, "rates": rate, "shares": shares, "stages": took, "cores": cores_did} | {
             key: numbers_of(of) for key, of in results.items()}
     plots.pipeline(drawn, AIMS, setting.plot("pipeline"))
-    measured = ("Frames a second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
+    measured = ("Frames per second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
                 f"-threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing "
                 "else. A share is a rate over FFmpeg's; above 1 are clips whose frames vvr scales on more threads.")
     head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render's share", "extract's share",
@@ -111,7 +111,7 @@ def length(setting):
                 + ("." if setting.long else "; `scripts/bench --long length` measures 6 hours as well."))
     body = (figure("length", "Time for each frame, and the most memory of the run, over the length of the clip (logarithmic); "
                              "bands are from the least to the greatest of the runs.")
-            + table(["clip", "frames", "ms a frame", "of the first", "MB", "of the first"], rows))
+            + table(["clip", "frames", "ms per frame", "of the first", "MB", "of the first"], rows))
     times = drawn[-1]["frames"] / drawn[0]["frames"]
     memory = median(drawn[-1]["megabytes"]) / median(drawn[0]["megabytes"])
     meaning = (f"A clip {times:.0f} times as long takes {memory:.2f} times the memory: it depends on the volume that is drawn "

@@ -94,7 +94,7 @@ class Bench:
         check(done.status == 0, str(done))
 
     def clip(self, name="clip.avi", seconds=2, size="64x48", codec=("-c:v", "mpeg4", "-g", "5")):
-        """A clip in which much moves, 10 frames a second."""
+        """A clip in which much moves, 10 frames per second."""
         self.ffmpeg("-f", "lavfi", "-i", f"testsrc2=size={size}:rate=10:duration={seconds}", *codec, name)
         return name
 

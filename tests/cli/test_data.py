@@ -51,7 +51,7 @@ def test_extract_writes_the_data_files(t):
     check(struct.unpack("<fii", flow[:12]) == (202021.25, 96, 64), f"header of the flow: {flow[:12]}")
     check(len(flow) == 12 + 96 * 64 * 8, f"{len(flow)} bytes of flow")
     u = struct.unpack(f"<{96 * 64 * 2}f", flow[12:])[2 * (32 * 96 + 44)]
-    check(0.5 < u < 3, f"the square moves 1.5 pixels a frame, the flow says {u}")
+    check(0.5 < u < 3, f"the square moves 1.5 pixels per frame, the flow says {u}")
     probe = t.run(["ffprobe", "-v", "error", "-show_entries", "stream=pix_fmt", "-of", "csv=p=0", "data/scalar/000020.png"])
     check(probe.out.strip() == "gray", f"a scalar picture is {probe.out}")
     for name in ("reference", "first", "last"):

@@ -52,7 +52,8 @@ struct Look {
 };
 
 void PrintTo(const Look& look, std::ostream* out) {
-    *out << look.layout << ", " << look.rate << " frames a second, seen from " << look.azimuth << "," << look.elevation;
+    *out << look.layout << ", " << look.rate << " frames per second, seen from " << look.azimuth << ","
+         << look.elevation;
 }
 
 class OneObjectASecond : public testing::TestWithParam<Look> {};

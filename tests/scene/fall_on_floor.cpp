@@ -12,7 +12,7 @@ namespace {
 // The story's own frames and pixels: 600 frames of 384x288. Other options scale both.
 constexpr double story_frames = 600;
 constexpr double story_height = 288;
-constexpr double speed = 1.6;  // pixels a frame
+constexpr double speed = 1.6;  // pixels per frame
 constexpr double place = 150;  // where the person falls
 constexpr double outside = 50;
 constexpr double enters = 30;

@@ -99,7 +99,7 @@ Actor walker(std::string name, const Options& options, std::uint64_t seed, Way w
             }};
 }
 
-/// From one side of the picture to the other, with `speed` story pixels a frame; negative = to the left.
+/// From one side of the picture to the other, with `speed` story pixels per frame; negative = to the left.
 Way across(double enters, double speed, double floor) {
     return [=](double frame) -> std::optional<Point> {
         const double walked = (frame - enters) * std::abs(speed) - person / 2;

@@ -12,7 +12,7 @@ namespace {
 // The story's own frames and pixels: 1600 frames of 384x288. Other options scale both.
 constexpr double story_frames = 1600;
 constexpr double story_height = 288;
-constexpr double speed = 1.3;  // pixels a frame
+constexpr double speed = 1.3;  // pixels per frame
 constexpr double place = 205;  // where the person stops
 constexpr double outside = 40;
 constexpr double enters = 150;

@@ -22,7 +22,7 @@ struct Options {
     double drift = 0;   ///< of the light: grey levels from the first frame to the last
     double jump = 0;    ///< of the light: grey levels, at frame `jump_at` and from there on
     int jump_at = 0;
-    double u = 1.5;       ///< motion of `shifted_texture`, pixels a frame to the right
+    double u = 1.5;       ///< motion of `shifted_texture`, pixels per frame to the right
     double v = 0.75;      ///< and down
     double omega = 0.05;  ///< `spinning_sphere`: radians a frame, clockwise on the screen
 };
@@ -39,7 +39,7 @@ struct Object {
 
 struct Truth {
     std::vector<Object> objects;
-    Plane<float> u;  ///< flow, pixels a frame to the right; empty in scenes with no exact one
+    Plane<float> u;  ///< flow, pixels per frame to the right; empty in scenes with no exact one
     Plane<float> v;  ///< and down
 };
 
@@ -108,7 +108,7 @@ FallOnFloor fall_on_floor_facts(const Options& options = {});
 /// A textured disc that turns about the view axis (the paper's Fig. 7). Exact flow. 100 frames.
 Scene make_spinning_sphere(const Options& options = {});
 
-/// A texture that moves by (u, v) pixels a frame everywhere. Exact flow. 50 frames.
+/// A texture that moves by (u, v) pixels per frame everywhere. Exact flow. 50 frames.
 Scene make_shifted_texture(const Options& options = {});
 
 /// Nothing happens. 100 frames.

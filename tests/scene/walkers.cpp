@@ -16,7 +16,7 @@ constexpr double story_height = 288;
 
 struct Walker {
     double enters;  // story frame
-    double speed;   // story pixels a frame, to the right
+    double speed;   // story pixels per frame, to the right
     double floor;   // story pixels from the top
     double height;  // story pixels
 };

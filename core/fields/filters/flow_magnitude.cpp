@@ -6,7 +6,7 @@
 namespace vvr {
 namespace {
 
-// Ten pixels a frame, more than CCTV shows at its usual field size, fill the range.
+// Ten pixels per frame, more than CCTV shows at its usual field size, fill the range.
 constexpr float levels_a_pixel = 24;
 
 class FlowMagnitude final : public Filter {

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::array solvers{
     SolverRow{"pyramid",
-              "coarse to fine with warping, for motion of many pixels a frame",
+              "coarse to fine with warping, for motion of many pixels per frame",
               {.alpha = 15, .iterations = 1, .pre_smooth = 0.8},
               make_pyramid},
     SolverRow{"multigrid",
-              "the paper's equations solved to the end, for motion under two pixels a frame",
+              "the paper's equations solved to the end, for motion under two pixels per frame",
               {.alpha = 10, .iterations = 2, .pre_smooth = 1.5},
               make_multigrid},
     SolverRow{"jacobi",

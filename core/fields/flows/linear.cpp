@@ -27,7 +27,7 @@ struct LinearWorkspace {
     Multigrid grids;
 };
 
-/// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels a frame.
+/// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels per frame.
 class Linear : public FlowMethod {
   public:
     explicit Linear(const SolverSettings& settings)

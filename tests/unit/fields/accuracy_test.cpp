@@ -26,8 +26,8 @@ FlowOptions paper_solver(const char* derivatives, double pre_smooth) {
     return options;
 }
 
-// "Sinusoid1": two plane waves of 7.8 pixels that move at 1.63 pixels a frame toward 54° and at 1.02 toward -27°; both
-// at once are one pattern that moves by (1.585, 0.863). 8 bits, as a camera has.
+// "Sinusoid1": two plane waves of 7.8 pixels that move at 1.63 pixels per frame toward 54° and at 1.02 toward -27°;
+// both at once are one pattern that moves by (1.585, 0.863). 8 bits, as a camera has.
 constexpr double sinusoid_u = 1.585;
 constexpr double sinusoid_v = 0.863;
 

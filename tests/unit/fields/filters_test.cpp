@@ -25,7 +25,7 @@ EmptyScene black(Size of) {
     return scene_of(test::flat_frame(of, 0, 0));
 }
 
-/// A bright square that walks to the right by four pixels a frame, over a texture.
+/// A bright square that walks to the right by four pixels per frame, over a texture.
 Frame walker(std::int64_t index) {
     Frame frame = test::texture_frame(size, 0, 0, 0);
     frame.index = index;

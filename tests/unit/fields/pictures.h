@@ -48,7 +48,7 @@ inline double rough_texture(double x, double y) {
            45 * bumps(x / 3.1 + 300, y / 3.1 + 77);
 }
 
-/// Frame `index` of the texture moving by (u, v) pixels a frame.
+/// Frame `index` of the texture moving by (u, v) pixels per frame.
 inline Frame texture_frame(Size size, std::int64_t index, double u, double v) {
     const auto f = static_cast<double>(index);
     return {index, f / 10, grey_plane(size, [&](int i, int j) { return texture(i - u * f, j - v * f); }), {}};

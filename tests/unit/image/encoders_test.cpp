@@ -24,6 +24,15 @@ TEST(Encoders, CutADescriptionThatIsTooLong) {
     EXPECT_EQ(settings_of(decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
 }
 
+TEST(Encoders, MarkTextsOfAPngAsUtf8) {
+    const Metadata settings{{"title", "Süd, 10 °C"}, {"theme", "light"}};
+    const auto png = encode_picture("a.png", Picture{Plane<Rgba>({8, 8})}, settings);
+    const std::string file(reinterpret_cast<const char*>(png.data()), png.size());
+    EXPECT_NE(file.find("iTXtvvr:title"), std::string::npos);
+    EXPECT_NE(file.find("tEXtvvr:theme"), std::string::npos);
+    EXPECT_EQ(settings_of(decode_samples("a.png", png)), settings);
+}
+
 TEST(Encoders, GiveAFrameItsColours) {
     const auto png = encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
     const Samples samples = decode_samples("a.png", png);

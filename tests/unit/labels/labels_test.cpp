@@ -134,7 +134,7 @@ Volume clip_with_gap() {
     return volume;
 }
 
-/// Three minutes of motion, each after an hour of nothing, ten frames a second.
+/// Three minutes of motion, each after an hour of nothing, ten frames per second.
 Volume day_with_pauses(std::int64_t capacity) {
     Volume volume({32, 24}, capacity);
     for (int i = 0; i < 3 * 1800; ++i) {
@@ -165,7 +165,7 @@ TEST(LeftOut, IsSeenByTheNumbersOfFrames) {
         const TimeTable times(volume);
         const auto slots = static_cast<double>(volume.layers() * volume.step());
         for (const double t : {0.1, 0.45, 0.9}) {
-            const FrameTime at = times.at(t * slots);
+            const Moment at = times.at(t * slots);
             EXPECT_NEAR(static_cast<double>(at.frame) / 10, at.seconds, 0.11) << "number and time belong together";
             EXPECT_FALSE(volume.is_left_out(at.seconds));
         }
@@ -395,7 +395,6 @@ TEST(Themes, AreReadable) {
         EXPECT_GT(contrast(theme.pale_ink), 4.5) << theme.name;
         EXPECT_NO_THROW(find_transfer(std::string(theme.transfer)));
     }
-    EXPECT_THROW(find_theme("lihgt"), Error);
 }
 
 }  // namespace

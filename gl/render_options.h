@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "core/plane.h"
+#include "core/space/camera.h"
+#include "gl/volume_look.h"
+
+namespace vvr {
+
+/// How arrows look.
+struct GlyphStyle {
+    float thickness = 0.05F;            ///< P-space units per unit of the reference glyph's radius
+    glm::vec2 speed_range{0.3F, 6.0F};  ///< pixels per frame at the ends of the colour scale
+    glm::vec3 slow_colour{0.98F, 0.72F, 0.20F};
+    glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
+};
+
+/// How tracelines look; their colours are those of the arrows.
+struct TraceStyle {
+    float width = 0.0045F;        ///< P-space units
+    float least_width = 1.6F;     ///< pixels
+    float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
+    float shade = 0.3F;           ///< what is left of the colour in a dark stripe
+};
+
+/// How a picture is drawn.
+struct RenderOptions {
+    Size size{1280, 800};
+    View view;
+    std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
+    int slices = 0;                       ///< 0 = one for every two voxels
+    int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
+    std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
+    glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
+    VolumeColour colour = VolumeColour::transfer;
+    VolumeShading shading = VolumeShading::none;
+    GlyphStyle glyphs;
+    TraceStyle traces;
+};
+
+}  // namespace vvr
