@@ -18,7 +18,7 @@ def texts_of(labels):
 
 def test_labels_tell_clip_span_times_and_colours(t):
     t.clip("a door's \"clip\".avi", seconds=12)
-    labels = labels_of(t, "a door's \"clip\".avi")
+    labels = labels_of(t, "a door's \"clip\".avi", "--color", "transfer")
     texts = texts_of(labels)
     check(texts[:2] == ["a door's \"clip\".avi", "120 frames, 0.0 s to 11.9 s"], str(texts))
     check({"0:00", "0:02", "0:04", "0:06", "0:08", "0:10"} <= set(texts), str(texts))
