@@ -99,7 +99,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
                                     watched->take()));
     };
     RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
-                                                : render_clip(job, products, *fields.source, observer, write);
+                                          : render_clip(job, products, *fields.source, observer, write);
     show_warnings(job, report, observer);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;

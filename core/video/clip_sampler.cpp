@@ -57,7 +57,8 @@ class StoredBytes {
         const std::size_t taken = bytes_ += bytes;
         const std::size_t count = ++count_;
         if (taken > limit) give_up();
-        if (count >= frames_to_judge && static_cast<double>(taken) / static_cast<double>(count) * frames_ > 1.2 * limit) {
+        if (count >= frames_to_judge &&
+            static_cast<double>(taken) / static_cast<double>(count) * frames_ > 1.2 * limit) {
             give_up();
         }
     }

@@ -1,4 +1,6 @@
 // Events of small scenes of one happening each, of which it is known to the frame what happens.
+#include "tests/scene/happenings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,7 +14,6 @@
 #include "core/events/event_finder.h"
 #include "core/events/path.h"
 #include "core/fields/pipeline.h"
-#include "tests/scene/happenings.h"
 #include "tests/scene/scene_source.h"
 
 namespace vvr {
