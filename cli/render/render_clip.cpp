@@ -39,7 +39,7 @@ Fields read_fields(const RenderJob& job, bool find_events, FieldSource& source, 
     Fields result{Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
     const int keyframes = job.look.keyframes;
     std::optional<EventFinder> events;
-    if (find_events) events.emplace(source.field_size());
+    if (find_events) events.emplace(source.field_size(), event_options(job));
     if (needs.flow) result.volume.keep_flow();
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});

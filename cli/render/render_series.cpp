@@ -42,7 +42,7 @@ class Series {
             drawing.window =
                 std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
         });
-        if (products.events) events_.emplace(source.field_size());
+        if (products.events) events_.emplace(source.field_size(), event_options(job_));
         report_.step = window_.step;
         report_.pictures = 0;
     }
