@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/pipeline.h"
+#include "core/fields/reference.h"
 #include "core/image/animation_file.h"
 #include "core/image/picture_file.h"
 #include "core/scene/transfer_file.h"
@@ -163,6 +164,12 @@ WallClock clock_of(const StartTime& start, const VideoInfo& info) {
         ErrorKind::usage,
         fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),
         {setting::start_time.name});
+}
+
+EventOptions event_options(const RenderJob& job) {
+    EventOptions options;
+    options.scene_is_learnt = find_reference(job.fields.reference) != nullptr;
+    return options;
 }
 
 }  // namespace vvr

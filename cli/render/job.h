@@ -8,6 +8,7 @@
 #include "cli/render/output.h"
 #include "cli/render/part.h"
 #include "cli/render/time.h"
+#include "core/events/event_options.h"
 #include "core/fields/options.h"
 #include "core/image/picture.h"
 #include "core/labels/time_ticks.h"
@@ -97,6 +98,9 @@ struct Products {
 };
 
 Products products_of(const RenderJob& job);
+
+/// What counts as an event in the fields of a job.
+EventOptions event_options(const RenderJob& job);
 
 /// The same job for fields that were extracted, which have a filter of their own.
 /// \param extracted the settings of the extraction; empty = none

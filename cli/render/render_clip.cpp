@@ -47,7 +47,7 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     std::optional<EventFinder> events;
     FrameLabels labels;
     const Frame* now = nullptr;
-    if (finds_objects(job, products)) events.emplace(source.field_size());
+    if (finds_objects(job, products)) events.emplace(source.field_size(), event_options(job));
     if (events && job.look.show.has(Part::portraits)) {
         events->set_portrait_sink(
             [&](std::size_t track, const Portrait& portrait) { result.crops.keep(track, portrait, *now); });

@@ -44,7 +44,7 @@ class Series {
             drawing.window =
                 std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
         });
-        if (finds_objects(job, products)) events_.emplace(source.field_size());
+        if (finds_objects(job, products)) events_.emplace(source.field_size(), event_options(job_));
         tells_events_ = products.events;
         if (events_ && job.look.show.has(Part::portraits)) {
             events_->set_portrait_sink(

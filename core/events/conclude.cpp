@@ -36,7 +36,10 @@ class Conclusion {
         join();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_pieces();
-        for (std::size_t k = 0; k < candidates_.size(); ++k) find_bearer(k);
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            find_bearer(k);
+            if (was_never_alone(k)) candidates_[k].wanted = false;
+        }
         return listed();
     }
 
@@ -115,13 +118,18 @@ class Conclusion {
         own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
     }
 
-    Thing thing_of(const Settled& settled) const {
+    Thing thing_of(const Tracklet& own) const {
         if (scene_.empty()) return Thing::there;
+        const Settled& settled = *own.settled;
         const double empty = edge_strength(settled.patch, span_.field, [&](int i, int j) -> int {
             if (scene_.colour.empty()) return scene_.grey.at(i, j);
             const Bgr& c = scene_.colour.at(i, j);
             return (c[0] + 2 * c[1] + c[2]) / 4;
         });
+        // Of a camera that shakes the empty scene is not sharp everywhere.
+        const bool always = own.begin.at.seconds - span_.first.seconds < options_.stay && own.stood_to_end &&
+                            span_.last.seconds - own.end.at.seconds < options_.stay;
+        if (always && options_.scene_is_learnt) return Thing::light;
         if (settled.edges > ghost_ratio * empty && settled.edges >= least_edges) return Thing::there;
         if (empty > ghost_ratio * settled.edges && empty >= least_edges) return Thing::gone;
         return settled.edges >= 2 * least_edges ? Thing::there : Thing::light;
@@ -136,14 +144,14 @@ class Conclusion {
         const bool jumps =
             own.continuous < options_.continuous || (!own.settled && steadiness_of(own.path) < options_.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        candidate.wanted =
-            own.seconds() >= (inside ? options_.least_inside : options_.least) && !jumps && (went || own.settled);
+        const double least = !inside ? options_.least : own.from ? options_.least_piece : options_.least_inside;
+        candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
         }
-        switch (thing_of(*own.settled)) {
+        switch (thing_of(own)) {
             case Thing::there:
                 candidate.kind = EventKind::left;
                 break;
@@ -270,6 +278,21 @@ class Conclusion {
             own.from = bearer.number;
         }
         if (!any) candidate.wanted = false;
+    }
+
+    /// Whether a thing went as it came, with its bearer never a length away from it: a part of who stood there.
+    bool was_never_alone(std::size_t k) const {
+        const Candidate& candidate = candidates_[k];
+        const Tracklet& own = candidate.whole;
+        if (!candidate.wanted || candidate.kind != EventKind::left || !own.from || !own.into) return false;
+        const auto from = object_of_.find(*own.from);
+        const auto into = object_of_.find(*own.into);
+        if (from == object_of_.end() || into == object_of_.end() || from->second != into->second) return false;
+        const Tracklet& bearer = candidates_[from->second].whole;
+        return std::ranges::none_of(bearer.path, [&](const PathPoint& point) {
+            return point.at.frame >= own.begin.at.frame && point.at.frame <= own.end.at.frame &&
+                   glm::distance(point.place, own.settled->patch.centre) >= bearer.length;
+        });
     }
 
     /// When whoever left a thing was a length away from it for the last time before the thing went, or had gone.

@@ -5,10 +5,13 @@ namespace vvr {
 /// What counts as an event, and how far apart two sightings of one object may be. Seconds are those of the clip; the
 /// unit of a distance is the object's own length, so that one set of numbers serves near and far.
 struct EventOptions {
+    bool scene_is_learnt = true;  ///< the empty scene is of the clip's own frames: what all of them show belongs to it
+
     // What is an event.
     double stay = 2;               ///< seconds; who keeps a place for less has only slowed down
     double least = 0.8;            ///< seconds; what is seen for less is a blink of the light or a piece of something
     double least_inside = 2;       ///< seconds; the same of what neither comes in nor goes out at the picture's border
+    double least_piece = 5;        ///< seconds; and of such that came out of another: a part of it, mostly
     double own_lengths = 1.25;     ///< what goes less far than this flutters at its place, as a flag does
     double seen_part = 0.5;        ///< share of its frames in which a mover is seen; foliage comes and goes
     double steady_way = 0.25;      ///< cosine between steps half a second apart: leaves and rain turn back and forth

@@ -260,6 +260,15 @@ Scene make_crowd(const Options& options) {
     return make(options, 400, std::move(actors));
 }
 
+Interval long_stand() {
+    return {100, 400};
+}
+
+Scene make_stands_long(const Options& options) {
+    const Interval stands = long_stand();
+    return make(options, 500, {walker("person", options, 9, with_stop(90, stands.first, stands.last, 1.3, 118))});
+}
+
 Scene make_clock(const Options& options) {
     const double scale = scale_of(options);
     const Actor clock{"clock",

@@ -40,6 +40,10 @@ Scene make_rain(const Options& options = {});
 /// People walk through in both directions without an end. 400 frames.
 Scene make_crowd(const Options& options = {});
 
+/// Somebody comes early, stands for more than half of the time and goes. Object "person". 500 frames.
+Scene make_stands_long(const Options& options = {});
+Interval long_stand();
+
 /// A camera's clock counts in a corner; nothing else happens. 300 frames.
 Scene make_clock(const Options& options = {});
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@
 #include "core/events/path.h"
 #include "core/fields/pipeline.h"
 #include "tests/scene/scene_source.h"
+#include "tests/scene/shaken.h"
 
 namespace vvr {
 namespace {
@@ -37,12 +39,13 @@ struct Found {
     std::vector<FrameLabels> labels;
 };
 
-Found found_in(Make make, const scene::Options& options) {
-    Found found{make(options), {}, {}};
+Found found_in(scene::Scene scene, const std::string& reference = "median") {
+    Found found{std::move(scene), {}, {}};
     SourceOptions source;
     source.colour = true;
     source.field_size = {-1, -1};
     FieldOptions fields;
+    fields.reference = reference;
     fields.flow.method = "none";
     EventFinder finder(found.scene.size());
     finder.set_label_sink([&](const FrameLabels& labels) { found.labels.push_back(labels); });
@@ -52,6 +55,10 @@ Found found_in(Make make, const scene::Options& options) {
     });
     found.events = finder.finish(summary.reference);
     return found;
+}
+
+Found found_in(Make make, const scene::Options& options) {
+    return found_in(make(options));
 }
 
 std::vector<EventKind> kinds_of(const std::vector<Event>& events) {
@@ -144,6 +151,31 @@ TEST(Rain, IsNoneAndHidesNobody) {
 TEST(Crowd, LeavesNothing) {
     for (const Event& event : found_in(scene::make_crowd, small()).events) {
         EXPECT_EQ(event.kind, EventKind::moved) << event.first.frame;
+    }
+}
+
+// A picture of half the size would have too few corners to know the camera's motion by.
+TEST(ShakingCamera, ChangesNoEvents) {
+    scene::Options options;
+    options.detail = 6;
+    const Found who = found_in(scene::make_shaken(scene::make_stands_long(options)));
+    ASSERT_EQ(kinds_of(who.events), std::vector{EventKind::stood});
+    ASSERT_EQ(who.events[0].stays.size(), 1U);
+    expect_near(who.events[0].stays[0].first, scene::long_stand().first);
+    expect_near(who.events[0].stays[0].last, scene::long_stand().last);
+    const Found box = found_in(scene::make_shaken(scene::make_taken_box(options)));
+    ASSERT_EQ(kinds_of(box.events), (std::vector{EventKind::moved, EventKind::taken}));
+    expect_near(box.events[1].first, scene::box_is_gone().first);
+    EXPECT_TRUE(found_in(scene::make_shaken(scene::make_still(options))).events.empty());
+}
+
+TEST(WhoStandsLong, IsOneThatStood) {
+    for (const std::string reference : {"median", "running"}) {
+        const Found found = found_in(scene::make_stands_long(small()), reference);
+        ASSERT_EQ(kinds_of(found.events), std::vector{EventKind::stood}) << reference;
+        ASSERT_EQ(found.events[0].stays.size(), 1U) << reference;
+        expect_near(found.events[0].stays[0].first, scene::long_stand().first);
+        expect_near(found.events[0].stays[0].last, scene::long_stand().last);
     }
 }
 

@@ -1,3 +1,5 @@
+#include "core/fields/stabilizer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/pipeline.h"
-#include "core/fields/stabilizer.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
+#include "tests/scene/shaken.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {
@@ -74,50 +76,6 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
     EXPECT_EQ(plane.at(0, 3), 7);
 }
 
-/// Where the camera looks at a frame: up to six pixels to each side, and still for the clip's first tenth.
-Shift shake_at(int frame, int frames) {
-    if (10 * frame < frames) return {0, 0};
-    return {6 * std::sin(1.7 * frame) * std::cos(0.31 * frame), 6 * std::cos(2.3 * frame + 1)};
-}
-
-/// A picture between its pixels; beyond its edges it goes on as there.
-Bgr level_at(const Plane<Bgr>& picture, double x, double y) {
-    const int i = static_cast<int>(std::floor(x));
-    const int j = static_cast<int>(std::floor(y));
-    const double s = x - i, t = y - j;
-    const auto pixel = [&](int u, int v) {
-        return picture.at(std::clamp(u, 0, picture.width() - 1), std::clamp(v, 0, picture.height() - 1));
-    };
-    Bgr result;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double above = pixel(i, j)[c] * (1 - s) + pixel(i + 1, j)[c] * s;
-        const double below = pixel(i, j + 1)[c] * (1 - s) + pixel(i + 1, j + 1)[c] * s;
-        result[c] = static_cast<std::uint8_t>(std::lround(above * (1 - t) + below * t));
-    }
-    return result;
-}
-
-/// A scene seen by a camera that shakes.
-class Shaken final : public scene::Story {
-  public:
-    explicit Shaken(scene::Scene still) : still_(std::move(still)) {}
-
-    Plane<Bgr> paint(int frame) const override {
-        const Plane<Bgr> picture = still_.frame(frame);
-        const Shift shift = shake_at(frame, still_.frames());
-        Plane<Bgr> moved(picture.size());
-        for (int j = 0; j < moved.height(); ++j) {
-            for (int i = 0; i < moved.width(); ++i) moved.at(i, j) = level_at(picture, i - shift.x, j - shift.y);
-        }
-        return moved;
-    }
-
-    scene::Truth truth(int frame) const override { return still_.truth(frame); }
-
-  private:
-    scene::Scene still_;
-};
-
 std::vector<Field> fields_of(const scene::Scene& scene, const FieldOptions& options) {
     SourceOptions colour;
     colour.colour = true;
@@ -159,7 +117,7 @@ TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
     options.frames = 120;
     options.noise = 2;
     const scene::Scene still = scene::make_walkers(options);
-    const scene::Scene shaken({.frames = options.frames}, std::make_shared<Shaken>(still));
+    const scene::Scene shaken = scene::make_shaken(still);
     const double best = f_measure(fields_of(still, without_flow("auto")), still);
     for (const char* const reference : {"median", "running"}) {
         const double aligned = f_measure(fields_of(shaken, without_flow("auto", reference)), still);
@@ -187,7 +145,7 @@ TEST(ShakingCamera, AStillOneIsLeftAlone) {
 TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
     scene::Options options;
     options.frames = 40;
-    const scene::Scene shaken({.frames = options.frames}, std::make_shared<Shaken>(scene::make_walkers(options)));
+    const scene::Scene shaken = scene::make_shaken(scene::make_walkers(options));
     FieldOptions fields = without_flow("auto");
     fields.threads = 1;
     const std::vector<Field> one = fields_of(shaken, fields);
