@@ -7,9 +7,13 @@ namespace vvr {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> day{
-    "--skip-idle", "2",      "--brick",
-    "01:00:00",    "--show", "volume,arrows,outline,frames,floor,ruler,legend,title,bricks"};
+constexpr std::array<std::string_view, 6> day{"--skip-idle",
+                                              "2",
+                                              "--brick",
+                                              "01:00:00",
+                                              "--show",
+                                              "volume,portraits,map,strip,numbers,directions,outline,ribs,frames,ends,"
+                                              "floor,ruler,legend,title,explanation,bricks"};
 
 constexpr std::array table{
     Preset{"day", "a recording of many hours: what moves, cut by the hour", day},

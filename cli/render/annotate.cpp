@@ -67,15 +67,17 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
     }
     if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::object) {
         entries.push_back(
-            {colours_of_objects(job.look.theme), "a colour per object, striped where it stood", "objects"});
-        entries.push_back({{rgba(job.look.theme.nobody)}, "other changes", "other"});
+            {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
+        entries.push_back({{rgba(job.look.theme.nobody)}, "a change that is none", "none"});
     }
     const GlyphStyle style = glyph_style_of(job);
     const auto flow = [&](const std::string& what) {
         return LegendEntry{gradient(style.slow_colour, style.fast_colour), fmt::format("{}: slow to fast", what),
                            "slow to fast"};
     };
-    if (job.look.show.has(Part::arrows) || job.look.show.has(Part::directions)) {
+    const bool coloured_directions =
+        job.look.show.has(Part::directions) && job.picture.colour != VolumeColour::object;
+    if (job.look.show.has(Part::arrows) || coloured_directions) {
         entries.push_back(flow("which way it went"));
     } else if (job.look.show.has(Part::tracelines)) {
         entries.push_back(flow("paths of the flow"));
@@ -147,7 +149,7 @@ void letter_glance(const RenderJob& job, const Caption& caption, const Volume& v
     }
     if (show.has(Part::numbers)) {
         letter_numbers(glance.objects, trails, sheet, lettering);
-        letter_stays(glance.objects, trails, sheet, ink, Rgba(background_of(job.look)), lettering);
+        letter_stays(glance.objects, trails, sheet, Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::strip)) {
         letter_strip(glance.objects, caption.begin, caption.end, sheet,
@@ -221,8 +223,8 @@ Lettering letter(const RenderJob& job, const Caption& caption, const Volume& vol
     lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.look.theme.ink);
     const Rgba pale = rgba(job.look.theme.pale_ink);
-    if (job.look.show.has(Part::legend)) letter_legend(legend_of(job), framing.sheet, pale, lettering);
     letter_title(caption.title, span_of(caption, volume), framing.sheet, ink, pale, lettering);
+    if (job.look.show.has(Part::legend)) letter_legend(legend_of(job), framing.sheet, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.look.theme.fast),

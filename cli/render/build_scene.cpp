@@ -44,7 +44,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     Scene scene;
     if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
     if (job.look.show.has(Part::directions)) {
-        const double length = 1.3 * glyph_options_of(job.look).cap;
+        const double length = 1.5 * glyph_options_of(job.look).cap;
         const std::vector<Glyph> along = direction_arrows(objects, volume, layout, length);
         scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }

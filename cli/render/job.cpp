@@ -154,6 +154,11 @@ GlyphStyle glyph_style_of(const RenderJob& job) {
     style.slow_colour = job.look.theme.slow;
     style.fast_colour = job.look.theme.fast;
     style.thickness *= static_cast<float>(job.look.glyph_scale);
+    // Between objects in colours an arrow says which way, and its colour nothing.
+    if (job.picture.colour == VolumeColour::object) {
+        style.slow_colour = style.fast_colour = job.look.theme.ink;
+        style.thickness *= 1.3F;
+    }
     return style;
 }
 

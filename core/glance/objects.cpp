@@ -1,6 +1,9 @@
 #include "core/glance/objects.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -23,6 +26,16 @@ double weight_of(const Event& event) {
     constexpr double of_standing = 3;
     const Stay* const stay = longest_stay(event);
     return seconds_of(event) + (stay != nullptr ? of_standing * seconds_of(*stay) : 0);
+}
+
+/// The way from its first place to its last, in the frame.
+std::string way_of(const Event& event) {
+    if (event.path.empty()) return std::string(name_of(event.kind));
+    const glm::dvec2 way = event.path.back().place - event.path.front().place;
+    if (glm::length(way) < 0.2 * event.path_length) return "to and fro";
+    constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};
+    const double eighths = std::atan2(way.y, way.x) / (2 * std::numbers::pi) * 8;
+    return fmt::format("went {}", arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8]);
 }
 
 }  // namespace
@@ -57,11 +70,29 @@ glm::dvec2 place_at(const Event& event, double seconds) {
 }
 
 std::string deed_of(const Event& event) {
-    const Stay* const stay = longest_stay(event);
-    if (event.kind == EventKind::stood && stay != nullptr) {
-        return fmt::format("{} {}", name_of(event.kind), format_length(seconds_of(*stay)));
+    switch (event.kind) {
+        case EventKind::left:
+            return "left behind";
+        case EventKind::taken:
+            return "taken away";
+        case EventKind::stood:
+            if (const Stay* const stay = longest_stay(event)) {
+                return fmt::format("stood {}", format_length(seconds_of(*stay)));
+            }
+            break;
+        case EventKind::moved:
+            break;
     }
-    return std::string(name_of(event.kind));
+    return way_of(event);
+}
+
+std::vector<Stay> standing_times(const Event& event) {
+    if (event.kind != EventKind::left) return event.stays;
+    const Stay* const stay = longest_stay(event);
+    Stay whole = stay != nullptr ? *stay : Stay{};
+    whole.first = event.first;
+    whole.last = event.last;
+    return {whole};
 }
 
 std::string time_of(const Event& event, const WallClock& clock) {

@@ -30,8 +30,11 @@ const Stay* longest_stay(const Event& event);
 /// Where it was at a time: field pixels, on its path.
 glm::dvec2 place_at(const Event& event, double seconds);
 
-/// What it did, in a word or three: "moved", "stood 14 s", "left", "taken".
+/// What it did, in a word or three: "went ↗", with its way in the frame, "stood 14 s", "left behind", "taken away".
 std::string deed_of(const Event& event);
+
+/// The times for which a picture shows that it stood or lay: its stays; of what was left, all of its time.
+std::vector<Stay> standing_times(const Event& event);
 
 /// When: "0:06–0:28".
 std::string time_of(const Event& event, const WallClock& clock);

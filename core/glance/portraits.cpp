@@ -101,7 +101,7 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
         const Crop* const crop = crops.of(event);
         if (crop == nullptr) continue;
         candidates.push_back({k, crop});
-        wanted.push_back({(event.first.seconds + event.last.seconds) / 2, anchors_of(event, crop->at.seconds, trails)});
+        wanted.push_back({event.first.seconds, anchors_of(event, crop->at.seconds, trails)});
     }
     PixelBox row = sheet.portraits;
     row.top += 2 * (sheet.small * 4 / 3);
@@ -139,28 +139,30 @@ void letter_numbers(const Objects& objects, const Trails& trails, const Sheet& s
     }
 }
 
-void letter_stays(const Objects& objects, const Trails& trails, const Sheet& sheet, const Rgba& ink,
-                  const Rgba& background, Lettering& lettering) {
+void letter_stays(const Objects& objects, const Trails& trails, const Sheet& sheet, const Rgba& background,
+                  Lettering& lettering) {
     constexpr std::size_t most = 6;
     constexpr double least = 0.05;  // of the longest event: shorter stays are a dot on the trail
     double longest = 0;
     for (const Event& event : objects.events) longest = std::max(longest, event.last.seconds - event.first.seconds);
+    const double width = sheet.small / 6.5;
+    const glm::dvec2 up(0, sheet.small * 0.9);
     std::size_t marked = 0;
     for (const std::size_t k : most_telling(objects.events)) {
         const Event& event = objects.events[k];
-        const Stay* const stay = longest_stay(event);
-        if (stay == nullptr || stay->last.seconds - stay->first.seconds < std::max(2.0, least * longest)) continue;
+        const Rgba colour = opaque(objects.colours[k]);
+        const std::vector<Stay> stays = standing_times(event);
+        const auto stay =
+            std::ranges::max_element(stays, {}, [](const Stay& s) { return s.last.seconds - s.first.seconds; });
+        if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, least * longest)) continue;
         if (marked++ == most) return;
         for (const Moment& at : {stay->first, stay->last}) {
             const glm::dvec2 place = trails.pixel(event, at.seconds);
-            const double reach = sheet.small * 0.9;
-            const glm::dvec2 up(0, reach);
-            const double width = sheet.small / 6.5;
             lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
-            lettering.strokes.push_back({place - up, place + up, width, opaque(objects.colours[k])});
+            lettering.strokes.push_back({place - up, place + up, width, colour});
             for (const double down : {-1.7, 1.7}) {
                 Label label = make_label_around(format_moment(at.seconds, objects.clock), sheet.small, place.x,
-                                                place.y + down * sheet.small, ink);
+                                                place.y + down * sheet.small, colour);
                 label.halo = background;
                 if (lettering.add(label, sheet.between, 1)) break;
             }

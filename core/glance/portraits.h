@@ -18,7 +18,7 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
 void letter_numbers(const Objects& objects, const Trails& trails, const Sheet& sheet, Lettering& lettering);
 
 /// Marks where the longest stays begin and end: a tick across the trail, and the time where there is room.
-void letter_stays(const Objects& objects, const Trails& trails, const Sheet& sheet, const Rgba& ink,
-                  const Rgba& background, Lettering& lettering);
+void letter_stays(const Objects& objects, const Trails& trails, const Sheet& sheet, const Rgba& background,
+                  Lettering& lettering);
 
 }  // namespace vvr

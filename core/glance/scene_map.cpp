@@ -68,7 +68,7 @@ class Map {
     void draw_faint(const Event& event) {
         const std::vector<glm::dvec2> points = points_of(event);
         for (std::size_t i = 1; i < points.size(); ++i) {
-            lettering_.strokes.push_back({points[i - 1], points[i], 1, Rgba{0.2F, 0.2F, 0.2F, 1} * 0.35F});
+            lettering_.strokes.push_back({points[i - 1], points[i], 1, Rgba{0.2F, 0.2F, 0.2F, 1} * 0.18F});
         }
     }
 
@@ -107,7 +107,7 @@ class Map {
 
     /// A dot where it kept its place: the longer, the larger.
     void draw_stays(std::size_t k) {
-        for (const Stay& stay : objects_.events[k].stays) {
+        for (const Stay& stay : standing_times(objects_.events[k])) {
             const double seconds = stay.last.seconds - stay.first.seconds;
             const double size = text_ * std::clamp(0.35 + 0.2 * std::log2(1 + seconds / 4), 0.4, 1.4);
             const glm::dvec2 at = pixel(stay.place);
@@ -119,24 +119,27 @@ class Map {
     /// Where it came from; beside the first places of others.
     void draw_number(std::size_t k) {
         const Event& event = objects_.events[k];
-        const double size = text_ * 1.1;
+        const Rgba colour = opaque(objects_.colours[k]);
+        const auto badge_at = [&](const glm::dvec2& middle) {
+            return make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ * 4 / 5), colour);
+        };
         const glm::dvec2 begin = pixel(event.path.empty() ? place_at(event, 0) : event.path.front().place);
-        const double margin = size / 2 + 1;
-        glm::dvec2 at =
-            glm::clamp(begin, glm::dvec2(box_.left, box_.top) + margin, glm::dvec2(box_.right, box_.bottom) - margin);
+        const double size = badge_at(begin).size;
+        const double margin = size / 2 + 2;
+        const glm::dvec2 low = glm::dvec2(box_.left, box_.top) + margin;
+        const glm::dvec2 high = glm::dvec2(box_.right, box_.bottom) - margin;
+        const glm::dvec2 at = glm::clamp(begin, low, high);
         for (int attempt = 0; attempt < 12; ++attempt) {
             const double angle = attempt * 2.4;  // golden angle: each attempt goes another way
             const double away = size * 0.35 * attempt;
             const glm::dvec2 there = at + away * glm::dvec2(std::cos(angle), std::sin(angle));
-            const bool inside = there.x > box_.left + margin && there.x < box_.right - margin &&
-                                there.y > box_.top + margin && there.y < box_.bottom - margin;
+            const bool inside = glm::clamp(there, low, high) == there;
             if (attempt > 0 && !inside) continue;
             const bool free = std::ranges::all_of(
                 numbers_, [&](const glm::dvec2& other) { return glm::distance(other, there) > size; });
             if (!free) continue;
             numbers_.push_back(there);
-            lettering_.badges.push_back(make_badge(fmt::format("{}", objects_.numbers[k]), there,
-                                                   std::max(9, text_ * 4 / 5), opaque(objects_.colours[k])));
+            lettering_.badges.push_back(badge_at(there));
             lettering_.regions.push_back({lettering_.badges.back().box, objects_.numbers[k]});
             return;
         }

@@ -77,7 +77,7 @@ class Strip {
             draw_line(column(from), column(to), bottom - high / 2, height, colour);
         };
         add(event.first.seconds, event.last.seconds, low);
-        for (const Stay& stay : event.stays) add(stay.first.seconds, stay.last.seconds, high);
+        for (const Stay& stay : standing_times(event)) add(stay.first.seconds, stay.last.seconds, high);
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});

@@ -25,11 +25,11 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     const int bar = 5 * text;
     const int gap = text / 2;
     const int between = 2 * text;
-    // Beside the title it has the larger part of the band: what the picture's colours mean is to be read, and a long
-    // name can be shortened.
-    constexpr double beside_title = 0.6;
+    // Beside the title: what that has left over.
     PixelBox room = sheet.legend;
-    if (sheet.legend == sheet.title) room.left = room.right - static_cast<int>(room.width() * beside_title);
+    for (const Label& label : lettering.labels) {
+        if (label.box.meets(room)) room.left = std::max(room.left, label.box.right + between);
+    }
     const auto width = [&](std::string LegendEntry::*words) {
         int sum = -between;
         for (const LegendEntry& entry : entries) sum += bar + gap + width_of(entry.*words, text) + between;
@@ -52,10 +52,10 @@ void letter_title(const std::string& title, const std::string& rest, const Sheet
     if (text == 0 || sheet.title.width() <= 0) return;
     const int base = base_line(sheet.title, text);
     int x = sheet.title.left;
+    // A legend in the same band has the larger part: what colours mean is to be read, and a name can be shortened.
+    constexpr double beside_legend = 0.4;
     int right = sheet.title.right;
-    for (const ColourBar& bar : lettering.bars) {
-        if (bar.box.meets(sheet.title)) right = std::min(right, bar.box.left - 2 * text);
-    }
+    if (sheet.legend == sheet.title) right = x + static_cast<int>(sheet.title.width() * beside_legend);
     for (const auto& [words, ink] : {std::pair{title, colour}, std::pair{rest, pale}}) {
         const Label label = make_label(elide(printable(words), text, right - x), text, x, base, ink);
         if (lettering.add(label, sheet.title, 1)) x = label.box.right + text;

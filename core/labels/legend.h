@@ -20,7 +20,7 @@ struct LegendEntry {
 void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const Rgba& colour,
                    Lettering& lettering);
 
-/// Writes a title, clear of a legend that is in the same band, and beside it in another colour what there is to say of
+/// Writes a title, which leaves room for a legend in the same band, and beside it in another colour what there is to say of
 /// it, into the sheet's title. What doesn't fit is left out from the end.
 void letter_title(const std::string& title, const std::string& rest, const Sheet& sheet, const Rgba& colour,
                   const Rgba& pale, Lettering& lettering);

@@ -13,7 +13,7 @@ constexpr int strong = 64;
 
 // Of an object's shadow: what is left of its colour, and its opacity. A stronger one would be taken for the object.
 constexpr float colour_part = 0.75F;
-constexpr float tinted_opacity = 0.45F;
+constexpr float tinted_opacity = 0.3F;
 
 std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(value * 255 + 0.5F);

@@ -48,7 +48,23 @@ TEST(Words, SayWhatItDidAndWhen) {
     EXPECT_EQ(deed_of(event), "stood 14 s");
     EXPECT_EQ(time_of(event, {}), "0:06–0:28");
     EXPECT_EQ(time_of(event, 1'795'248'017), "08:00:23–08:00:45");
-    EXPECT_EQ(deed_of(event_of(EventKind::left, 0, 5)), "left");
+    EXPECT_EQ(deed_of(event_of(EventKind::left, 0, 5)), "left behind");
+    EXPECT_EQ(deed_of(event_of(EventKind::taken, 0, 5)), "taken away");
+    EXPECT_EQ(deed_of(event_of(EventKind::moved, 0, 5)), "went ↘");
+    event = event_of(EventKind::moved, 0, 5);
+    event.path.back().place = {12, 20};
+    event.path_length = 80;
+    EXPECT_EQ(deed_of(event), "to and fro");
+}
+
+TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
+    Event event = event_of(EventKind::left, 5, 30);
+    event.stays.push_back({at(9), at(20), {10, 20}, {}});
+    ASSERT_EQ(standing_times(event).size(), 1U);
+    EXPECT_EQ(standing_times(event)[0].first.seconds, 5);
+    EXPECT_EQ(standing_times(event)[0].last.seconds, 30);
+    event.kind = EventKind::stood;
+    EXPECT_EQ(standing_times(event)[0].first.seconds, 9);
 }
 
 }  // namespace
