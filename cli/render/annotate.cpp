@@ -75,8 +75,7 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
         return LegendEntry{gradient(style.slow_colour, style.fast_colour), fmt::format("{}: slow to fast", what),
                            "slow to fast"};
     };
-    const bool coloured_directions =
-        job.look.show.has(Part::directions) && job.picture.colour != VolumeColour::object;
+    const bool coloured_directions = job.look.show.has(Part::directions) && job.picture.colour != VolumeColour::object;
     if (job.look.show.has(Part::arrows) || coloured_directions) {
         entries.push_back(flow("which way it went"));
     } else if (job.look.show.has(Part::tracelines)) {
@@ -223,8 +222,13 @@ Lettering letter(const RenderJob& job, const Caption& caption, const Volume& vol
     lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
     const Rgba ink = rgba(job.look.theme.ink);
     const Rgba pale = rgba(job.look.theme.pale_ink);
-    letter_title(caption.title, span_of(caption, volume), framing.sheet, ink, pale, lettering);
-    if (job.look.show.has(Part::legend)) letter_legend(legend_of(job), framing.sheet, pale, lettering);
+    const Sheet& sheet = framing.sheet;
+    const std::vector<LegendEntry> legend =
+        job.look.show.has(Part::legend) ? legend_of(job) : std::vector<LegendEntry>{};
+    const bool in_one_band = !legend.empty() && sheet.legend == sheet.title;
+    const int right = sheet.title.right - (in_one_band ? brief_width(legend, sheet) : 0);
+    letter_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
+    letter_legend(legend, sheet, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.look.theme.fast),

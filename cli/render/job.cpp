@@ -92,8 +92,10 @@ RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
 }
 
 RenderJob with_possible_parts(RenderJob job) {
-    if (find_filter(job.fields.filter).traits.shows_object) return job;
     Parts& show = job.look.show;
+    // Who names seeds wants to see them.
+    if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
+    if (find_filter(job.fields.filter).traits.shows_object) return job;
     if (show.has(Part::directions)) show.add(Part::arrows);
     for (const PartRow& row : parts()) {
         if (row.needs_events) show.remove(row.part);

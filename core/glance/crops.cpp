@@ -29,7 +29,9 @@ PixelBox still_box(const PixelBox& object, Size frame) {
 }
 
 void Crops::keep(std::size_t track, const Portrait& portrait, const Frame& frame) {
-    const PixelBox box = still_box(portrait.box, frame.grey.size());
+    if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
+    const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
+    const PixelBox box = still_box(portrait.box, size);
     const Plane<Bgr> part = frame.colour.empty() ? cut_out(picture_of(frame), box) : cut_out(frame.colour, box);
     crops_[track] = {portrait.at, portrait.score, portrait.box.moved(-box.left, -box.top), part};
     if (crops_.size() <= most) return;

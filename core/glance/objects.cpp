@@ -29,13 +29,14 @@ double weight_of(const Event& event) {
 }
 
 /// The way from its first place to its last, in the frame.
-std::string way_of(const Event& event) {
-    if (event.path.empty()) return std::string(name_of(event.kind));
+std::vector<std::string> ways_of(const Event& event) {
+    if (event.path.empty()) return {std::string(name_of(event.kind))};
     const glm::dvec2 way = event.path.back().place - event.path.front().place;
-    if (glm::length(way) < 0.2 * event.path_length) return "to and fro";
+    if (glm::length(way) < 0.2 * event.path_length) return {"to and fro", "⇄"};
     constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};
     const double eighths = std::atan2(way.y, way.x) / (2 * std::numbers::pi) * 8;
-    return fmt::format("went {}", arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8]);
+    const std::string_view arrow = arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
+    return {fmt::format("went {}", arrow), std::string(arrow)};
 }
 
 }  // namespace
@@ -69,21 +70,22 @@ glm::dvec2 place_at(const Event& event, double seconds) {
     return glm::mix(before.place, after->place, share);
 }
 
-std::string deed_of(const Event& event) {
+std::vector<std::string> deeds_of(const Event& event) {
     switch (event.kind) {
         case EventKind::left:
-            return "left behind";
+            return {"left behind", "left"};
         case EventKind::taken:
-            return "taken away";
+            return {"taken away", "taken"};
         case EventKind::stood:
             if (const Stay* const stay = longest_stay(event)) {
-                return fmt::format("stood {}", format_length(seconds_of(*stay)));
+                const std::string length = format_length(seconds_of(*stay));
+                return {fmt::format("stood {}", length), "stood"};
             }
             break;
         case EventKind::moved:
             break;
     }
-    return way_of(event);
+    return ways_of(event);
 }
 
 std::vector<Stay> standing_times(const Event& event) {
@@ -95,8 +97,9 @@ std::vector<Stay> standing_times(const Event& event) {
     return {whole};
 }
 
-std::string time_of(const Event& event, const WallClock& clock) {
-    return fmt::format("{}–{}", format_moment(event.first.seconds, clock), format_moment(event.last.seconds, clock));
+std::vector<std::string> times_of(const Event& event, const WallClock& clock) {
+    const std::string begin = format_moment(event.first.seconds, clock);
+    return {fmt::format("{}–{}", begin, format_moment(event.last.seconds, clock)), begin};
 }
 
 }  // namespace vvr

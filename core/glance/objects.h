@@ -30,13 +30,14 @@ const Stay* longest_stay(const Event& event);
 /// Where it was at a time: field pixels, on its path.
 glm::dvec2 place_at(const Event& event, double seconds);
 
-/// What it did, in a word or three: "went ↗", with its way in the frame, "stood 14 s", "left behind", "taken away".
-std::string deed_of(const Event& event);
+/// What it did, in a word or three, and shorter where there is little room: "went ↗", with its way in the frame,
+/// "stood 14 s", "left behind", "taken away".
+std::vector<std::string> deeds_of(const Event& event);
 
 /// The times for which a picture shows that it stood or lay: its stays; of what was left, all of its time.
 std::vector<Stay> standing_times(const Event& event);
 
-/// When: "0:06–0:28".
-std::string time_of(const Event& event, const WallClock& clock);
+/// When: "0:06–0:28", and shorter: "0:06".
+std::vector<std::string> times_of(const Event& event, const WallClock& clock);
 
 }  // namespace vvr

@@ -79,11 +79,17 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
     badge = make_badge(badge.label.text, {still.left + badge.size / 2, middle}, size, colour);
     const int text_left = static_cast<int>(still.left + badge.size + size * 0.4);
     const int base = still.top - line - size / 4;
-    const auto write = [&](const std::string& text, int x, int y, const Rgba& with) {
-        lettering.labels.push_back(make_label(elide(text, size, still.right + size / 2 - x), size, x, y, with));
+    const auto write = [&](const std::vector<std::string>& texts, int x, int y, const Rgba& with) {
+        const int width = still.right + size / 2 - x;
+        for (const std::string& text : texts) {
+            const Label label = make_label(text, size, x, y, with);
+            if (label.box.width() > width) continue;
+            lettering.labels.push_back(label);
+            return;
+        }
     };
-    write(deed_of(event), text_left, base, ink);
-    write(time_of(event, objects.clock), still.left, base + line, pale);
+    write(deeds_of(event), text_left, base, ink);
+    write(times_of(event, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
     lettering.regions.push_back(
         {{still.left, still.top - 2 * line, still.right, still.bottom}, objects.numbers[candidate.event]});

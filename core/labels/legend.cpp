@@ -16,25 +16,38 @@ int width_of(const std::string& text, int size) {
     return box ? box->width() : 0;
 }
 
+// In sizes of the text.
+constexpr int bar_width = 5;
+constexpr int space_between = 2;
+
+/// Of all entries, each with the space after it.
+int width_of(const std::vector<LegendEntry>& entries, std::string LegendEntry::*words, int text) {
+    int sum = 0;
+    for (const LegendEntry& entry : entries) {
+        sum += bar_width * text + text / 2 + width_of(entry.*words, text) + space_between * text;
+    }
+    return sum;
+}
+
 }  // namespace
+
+int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet) {
+    return width_of(entries, &LegendEntry::brief, sheet.small);
+}
 
 void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const Rgba& colour,
                    Lettering& lettering) {
     const int text = sheet.small;
     if (sheet.text == 0 || sheet.legend.width() <= 0) return;
-    const int bar = 5 * text;
+    const int bar = bar_width * text;
     const int gap = text / 2;
-    const int between = 2 * text;
+    const int between = space_between * text;
     // Beside the title: what that has left over.
     PixelBox room = sheet.legend;
     for (const Label& label : lettering.labels) {
         if (label.box.meets(room)) room.left = std::max(room.left, label.box.right + between);
     }
-    const auto width = [&](std::string LegendEntry::*words) {
-        int sum = -between;
-        for (const LegendEntry& entry : entries) sum += bar + gap + width_of(entry.*words, text) + between;
-        return sum;
-    };
+    const auto width = [&](std::string LegendEntry::*words) { return width_of(entries, words, text) - between; };
     const auto words = width(&LegendEntry::text) <= room.width() ? &LegendEntry::text : &LegendEntry::brief;
     int x = sheet.legend == sheet.title ? std::max(room.left, room.right - width(words)) : room.left;
     const int base = base_line(sheet.legend, text);
@@ -46,16 +59,12 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     }
 }
 
-void letter_title(const std::string& title, const std::string& rest, const Sheet& sheet, const Rgba& colour,
+void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet, const Rgba& colour,
                   const Rgba& pale, Lettering& lettering) {
     const int text = sheet.text;
     if (text == 0 || sheet.title.width() <= 0) return;
     const int base = base_line(sheet.title, text);
     int x = sheet.title.left;
-    // A legend in the same band has the larger part: what colours mean is to be read, and a name can be shortened.
-    constexpr double beside_legend = 0.4;
-    int right = sheet.title.right;
-    if (sheet.legend == sheet.title) right = x + static_cast<int>(sheet.title.width() * beside_legend);
     for (const auto& [words, ink] : {std::pair{title, colour}, std::pair{rest, pale}}) {
         const Label label = make_label(elide(printable(words), text, right - x), text, x, base, ink);
         if (lettering.add(label, sheet.title, 1)) x = label.box.right + text;

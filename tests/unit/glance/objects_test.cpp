@@ -45,16 +45,16 @@ TEST(Words, SayWhatItDidAndWhen) {
     Event event = event_of(EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(deed_of(event), "stood 14 s");
-    EXPECT_EQ(time_of(event, {}), "0:06–0:28");
-    EXPECT_EQ(time_of(event, 1'795'248'017), "08:00:23–08:00:45");
-    EXPECT_EQ(deed_of(event_of(EventKind::left, 0, 5)), "left behind");
-    EXPECT_EQ(deed_of(event_of(EventKind::taken, 0, 5)), "taken away");
-    EXPECT_EQ(deed_of(event_of(EventKind::moved, 0, 5)), "went ↘");
+    EXPECT_EQ(deeds_of(event).front(), "stood 14 s");
+    EXPECT_EQ(times_of(event, {}).front(), "0:06–0:28");
+    EXPECT_EQ(times_of(event, 1'795'248'017).front(), "08:00:23–08:00:45");
+    EXPECT_EQ(deeds_of(event_of(EventKind::left, 0, 5)).front(), "left behind");
+    EXPECT_EQ(deeds_of(event_of(EventKind::taken, 0, 5)).front(), "taken away");
+    EXPECT_EQ(deeds_of(event_of(EventKind::moved, 0, 5)).front(), "went ↘");
     event = event_of(EventKind::moved, 0, 5);
     event.path.back().place = {12, 20};
     event.path_length = 80;
-    EXPECT_EQ(deed_of(event), "to and fro");
+    EXPECT_EQ(deeds_of(event).front(), "to and fro");
 }
 
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
