@@ -94,8 +94,9 @@ std::vector<Frame> first_seconds(FrameSource& clip) {
     const VideoInfo& info = clip.info();
     constexpr double seconds = 20;
     const bool is_live = info.duration <= 0 && info.frames <= 0;
+    if (is_live) return first_frames(clip, 25, 2);
     const double rate = info.rate > 0 ? info.rate : 25;
-    const int step = is_live ? 2 : std::clamp(static_cast<int>(seconds * rate / frames_for_median), 2, 50);
+    const int step = std::clamp(static_cast<int>(seconds * rate / frames_for_median), 2, 50);
     return first_frames(clip, frames_for_median, step);
 }
 
