@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 
 #include <glad/gl.h>
@@ -15,7 +16,7 @@ enum class Per { vertex, instance };
 template <class Vertex>
 void set_attribute(const GladGLContext& gl, GLuint attribute, GLint size, std::size_t offset, Per per) {
     gl.EnableVertexAttribArray(attribute);
-    gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), std::bit_cast<const void*>(offset));
     if (per == Per::instance) gl.VertexAttribDivisor(attribute, 1);
 }
 

@@ -32,7 +32,7 @@ Drawing::Drawing(std::shared_ptr<Context> context, const Volume& volume, RenderJ
 }
 
 void Drawing::push() {
-    std::ranges::rotate(bricks_, bricks_.begin() + 1);
+    std::rotate(bricks_.begin(), bricks_.begin() + 1, bricks_.end());
     ++oldest_;
     show();
 }
