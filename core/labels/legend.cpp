@@ -65,10 +65,12 @@ void letter_title(const std::string& title, const std::string& rest, int right, 
     if (text == 0 || sheet.title.width() <= 0) return;
     const int base = base_line(sheet.title, text);
     int x = sheet.title.left;
-    for (const auto& [words, ink] : {std::pair{title, colour}, std::pair{rest, pale}}) {
-        const Label label = make_label(elide(printable(words), text, right - x), text, x, base, ink);
+    const auto write = [&](const std::string& words, int end, const Rgba& ink) {
+        const Label label = make_label(elide(printable(words), text, end - x), text, x, base, ink);
         if (lettering.add(label, sheet.title, 1)) x = label.box.right + text;
-    }
+    };
+    write(title, right, colour);
+    write(rest, sheet.title.right, pale);
 }
 
 }  // namespace vvr

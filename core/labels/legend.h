@@ -23,7 +23,7 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
 /// The width of a legend of brief texts, and of the space before it.
 int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet);
 
-/// Writes a title from the left of its band to `right` at most, and beside it in another colour what there is to say of
+/// Writes a title, whose name ends at `right` at most, and beside it in another colour what there is to say of
 /// it, into the sheet's title. What doesn't fit is left out from the end.
 void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet, const Rgba& colour,
                   const Rgba& pale, Lettering& lettering);

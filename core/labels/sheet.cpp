@@ -26,12 +26,18 @@ constexpr int least_width_for_stills = 48;
 // Height of a horseshoe by its width, at the default view, and some more.
 constexpr double widest_arc = 0.5;
 
+/// Whether the legend is beside the title, where that leaves room, and not in a band of its own at the bottom.
+bool shares_band(const PixelBox& inside, const SheetParts& parts, const Sheet& sheet) {
+    constexpr int least_width = 64;  // in sizes of the text
+    return parts.legend && parts.title && inside.width() >= least_width * sheet.text;
+}
+
 /// The bottom of the picture: the frames at the ends, and between them the strip.
 void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspect, Sheet& sheet) {
     const int gap = sheet.text;
     const int caption = sheet.small * 3 / 2;
     int floor = inside.bottom;
-    if (parts.legend && !parts.title) {
+    if (parts.legend && !shares_band(inside, parts, sheet)) {
         floor -= sheet.text * 3 / 2;
         sheet.legend = {inside.left, floor, inside.right, inside.bottom};
     }
@@ -63,8 +69,7 @@ void arrange_top(const PixelBox& inside, const SheetParts& parts, Sheet& sheet) 
         return PixelBox{inside.left, top - height, inside.right, top};
     };
     if (parts.title) sheet.title = take(sheet.text * 3 / 2);
-    // The legend is where the title leaves room, or below.
-    if (parts.title && parts.legend) sheet.legend = sheet.title;
+    if (shares_band(inside, parts, sheet)) sheet.legend = sheet.title;
     if (parts.explanation) sheet.explanation = take(sheet.small * 3 / 2);
     if (parts.portraits) {
         const int still = std::min(inside.height() * 4 / 25, inside.width() / 6);

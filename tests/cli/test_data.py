@@ -21,7 +21,7 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
     moving_clip(t, frames=41)
     t.render("clip.mkv", output="whole.png").expect(0)
     for i in (1, 2, 3):
-        t.vvr("extract", "clip.mkv", "-o", f"part{i}", "--part", f"{i}/3").expect(0, "frames of 96x64")
+        t.vvr("extract", "clip.mkv", "-o", f"part{i}", "--with-color", "--part", f"{i}/3").expect(0, "frames of 96x64")
     t.render("part1", "part2", "part3", output="parts.png").expect(0, "41 frames")
     check(t.path("parts.png").read_bytes() == t.path("whole.png").read_bytes(), "the parts make another picture")
     t.render("part1", "part2", "part3", output="parts.html").expect(0)
@@ -112,7 +112,7 @@ def test_four_parts_are_one_whole(t):
 def test_part_gives_the_picture_that_the_clip_gives(t):
     moving_clip(t, frames=60)
     for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17"), ("--end", "2.05s")):
-        t.vvr("extract", "clip.mkv", "-o", "data", *span).expect(0)
+        t.vvr("extract", "clip.mkv", "-o", "data", "--with-color", *span).expect(0)
         for options in ((), span):
             t.render("data", "--backend", "software", *options, output="data.png").expect(0)
             t.render("clip.mkv", "--backend", "software", *span, output="clip.png").expect(0)
@@ -140,7 +140,7 @@ def test_extract_replaces_only_its_own(t):
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5", "--flow", "none").expect(0, "5 frames")
     check(len(list(t.path("data/scalar").iterdir())) == 5, "the older extraction was not replaced")
-    t.render("data").expect(1, "was extracted without flow", "--show")
+    t.render("data", "--show", "arrows").expect(1, "was extracted without flow", "--show")
     t.render("data", "--show", "volume").expect(0)
 
 
@@ -159,7 +159,7 @@ def test_manifest_that_lies(t):
         told = manifest(t, "bad")
         edit(told)
         t.write("bad/manifest.json", json.dumps(told))
-        t.render("bad").expect(status, "bad/", text)
+        t.render("bad", "--show", "volume,arrows").expect(status, "bad/", text)
 
     change(2, "not JSON", lambda m: m["frames"][3].update(pts=float("nan")))
     change(2, "'frames[3].pts' is null, not a number", lambda m: m["frames"][3].update(pts=None))
@@ -184,14 +184,14 @@ def test_manifest_that_lies(t):
 
 def test_seeds_from_lists(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
-    t.render("clip.mkv", "--backend", "software", output="own.png").expect(0)
-    t.render("clip.mkv", "--backend", "software", "--seeds", "data/seeds", output="listed.png").expect(0)
+    t.render("clip.mkv", "--backend", "software", "--show", "volume,arrows", output="own.png").expect(0)
+    t.render("clip.mkv", "--backend", "software", "--show", "volume,arrows", "--seeds", "data/seeds", output="listed.png").expect(0)
     t.run(["ffmpeg", "-v", "error", "-i", "own.png", "-f", "rawvideo", "own.raw"])
     t.run(["ffmpeg", "-v", "error", "-i", "listed.png", "-f", "rawvideo", "listed.raw"])
     same(t, "own.raw", "listed.raw")
     t.path("one").mkdir()
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 30 2 0 1\n")
-    t.render("clip.mkv", "--seeds", "one", "--verbose").expect(0, " 1 arrows")
+    t.render("clip.mkv", "--seeds", "one", "--show", "volume", "--verbose").expect(0, " 1 arrows")
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 96 64\npoints 1\n40 nan 2 0 1\n")
     t.render("clip.mkv", "--seeds", "one").expect(2, "one/000007.txt:5: 'nan' is not a finite number")
     t.write("one/000007.txt", "vvr-seeds 1\nframe 7\nsize 90 64\npoints 0\n")

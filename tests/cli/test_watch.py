@@ -185,7 +185,7 @@ def test_watch_shows_gaps(t):
     with Server(t, url + "?listen=1"):
         listening(port)
         watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "1s", "--window", "16", *SIZE, "--duration", "17s", "--start-time",
-                      "2026-11-21 08:00:00")
+                      "2026-11-21 08:00:00", "--show", "volume,outline,ruler,title", "--color", "transfer")
         watch.wait_for("brick 0")
     before = sorted(name for name in t.files() if name.startswith("out."))
     check(red_pixels(t, before[-1]) < 5, f"hatched without a gap: {red_pixels(t, before[-1])}")
