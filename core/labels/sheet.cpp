@@ -28,8 +28,8 @@ constexpr double widest_arc = 0.5;
 
 /// Whether the legend is beside the title, where that leaves room, and not in a band of its own at the bottom.
 bool shares_band(const PixelBox& inside, const SheetParts& parts, const Sheet& sheet) {
-    constexpr int least_width = 64;  // in sizes of the text
-    return parts.legend && parts.title && inside.width() >= least_width * sheet.text;
+    constexpr int least_width_to_share = 64;  // in sizes of the text
+    return parts.legend && parts.title && inside.width() >= least_width_to_share * sheet.text;
 }
 
 /// The bottom of the picture: the frames at the ends, and between them the strip.
