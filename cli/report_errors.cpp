@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -44,6 +45,8 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
         log.error("{}", error.what());
         return ExitStatus::io;
     } catch (const std::exception& error) {
+        // TBB has no type of its own for a thread that it can't have.
+        if (std::string_view(error.what()).starts_with("pthread_create has failed")) return out_of_memory(log);
         log.error("this is a bug in vvr, please report it with the command line: {}", error.what());
         return ExitStatus::bug;
     }

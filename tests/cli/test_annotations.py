@@ -22,7 +22,7 @@ def test_labels_tell_clip_span_times_and_colours(t):
     texts = texts_of(labels)
     check(texts[:2] == ["a door's \"clip\".avi", "120 frames, 0.0 s to 11.9 s"], str(texts))
     check({"0:00", "0:02", "0:04", "0:06", "0:08", "0:10"} <= set(texts), str(texts))
-    check("difference" in texts and "slow to fast" in texts, str(texts))
+    check("what differs from the empty scene: little to much" in texts and "which way it went: slow to fast" in texts, str(texts))
     at = {label["text"]: label for label in labels}
     check(at["0:00"]["x"] < at["0:04"]["x"] < at["0:08"]["x"], "time runs from left to right")
     check(at["0:04"]["y"] < at["0:00"]["y"] and at["0:04"]["y"] < at["0:10"]["y"], "around the arc")
