@@ -104,7 +104,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
-    if (report.events) observer.info(summary_of(*report.events));
+    if (products.events && report.events) observer.info(summary_of(*report.events));
     if (!job.output.report.empty()) {
         const std::string text = format_report(report, with_values(job.settings), took.count());
         const auto held = observer.guard();
