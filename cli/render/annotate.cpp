@@ -99,14 +99,20 @@ void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& let
                   framing.sheet.between, 0);
 }
 
+// Only the default layout is an arc.
+constexpr std::string_view along_arc = " along the arc,";
 const std::array<std::string, 3> explanations{
     "Time runs along the arc, from left to right. Each cut through it is the camera's view at that moment. "
     "A number and its colour are the same object everywhere.",
     "Time runs along the arc, from left to right; each cut through it is the view at that moment.",
     "Time runs along the arc, from left to right."};
 
-void letter_explanation(const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
-    add_first_that_fits(explanations, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
+void letter_explanation(const std::string& layout, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+    std::array<std::string, 3> texts = explanations;
+    if (layout != layouts().front().name) {
+        for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
+    }
+    add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
                         sheet.explanation.grown(0, sheet.small / 4), colour, lettering);
 }
 
@@ -130,7 +136,7 @@ void letter_glance(const RenderJob& job, const Caption& caption, const Volume& v
     const Rgba ink = rgba(job.look.theme.ink);
     const Rgba pale = rgba(job.look.theme.pale_ink);
     const Rgba lines = rgba(job.look.theme.lines);
-    if (show.has(Part::explanation)) letter_explanation(sheet, pale, lettering);
+    if (show.has(Part::explanation)) letter_explanation(job.layout, sheet, pale, lettering);
     if (show.has(Part::ends)) {
         letter_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
                    lettering);
