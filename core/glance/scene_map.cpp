@@ -121,7 +121,7 @@ class Map {
         const Event& event = objects_.events[k];
         const Rgba colour = opaque(objects_.colours[k]);
         const auto badge_at = [&](const glm::dvec2& middle) {
-            return make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ * 4 / 5), colour);
+            return make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ - 2), colour);
         };
         const glm::dvec2 begin = pixel(event.path.empty() ? place_at(event, 0) : event.path.front().place);
         const double size = badge_at(begin).size;

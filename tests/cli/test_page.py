@@ -267,6 +267,38 @@ def test_page_steps_through_events(t):
 
 
 @pytest.mark.browser
+def test_page_tells_which_object_it_is(t):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    t.vvr("render", "bag.y4m", "-o", "out.html", "--size", "960x600", "--backend", "software").expect(0)
+    with Page(t, "out.html") as page:
+        regions = page.run("return data.regions")
+        check({region[4] for region in regions} == {0, 1, 2}, f"{regions}")
+        colours = page.run("return data.events.map(event => event.colour)")
+        check(len(set(colours)) == 3, f"{colours}")
+        # The first part that stands for the bag is its portrait: pointing at it lights up the bag's trail alone.
+        left, top, right, bottom, _ = next(region for region in regions if region[4] == 1)
+        page.point((left + right) / 2, (top + bottom) / 2)
+        page.wait("the bag is named", "return document.getElementById('when').textContent.endsWith('2 left')")
+        check(page.run("return chosen") is None, "pointing chooses")
+        lit = page.run("""const shown = [0, 1, 2].map(() => [0, 0]);
+            objects.forEach((object, k) => { if (object >= 0) ++shown[object][veilWords[k] === pale ? 1 : 0]; });
+            return shown;""")
+        check(lit[1][0] > 100 and lit[1][1] == 0 and lit[0][0] == 0 and lit[2][0] == 0, f"lit and pale pixels: {lit}")
+        page.hold_still()
+        # A pixel of the third's trail chooses the third, and goes to the moment that it shows.
+        x, y = page.run("""const mine = [];
+            objects.forEach((object, k) => {
+                if (object === 2 && !data.regions.some(([l, t, r, b]) => k % width >= l - 1 && k % width <= r && k / width >= t - 1 && k / width <= b + 1)) mine.push(k);
+            });
+            const middle = mine[mine.length >> 1];
+            return [middle % width, Math.floor(middle / width)];""")
+        page.click(x + 0.5, y + 0.5)
+        check(page.run("return chosen") == 2, f"{page.run('return chosen')} is chosen")
+        first, last = page.run("return [data.events[2].first, data.events[2].last]")
+        check(first <= page.run("return now") <= last, "another moment")
+
+
+@pytest.mark.browser
 def test_page_zooms_and_pans(t):
     places = discs(t, "discs.mp4", *H264)
     t.vvr("render", "discs.mp4", "-o", "out.html", *SIDE_VIEW).expect(0)
