@@ -7,11 +7,11 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
-#include "core/fields/shadows.h"
-#include "core/fields/stabilizer.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
+#include "core/fields/shadows.h"
 #include "core/fields/solvers.h"
+#include "core/fields/stabilizer.h"
 #include "gl/context.h"
 
 namespace vvr {

@@ -73,15 +73,16 @@ class Strip {
         const int bottom = rows_.bottom - 1 - bar.row * row_height_;
         const int high = row_height_ - 2;
         const int low = std::max(2, high / 3);
+        const int middle = bottom - high / 2;
         const auto add = [&](double from, double to, int height) {
-            draw_line(column(from), column(to), bottom - high / 2, height, colour);
+            draw_line(column(from), column(to), middle, height, colour);
         };
         add(event.first.seconds, event.last.seconds, low);
         for (const Stay& stay : standing_times(event)) add(stay.first.seconds, stay.last.seconds, high);
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});
-        letter_number(bar, bottom - high / 2);
+        letter_number(bar, middle);
     }
 
     /// Its number, before the bar where there is room, else over its beginning.

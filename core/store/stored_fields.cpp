@@ -164,8 +164,9 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
     if (some.manifest.colour && some.manifest.reference) {
         summary.reference.colour = read_colour(some.folder / stored::reference, field_size());
         summary.reference.grey = Plane<std::uint8_t>(field_size());
-        std::ranges::transform(summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
-                               [](const Bgr& bgr) { return static_cast<std::uint8_t>((bgr[0] + 2 * bgr[1] + bgr[2]) / 4); });
+        std::ranges::transform(
+            summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
+            [](const Bgr& bgr) { return static_cast<std::uint8_t>((bgr[0] + 2 * bgr[1] + bgr[2]) / 4); });
     }
     for (const Part& part : parts_) {
         for (const StoredFrame& stored : part.manifest.frames) {
