@@ -1,6 +1,7 @@
 #include "gl/brick_textures.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     if (!fits) {
         gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        for (const GLenum axis : std::array<GLenum, 3>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
             gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
         }
         const Storage storage = storage_of(layers);

@@ -1,6 +1,7 @@
 #include "gl/volume_slicer.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -93,7 +94,7 @@ void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, co
         for (const std::size_t end : mesh.slice_ends) {
             target.draw_over(*pixel_data_program_, [&] {
                 gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
-                                  reinterpret_cast<const void*>(begin * sizeof(std::uint32_t)));
+                                  std::bit_cast<const void*>(begin * sizeof(std::uint32_t)));
             });
             begin = end;
         }

@@ -139,7 +139,7 @@ std::vector<std::size_t> way_of(const Event& event, const Scale& scale, const Ce
         }
     }
     std::ranges::sort(way);
-    way.erase(std::ranges::unique(way).begin(), way.end());
+    way.erase(std::unique(way.begin(), way.end()), way.end());
     return way;
 }
 

@@ -37,6 +37,7 @@ using Neighbourhood = std::vector<std::shared_ptr<Shot>>;
 class FieldStages {
   public:
     FieldStages(const EmptyScene& scene, const FieldOptions& options);
+    ~FieldStages() = default;
     FieldStages(const FieldStages&) = delete;
     FieldStages& operator=(const FieldStages&) = delete;
 

@@ -195,8 +195,9 @@ Plane<float> local_gains(const Planes& reference, const Planes& frame) {
 
 template <class T>
 Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
-    cv::Mat gains_of_channels = gains;
-    if constexpr (std::is_same_v<T, Bgr>) cv::merge(std::vector<cv::Mat>(3, gains), gains_of_channels);
+    constexpr std::size_t channels = std::is_same_v<T, Bgr> ? 3 : 1;
+    cv::Mat gains_of_channels;
+    cv::merge(std::vector<cv::Mat>(channels, gains), gains_of_channels);
     auto result = Plane<T>::for_overwrite(plane.size());
     cv::Mat out = cv_view(result);
     cv::multiply(cv_view(plane), gains_of_channels, out, 1, out.type());

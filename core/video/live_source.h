@@ -44,6 +44,8 @@ class LiveSource final : public FrameSource {
     /// \throws Error as `open_live_input`, Demuxer and Decoder do; not_video when no frame comes
     LiveSource(const std::string& name, LiveOptions options);
     ~LiveSource() override { stop(); }
+    LiveSource(const LiveSource&) = delete;
+    LiveSource& operator=(const LiveSource&) = delete;
 
     const VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field_size_; }
