@@ -26,7 +26,7 @@ Drawing::Drawing(std::shared_ptr<Context> context, const Volume& volume, RenderJ
     drawing_.window = std::make_unique<BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
     show();
     const Frame none;
-    Scene scene = build_scene(job_, volume, {none, none}, layout(), drawing_.framing, {});
+    Scene scene = build_scene(job_, volume, {none, none}, layout(), drawing_.framing, {}, {});
     add_overlays(job_, drawing_, bricks_, volume.layers(), scene);
     renderer().set_scene(std::move(scene));
 }
