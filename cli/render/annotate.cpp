@@ -157,7 +157,7 @@ void letter_glance(const RenderJob& job, const Caption& caption, const Volume& v
         letter_stays(glance.objects, trails, sheet, Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::strip)) {
-        letter_strip(glance.objects, caption.begin, caption.end, sheet,
+        letter_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
                      {ink, pale, lines, Rgba(background_of(job.look))}, lettering);
     }
 }

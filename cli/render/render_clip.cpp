@@ -16,6 +16,7 @@
 #include "cli/render/shown_name.h"
 #include "core/events/event_finder.h"
 #include "core/machine_memory.h"
+#include "core/scene/object_looks.h"
 
 namespace vvr {
 
@@ -172,6 +173,12 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
     drawing.window->show(volume, pieces, 0, identify);
+    if (volume.keeps_owners() && fields.events->empty()) {
+        // Where there is no object, what changed is all that there is to be seen.
+        std::vector<glm::vec4> looks = looks_of(job.look.theme);
+        looks.front().a = 1;
+        drawing.renderer->set_looks(looks);
+    }
     add_overlays(job, drawing, bricks, volume.layers(), scene);
     drawing.renderer->set_scene(std::move(scene));
     const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);

@@ -18,9 +18,15 @@ Rgba opaque(const glm::vec3& colour) {
 /// A strip on a picture: which column is which time, and where the rows are.
 class Strip {
   public:
-    Strip(const Objects& objects, double begin, double end, const Sheet& sheet, const StripLook& look,
+    Strip(const Objects& objects, double begin, double end, bool still, const Sheet& sheet, const StripLook& look,
           Lettering& lettering)
-        : objects_(objects), begin_(begin), end_(end), sheet_(sheet), look_(look), lettering_(lettering) {
+        : objects_(objects),
+          begin_(begin),
+          end_(end),
+          still_(still),
+          sheet_(sheet),
+          look_(look),
+          lettering_(lettering) {
         const int under = sheet.small * 7 / 4;  // the axis and its times
         const int over = sheet.small * 3 / 2;   // the heading
         rows_ = {sheet.strip.left + 3 * sheet.small / 2, sheet.strip.top + over, sheet.strip.right,
@@ -35,7 +41,8 @@ class Strip {
         const double apart = 2.5 * sheet_.small / rows_.width() * (end_ - begin_);
         const std::vector<StripBar> bars = strip_bars(objects_.events, order, rows_.height() / row_height_, apart);
         for (const StripBar& bar : bars) draw_bar(bar);
-        letter_quiet();
+        // What was too short to be an object was there all the same.
+        if (still_ || !objects_.events.empty()) letter_quiet();
         letter_heading(objects_.events.size() - bars.size());
     }
 
@@ -111,7 +118,8 @@ class Strip {
         const std::string more = without_bar > 0 ? fmt::format("; {} more not shown", without_bar) : "";
         std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
-        if (objects_.events.empty()) texts = {"Nothing moved"};
+        if (objects_.events.empty())
+            texts = {still_ ? "Nothing moved" : "Nothing was in sight for long enough to be an object"};
         add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small, sheet_.strip,
                             look_.pale, lettering_);
     }
@@ -119,6 +127,7 @@ class Strip {
     const Objects& objects_;
     double begin_;
     double end_;
+    bool still_;
     const Sheet& sheet_;
     const StripLook& look_;
     Lettering& lettering_;
@@ -160,9 +169,9 @@ std::vector<Quiet> quiet_times(std::span<const Event> events, double begin, doub
     return quiet;
 }
 
-void letter_strip(const Objects& objects, double begin, double end, const Sheet& sheet, const StripLook& look,
-                  Lettering& lettering) {
-    Strip(objects, begin, end, sheet, look, lettering).letter();
+void letter_strip(const Objects& objects, double begin, double end, bool still, const Sheet& sheet,
+                  const StripLook& look, Lettering& lettering) {
+    Strip(objects, begin, end, still, sheet, look, lettering).letter();
 }
 
 }  // namespace vvr

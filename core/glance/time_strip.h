@@ -37,9 +37,11 @@ struct StripLook {
     Rgba background{};
 };
 
-/// Draws when each object was there: a bar for each over an even axis of time, thick where it stood; above what finds
-/// no row only how many there are. \param begin, end seconds of the clip
-void letter_strip(const Objects& objects, double begin, double end, const Sheet& sheet, const StripLook& look,
-                  Lettering& lettering);
+/// Draws when each object was there: a bar for each over an even axis of time, thick where it stood; of those that find
+/// no row only how many there are.
+/// \param begin, end seconds of the clip
+/// \param still nothing moved at all
+void letter_strip(const Objects& objects, double begin, double end, bool still, const Sheet& sheet,
+                  const StripLook& look, Lettering& lettering);
 
 }  // namespace vvr

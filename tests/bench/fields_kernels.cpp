@@ -186,7 +186,7 @@ BENCHMARK_CAPTURE(fields_of_frames, colour_without_flow, true, "none")->UseRealT
 void filter_of_frames(benchmark::State& state, const std::string& name) {
     EmptyScene scene;
     const Frame empty = frame_of(scene::make_still(), 0);
-    scene.reference = {empty.grey, empty.colour};
+    scene.reference = Planes{empty.grey, empty.colour};
     FieldOptions options;
     options.filter = name;
     options.threads = 1;
