@@ -1,0 +1,111 @@
+// Portraits, map, strip and text of random events: each has its place.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "cli/render/annotate.h"
+
+namespace vvr {
+namespace {
+
+/// Ten seconds.
+Volume clip_of(int frames) {
+    Volume volume({32, 24}, frames);
+    for (int i = 0; i < frames; ++i) {
+        Field field;
+        field.index = i;
+        field.pts = i / 25.0;
+        field.scalar = Plane<std::uint8_t>({32, 24});
+        volume.add(field);
+    }
+    return volume;
+}
+
+/// Events at random places and times, as many as a busy day has.
+std::vector<Event> random_events(int count, double seconds, Size field, std::mt19937& random) {
+    const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    std::vector<Event> events;
+    for (int k = 0; k < count; ++k) {
+        Event event;
+        event.kind = static_cast<EventKind>(k % 4);
+        const double first = any(0, 0.9 * seconds);
+        const double last = any(first + 0.05 * seconds, seconds);
+        event.first = {static_cast<std::int64_t>(first * 25), first};
+        event.last = {static_cast<std::int64_t>(last * 25), last};
+        for (int i = 0; i <= 8; ++i) {
+            const double at = std::lerp(first, last, i / 8.0);
+            event.path.push_back(
+                {{static_cast<std::int64_t>(at * 25), at}, {any(0, field.width), any(0, field.height)}});
+        }
+        if (k % 4 != 0) event.stays.push_back({event.first, event.last, event.path.front().place, {}});
+        event.tracks = {static_cast<std::size_t>(k)};
+        events.push_back(event);
+    }
+    std::ranges::sort(events, {}, [](const Event& event) { return event.first.seconds; });
+    return events;
+}
+
+class OfManyObjects : public testing::TestWithParam<std::tuple<Size, int>> {};
+
+// Whatever the events: nothing overlaps, nothing leaves the picture, and no text is smaller than can be read.
+TEST_P(OfManyObjects, EachPartHasItsPlace) {
+    const auto& [size, count] = GetParam();
+    std::mt19937 random(static_cast<unsigned>(count));
+    const Volume volume = clip_of(250);
+    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
+    RenderJob job;
+    job.picture.size = size;
+    const std::vector<Event> events = random_events(count, 9.9, volume.size(), random);
+    Glance glance;
+    glance.field = volume.size();
+    glance.scene = glance.first = glance.last = Plane<Bgr>(volume.size());
+    Crops crops;
+    const Frame frame{0, 0, Plane<std::uint8_t>(volume.size()), Plane<Bgr>(volume.size())};
+    for (std::size_t k = 0; k < events.size(); ++k) crops.keep(k, {events[k].first, {2, 2, 12, 12}, 1}, frame);
+    glance.crops = &crops;
+    Caption caption;
+    caption.end = 9.9;
+    glance.objects = shown_objects(job.look, events, 0, 9.9, {});
+    const Framing framing = frame_volume(job, *layout);
+    const std::vector<TimeTick> ticks = ticks_of(job, framing, volume, {});
+    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks, glance);
+
+    const PixelBox picture{0, 0, size.width, size.height};
+    std::vector<PixelBox> pictures;
+    for (const PastedPicture& pasted : lettering.pictures) {
+        pictures.push_back(pasted.box.grown(pasted.border, pasted.border));
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        EXPECT_TRUE(picture.holds(pictures[i])) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i].meets(pictures[j])) << i << " " << j;
+        for (const Label& label : lettering.labels) {
+            EXPECT_FALSE(pictures[i].meets(label.box)) << i << " " << label.text;
+        }
+    }
+    const int readable = size.width >= 1280 ? 11 : 9;
+    for (std::size_t i = 0; i < lettering.labels.size(); ++i) {
+        const Label& label = lettering.labels[i];
+        EXPECT_TRUE(picture.holds(label.box)) << label.text;
+        EXPECT_GE(label.size, readable) << label.text;
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_FALSE(label.box.meets(lettering.labels[j].box)) << label.text << " " << lettering.labels[j].text;
+        }
+    }
+    for (const Badge& badge : lettering.badges) {
+        EXPECT_TRUE(picture.holds(badge.box)) << badge.label.text;
+        EXPECT_GE(badge.label.size, readable) << badge.label.text;
+    }
+    if (size.width >= 640) {
+        EXPECT_GE(static_cast<int>(lettering.pictures.size()), 3 + std::min(count, 2)) << "map, ends, portraits";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, OfManyObjects,
+                         testing::Combine(testing::Values(Size{640, 480}, Size{1280, 800}, Size{3840, 2160},
+                                                          Size{800, 1280}, Size{320, 240}),
+                                          testing::Values(0, 1, 7, 40, 200)));
+
+}  // namespace
+}  // namespace vvr
