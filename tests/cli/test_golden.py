@@ -43,7 +43,8 @@ def test_golden_picture(t, name):
     picture = t.source / "tests" / "golden" / f"{name}.png"
     t.vvr("render", "bag.y4m", "--size", "320x200", "--backend", "software", *PICTURES[name], "--golden", picture,
           *bless).expect(0)
-    check(picture.stat().st_size <= 160_000, f"{picture} is large for a golden picture")
+    most = 160_000 if name.startswith("glance") else 80_000  # stills take room
+    check(picture.stat().st_size <= most, f"{picture} is large for a golden picture")
 
 
 def test_golden_pictures_differ_from_each_other(t):
