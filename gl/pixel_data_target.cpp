@@ -68,16 +68,28 @@ void PixelDataTarget::draw_over(const Program& program, const std::function<void
     gl_->Disable(GL_BLEND);
     program.set("behind", behind_unit);
     program.set("object_behind", object_behind_unit);
+    if (gl_->ARB_texture_barrier != 0) {
+        // What is drawn may be read again by the next step: no copy, and no change of framebuffers.
+        read_from(data_[0]);
+        program.set("take_over", 0);
+        gl_->TextureBarrier();
+        draw();
+        return;
+    }
     for (const std::size_t from : {0U, 1U}) {
         gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[1 - from].framebuffer.id());
-        gl_->ActiveTexture(GL_TEXTURE0 + behind_unit);
-        gl_->BindTexture(GL_TEXTURE_2D, data_[from].texture.id());
-        gl_->ActiveTexture(GL_TEXTURE0 + object_behind_unit);
-        gl_->BindTexture(GL_TEXTURE_2D, data_[from].objects.id());
-        gl_->ActiveTexture(GL_TEXTURE0);
+        read_from(data_[from]);
         program.set("take_over", from == 1 ? 1 : 0);
         draw();
     }
+}
+
+void PixelDataTarget::read_from(const Data& data) const {
+    gl_->ActiveTexture(GL_TEXTURE0 + behind_unit);
+    gl_->BindTexture(GL_TEXTURE_2D, data.texture.id());
+    gl_->ActiveTexture(GL_TEXTURE0 + object_behind_unit);
+    gl_->BindTexture(GL_TEXTURE_2D, data.objects.id());
+    gl_->ActiveTexture(GL_TEXTURE0);
 }
 
 Plane<glm::vec4> PixelDataTarget::read(Size size) const {

@@ -12,7 +12,8 @@ namespace vvr {
 
 /// Pixel data while a picture is drawn back to front, one sample per pixel: the weight of what contributes most so far,
 /// its frame and depth, and the opacity of all; and the event that it belongs to. Blending cannot select by weight, so
-/// each step reads one texture and draws into another, which is then copied back.
+/// each step reads what has been drawn. With GL_ARB_texture_barrier that is the texture that it draws into; without, it
+/// draws into another, which is then copied back.
 class PixelDataTarget {
   public:
     /// \throws Error backend when the driver can't draw into such textures
@@ -41,6 +42,7 @@ class PixelDataTarget {
         GlTexture objects;
     };
 
+    void read_from(const Data& data) const;
     Plane<glm::vec4> read_attachment(GLenum attachment, Size size) const;
 
     const GladGLContext* gl_;

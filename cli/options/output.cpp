@@ -26,7 +26,10 @@ namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting plain_name{"plain-name", "", "FILE has no field, whatever is in its name"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
+constexpr Setting page_index{"page-index", "FILE", "the index of an archive, to which the page links"};
 constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
+constexpr Setting still{"still", "FILE",
+                        "the frame of the clip that tells most, with a frame around what it tells of: .jpg .png"};
 constexpr Setting report{"report", "FILE",
                          "a JSON file of the input, the settings, the events and the run; needs no -o"};
 constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
@@ -64,14 +67,17 @@ struct Named {
 };
 
 void check_names(const OutputOptions& options) {
-    const Named outputs[] = {
-        {"--report", options.report, "report.json"},     {"--page", options.page, "page.html"},
-        {"--thumbnail", options.thumbnail, "small.jpg"}, {"-o", options.path, "picture.png"},
-        {"--golden", options.golden.path, "golden.png"}, {"--diff", options.golden.comparison.diff, "diff.png"}};
+    const Named outputs[] = {{"--report", options.report, "report.json"},
+                             {"--page", options.page, "page.html"},
+                             {"--thumbnail", options.thumbnail, "small.jpg"},
+                             {"--still", options.still, "still.jpg"},
+                             {"-o", options.path, "picture.png"},
+                             {"--golden", options.golden.path, "golden.png"},
+                             {"--diff", options.golden.comparison.diff, "diff.png"}};
     for (const Named& a : outputs) {
         for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
             // What a golden picture is compared with, and where the difference goes, is for that group to check.
-            if (&a - outputs > 2 || !same_file(a.path, b.path)) continue;
+            if (&a - outputs > 3 || !same_file(a.path, b.path)) continue;
             throw Error(ErrorKind::usage,
                         fmt::format("{} and {} both name '{}'; give the {} a name of its own, such as {}", a.option,
                                     b.option, b.path.string(), a.option + 2, a.better));
@@ -89,8 +95,8 @@ void check_companions(const OutputOptions& options) {
                     fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
                                 options.path.string()));
     }
-    const std::pair<const char*, const std::filesystem::path&> companions[] = {{"--page", options.page},
-                                                                               {"--thumbnail", options.thumbnail}};
+    const std::pair<const char*, const std::filesystem::path&> companions[] = {
+        {"--page", options.page}, {"--thumbnail", options.thumbnail}, {"--still", options.still}};
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
         if (options.path.empty() || pictures_of(options) > 1 || is_series(options)) {
@@ -101,6 +107,10 @@ void check_companions(const OutputOptions& options) {
         check_file_path(path);
     }
     if (!options.thumbnail.empty()) check_picture_ending(options.thumbnail);
+    if (!options.still.empty()) check_picture_ending(options.still);
+    if (!options.page_index.empty() && page_of(options).empty()) {
+        throw Error(ErrorKind::usage, "--page-index is for a page; name one with --page FILE, or as -o FILE.html");
+    }
 }
 
 void check_golden(const GoldenOptions& options) {
@@ -139,7 +149,9 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
                 {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
                                      default_animation)});
     line.path(output, options.page, text::page);
+    line.path(output, options.page_index, text::page_index);
     line.path(output, options.thumbnail, text::thumbnail);
+    line.path(output, options.still, text::still);
     line.path(output, options.report, text::report);
     line.explain(text::events, event_kinds());
     line.value(output, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),

@@ -80,6 +80,7 @@ Products products_of(const RenderJob& job) {
     products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
     products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
+    products.portraits = page && products.events;
     return products;
 }
 

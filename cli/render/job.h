@@ -95,6 +95,7 @@ struct Products {
     bool series = false;      ///< a picture for each brick, while the window moves over the clip
     bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
     bool events = false;      ///< a report or a page tells of them
+    bool portraits = false;   ///< a page shows a still of each event
 };
 
 Products products_of(const RenderJob& job);

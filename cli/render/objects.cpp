@@ -73,6 +73,7 @@ int LiveObjects::next_colour() const {
 
 void LiveObjects::decide(std::int64_t oldest) {
     std::erase_if(tracks_, [&](const auto& known) { return known.second.last.frame < oldest; });
+    std::erase_if(numbers_, [&](const auto& known) { return !tracks_.contains(known.first); });
     for (auto& [track, seen] : tracks_) {
         if (seen.decided) continue;
         seen.decided = seen.last.seconds - seen.first.seconds >= EventOptions{}.least;
@@ -91,7 +92,10 @@ Identify LiveObjects::identify() const {
         if (known == tracks_.end()) return Identity{};
         const Seen& seen = known->second;
         if (!seen.decided || layer.last_frame < seen.undecided) return Identity{};
-        return Identity{look_of(seen.colour, Posture::moving), 0};
+        const auto number = numbers_.find(track);
+        const bool fits = number != numbers_.end() && number->second <= most_numbers;
+        return Identity{look_of(seen.colour, Posture::moving),
+                        fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
     };
 }
 

@@ -32,6 +32,9 @@ class LiveObjects {
     /// The colour of a track that has been seen of late, 0 to `object_colours` - 1.
     std::optional<int> colour_of(std::size_t track) const;
 
+    /// The number of the event that a track belongs to, from now on; what was drawn before keeps its own.
+    void give_number(std::size_t track, std::size_t number) { numbers_[track] = number; }
+
     /// \returns what asks this object, which outlives it
     Identify identify() const;
 
@@ -47,6 +50,7 @@ class LiveObjects {
     int next_colour() const;
 
     std::map<std::size_t, Seen> tracks_;
+    std::map<std::size_t, std::size_t> numbers_;
     std::array<std::int64_t, object_colours> last_seen_{};  ///< 1 + frame; of each colour
     Moment last_;
 };

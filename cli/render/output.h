@@ -25,12 +25,14 @@ struct GoldenOptions {
 /// Where pictures go, and what is written about them.
 struct OutputOptions {
     std::filesystem::path path;
-    std::filesystem::path page;       ///< beside the picture; empty = none, unless `path` is one
-    std::filesystem::path thumbnail;  ///< empty = none
-    bool plain_name = false;          ///< nothing in `path` is a field
-    std::optional<int> animate;       ///< pictures of the moving texture
-    std::filesystem::path report;     ///< empty = nowhere
-    EventChoice events;               ///< which of them the report and the page list
+    std::filesystem::path page;        ///< beside the picture; empty = none, unless `path` is one
+    std::filesystem::path page_index;  ///< of the archive that the page belongs to; empty = none
+    std::filesystem::path thumbnail;   ///< empty = none
+    std::filesystem::path still;       ///< a frame of the clip; empty = none
+    bool plain_name = false;           ///< nothing in `path` is a field
+    std::optional<int> animate;        ///< pictures of the moving texture
+    std::filesystem::path report;      ///< empty = nowhere
+    EventChoice events;                ///< which of them the report and the page list
     GoldenOptions golden;
 };
 

@@ -1,19 +1,18 @@
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 
+#include "cli/render/job.h"
 #include "cli/render/report.h"
-#include "core/image/picture.h"
-#include "core/page/watched_fields.h"
+#include "core/page/page.h"
 
 namespace vvr {
 
-/// The text of the page for a picture that has its pixel data.
-/// \param path where the page goes
-/// \param input as the user gave it; a file is played from where it is, anything else from the page's own preview
-/// \param title above the page; empty = the input's name
-std::string page_text(const std::filesystem::path& path, const std::string& input, const std::string& title,
-                      const RenderReport& report, Picture picture, const Metadata& settings, Moments moments);
+/// The text of a page of one picture.
+/// \param settings of the picture
+/// \param live of a stream
+std::string page_text(const RenderJob& job, const RenderReport& report, Picture picture, const Metadata& settings,
+                      Moments moments, const std::optional<LiveState>& live = {});
 
 }  // namespace vvr

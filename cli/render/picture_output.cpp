@@ -18,7 +18,11 @@ constexpr int thumbnail_quality = 80;
 }  // namespace
 
 PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
-    : observer_(observer), name_(name_of(options)), page_(page_of(options)), thumbnail_(options.thumbnail) {
+    : observer_(observer),
+      name_(name_of(options)),
+      page_(page_of(options)),
+      thumbnail_(options.thumbnail),
+      still_(options.still) {
     if (options.path.empty()) return;
     const auto held = observer.guard();
     if (is_animation(options.path) || is_page(options.path)) {
@@ -45,6 +49,13 @@ void PictureOutput::add_thumbnail(const Picture& picture) {
     const std::vector<std::byte> encoded = encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
     replace_file(thumbnail_, encoded);
+}
+
+void PictureOutput::add_still(const std::optional<Still>& still) {
+    if (still_.empty() || !still) return;
+    const std::vector<std::byte> encoded = encode_picture(still_, still->picture, thumbnail_quality);
+    const auto held = observer_.guard();
+    replace_file(still_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {

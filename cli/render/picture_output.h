@@ -8,6 +8,7 @@
 #include "core/image/animation_file.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
+#include "core/page/stills.h"
 
 namespace vvr {
 
@@ -23,6 +24,9 @@ class PictureOutput {
     /// The picture once more, small, where that is asked for.
     void add_thumbnail(const Picture& picture);
 
+    /// A frame of the clip, where that is asked for and there is one.
+    void add_still(const std::optional<Still>& still);
+
     /// Instead of the picture, or beside it.
     void add_page(const std::string& text);
 
@@ -34,6 +38,7 @@ class PictureOutput {
     NamePattern name_;
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
+    std::filesystem::path still_;
     std::optional<AnimationFile> animation_;
 };
 

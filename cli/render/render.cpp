@@ -16,6 +16,7 @@
 #include "cli/render/render_series.h"
 #include "cli/render/report_text.h"
 #include "core/image/atomic_file.h"
+#include "core/page/telling_still.h"
 #include "core/words.h"
 
 namespace vvr {
@@ -64,12 +65,18 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
                        counted(std::ssize(report.bricks), "brick"));
 }
 
-/// Sees the fields on their way, to keep what a page shows of them.
-WatchedFields* watch(OpenedFields& fields) {
-    auto watched = std::make_unique<WatchedFields>(std::move(fields.source));
+/// Sees the fields on their way, to keep what a page and a still show of them.
+WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
+    if (page_of(output).empty() && output.still.empty()) return nullptr;
+    const auto film = page_of(output).empty() ? WatchedFields::Film::none : WatchedFields::Film::preview;
+    auto watched = std::make_unique<WatchedFields>(std::move(fields.source), film);
     WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);
     return watcher;
+}
+
+std::span<const Event> events_of(const RenderReport& report) {
+    return report.events ? std::span<const Event>(*report.events) : std::span<const Event>();
 }
 
 }  // namespace
@@ -82,7 +89,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     const RenderJob job = with_colour(with_possible_parts(with_extracted(asked, fields.extracted)));
     const Products products = products_of(job);
     const std::filesystem::path& page = page_of(job.output);
-    WatchedFields* const watched = page.empty() ? nullptr : watch(fields);
+    WatchedFields* const watched = watch(job.output, fields);
     check_memory(make_plan(job, products, *fields.source));
 
     Picture drawn;
@@ -90,13 +97,14 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
         const Metadata record = record_of(job, report, products.series);
         if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
         pictures.add_thumbnail(picture);
-        if (watched == nullptr) {
+        Moments moments = watched == nullptr ? Moments{} : watched->take();
+        pictures.add_still(telling_still(moments.stills, events_of(report), report.field_size));
+        if (page.empty()) {
             pictures.add(number, std::move(picture), record);
             return;
         }
         if (!is_page(job.output.path)) pictures.add(number, picture, record);
-        pictures.add_page(page_text(page, job.input.names.front(), job.look.title, report, std::move(picture), record,
-                                    watched->take()));
+        pictures.add_page(page_text(job, report, std::move(picture), record, std::move(moments)));
     };
     RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
                                           : render_clip(job, products, *fields.source, observer, write);

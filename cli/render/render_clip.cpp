@@ -49,7 +49,7 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     FrameLabels labels;
     const Frame* now = nullptr;
     if (finds_objects(job, products)) events.emplace(source.field_size(), event_options(job));
-    if (events && job.look.show.has(Part::portraits)) {
+    if (events && (products.portraits || job.look.show.has(Part::portraits))) {
         events->set_portrait_sink(
             [&](std::size_t track, const Portrait& portrait) { result.crops.keep(track, portrait, *now); });
     }
@@ -184,6 +184,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
     report.lettering = lettering;
     report.event_colours = glance.objects.colours;
+    if (products.portraits && fields.events) report.portraits = portraits_of(*fields.events, fields.crops);
     for (int i = 0; i < products.pictures; ++i) {
         const double phase = static_cast<double>(i) / products.pictures;
         Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);

@@ -46,7 +46,8 @@ class Series {
         });
         if (finds_objects(job, products)) events_.emplace(source.field_size(), event_options(job_));
         tells_events_ = products.events;
-        if (events_ && job.look.show.has(Part::portraits)) {
+        shows_portraits_ = products.portraits;
+        if (events_ && (shows_portraits_ || job.look.show.has(Part::portraits))) {
             events_->set_portrait_sink(
                 [this](std::size_t track, const Portrait& portrait) { crops_.keep(track, portrait, *frame_); });
         }
@@ -81,6 +82,9 @@ class Series {
         if (frames_of_newest_ > 0) complete_newest(Draw::yes);
         report_.stages.end("fields");
         report_.still = all_still_;
+        report_.events.reset();
+        report_.event_numbers.clear();
+        report_.event_colours.clear();
         if (tells_events_) report_.events = choose_events(events_->finish(scene), job_.output.events);
         if (begin_) {
             report_.first_frame = begin_->frame;
@@ -146,11 +150,11 @@ class Series {
     }
 
     void draw(Drawing& drawing) {
+        const Glance glance = glance_now();
         if (job_.look.show.has(Part::volume)) show_pieces(*drawing.window);
         report_.stages.end("draw");
         const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);
-        const Glance glance = glance_now();
         Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
                                   ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
@@ -186,8 +190,13 @@ class Series {
             for (const std::size_t track : tracks) {
                 const std::optional<int> colour = objects_.colour_of(track);
                 if (colour) glance.objects.colours[k] = job_.look.theme.objects[static_cast<std::size_t>(*colour)];
+                objects_.give_number(track, glance.objects.numbers[k]);
             }
         }
+        report_.events = glance.objects.events;
+        report_.event_numbers = glance.objects.numbers;
+        report_.event_colours = glance.objects.colours;
+        if (shows_portraits_) report_.portraits = portraits_of(glance.objects.events, crops_);
         glance.crops = &crops_;
         glance.scene = glance.first;
         return glance;
@@ -208,6 +217,7 @@ class Series {
     Crops crops_;
     const Frame* frame_ = nullptr;  ///< that is being added
     bool tells_events_ = false;
+    bool shows_portraits_ = false;
     LiveObjects objects_;
     Identify identify_;                           ///< of `objects_`
     FrameLabels labels_;                          ///< of the newest field

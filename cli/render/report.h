@@ -34,7 +34,9 @@ struct RenderReport {
     std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< none where they were not looked for
+    std::vector<std::size_t> event_numbers;    ///< that the picture shows; empty = their places in the list, plus 1
     std::vector<glm::vec3> event_colours;      ///< in the picture, sRGB; empty where they have none
+    std::vector<Plane<Bgr>> portraits;         ///< of the events, small; empty where nobody asked for them
     Lettering lettering;                       ///< on the last picture
     std::size_t keyframes = 0;                 ///< shown between the first and the last frame
     Stages stages;

@@ -8,14 +8,16 @@
 #include <fmt/format.h>
 
 #include "cli/render/latency.h"
+#include "cli/render/layers.h"
 #include "cli/render/open_fields.h"
+#include "cli/render/page_output.h"
 #include "cli/render/picture_output.h"
 #include "cli/render/plan.h"
 #include "cli/render/record.h"
 #include "cli/render/render_series.h"
 #include "cli/render/shown_name.h"
 #include "core/labels/time_ticks.h"
-#include "core/page/live_page.h"
+#include "core/page/recent_moments.h"
 #include "core/video/input.h"
 #include "core/words.h"
 
@@ -53,13 +55,19 @@ std::string title_of_stream(const std::string& name) {
 /// Pictures on their way to the disk, and how long they took.
 class LivePictures {
   public:
-    LivePictures(const RenderJob& job, const LiveSource& stream, Observer& observer)
-        : job_(job), name_(job.output.path), stream_(stream), observer_(observer), files_(job.output, observer) {}
+    LivePictures(const RenderJob& job, const LiveSource& stream, const RecentMoments& moments, Observer& observer)
+        : job_(job),
+          name_(job.output.path),
+          stream_(stream),
+          moments_(moments),
+          observer_(observer),
+          files_(job.output, observer) {}
 
     void add(const RenderReport& report, int number, Picture&& picture) {
         const Metadata record = record_of(job_, report, true);
         if (is_page(job_.output.path)) {
-            files_.add_page(page_of(report, record, std::move(picture)));
+            files_.add_page(page_text(job_, report, std::move(picture), record, moments_.since(report.first_frame),
+                                      state_of(report)));
         } else {
             files_.add(number, picture, record);
         }
@@ -79,22 +87,26 @@ class LivePictures {
         return format_span(report.first_pts, report.last_pts, job_.look.start_time.clock);
     }
 
-    std::string page_of(const RenderReport& report, const Metadata& record, Picture&& picture) const {
-        LivePageContent page;
-        page.name = job_.look.title;
-        page.state = span_of(report);
-        if (const auto lost = stream_.dropped()) page.state += fmt::format(", {} dropped", counted(lost, "frame"));
-        page.span = fmt::format("{:.0f} s", report.last_pts - report.first_pts);
-        page.picture = std::move(picture);
-        page.settings = record;
-        page.written = std::time(nullptr);
-        page.brick_seconds = static_cast<double>(report.bricks.back().count * report.step) / report.info.rate;
-        return make_live_page(page);
+    LiveState state_of(const RenderReport& report) const {
+        LiveState state;
+        state.text = is_learning(report) ? "learning the empty scene" : "watching";
+        if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
+        state.written = std::time(nullptr);
+        state.brick_seconds = static_cast<double>(report.bricks.back().count * report.step) / report.info.rate;
+        return state;
+    }
+
+    /// Whether the scene may still hold what stood there when the stream began.
+    bool is_learning(const RenderReport& report) const {
+        const ReferenceRow* const row = find_reference(job_.fields.reference);
+        constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
+        return row != nullptr && row->adapts && report.last_frame < first_look + RunningReference::ghost_frames;
     }
 
     const RenderJob& job_;
     NamePattern name_;
     const LiveSource& stream_;
+    const RecentMoments& moments_;
     Observer& observer_;
     PictureOutput files_;
     Latency latency_;
@@ -121,18 +133,22 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     const VideoInfo& info = stream_->info();
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
     if (!job_.look.start_time.clock) job_.look.start_time.clock = wall_clock_now();
-    fields_ = std::make_unique<ClipFields>(std::move(connected), job_.fields);
+    auto fields = std::make_unique<ClipFields>(std::move(connected), job_.fields);
+    const std::int64_t window = sliding_window(job_.bricks, *fields).frames();
+    fields_ = std::make_unique<RecentMoments>(std::move(fields), window);
 }
 
 std::int64_t StreamWatch::run() {
     Products products;
     products.series = true;
-    products.pixel_data = !is_page(job_.output.path) && holds_pixel_data(job_.output.path);
+    const bool page = is_page(job_.output.path);
+    products.pixel_data = page || holds_pixel_data(job_.output.path);
+    products.portraits = page;
     check_memory(make_plan(job_, products, *fields_));
     const VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
-    LivePictures pictures(job_, *stream_, observer_);
+    LivePictures pictures(job_, *stream_, *fields_, observer_);
     const RenderReport report = render_series(job_, products, *fields_, observer_,
                                               [&](const RenderReport& so_far, int number, Picture&& picture) {
                                                   pictures.add(so_far, number, std::move(picture));

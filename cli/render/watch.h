@@ -6,6 +6,7 @@
 #include "cli/render/job.h"
 #include "cli/render/observer.h"
 #include "core/fields/field_source.h"
+#include "core/page/recent_moments.h"
 #include "core/video/live_source.h"
 
 namespace vvr {
@@ -37,7 +38,7 @@ class StreamWatch {
   private:
     RenderJob job_;
     Observer& observer_;
-    std::unique_ptr<ClipFields> fields_;
+    std::unique_ptr<RecentMoments> fields_;
     LiveSource* stream_;  ///< of the fields
 };
 

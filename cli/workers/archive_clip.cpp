@@ -130,7 +130,8 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
 std::unique_ptr<Worker> ClipTurn::start() const {
     static constexpr std::array options{
         std::pair{OutputKind::picture, "--output="}, std::pair{OutputKind::page, "--page="},
-        std::pair{OutputKind::thumbnail, "--thumbnail="}, std::pair{OutputKind::report, "--report="}};
+        std::pair{OutputKind::thumbnail, "--thumbnail="}, std::pair{OutputKind::report, "--report="},
+        std::pair{OutputKind::still, "--still="}};
     const std::string clip = (job_->in / clip_.path).string();
     // So that no name is taken for an option or a list.
     const bool plain = clip.front() != '-' && clip.front() != '[';
@@ -139,6 +140,9 @@ std::unique_ptr<Worker> ClipTurn::start() const {
     for (const auto& [kind, option] : options) {
         if (std::ranges::count(job_->rules.files, kind) == 0) continue;
         arguments.push_back(option + output_path(job_->out, clip_.path, kind).string());
+    }
+    if (std::ranges::count(job_->rules.files, OutputKind::page) > 0) {
+        arguments.push_back("--page-index=" + (job_->out / index_name).string());
     }
     arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
     return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor());

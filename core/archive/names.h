@@ -15,7 +15,7 @@ std::string text_of_path(std::string_view path);
 std::string path_of_text(std::string_view text);
 
 /// The files that an archive writes for a clip, all named after it: `cam1/x.avi` gives `cam1/x.avi.png`.
-enum class OutputKind { picture, page, thumbnail, report };
+enum class OutputKind { picture, page, thumbnail, report, still };
 
 struct OutputRow {
     OutputKind kind;
@@ -24,10 +24,9 @@ struct OutputRow {
 };
 
 inline constexpr std::array output_rows{
-    OutputRow{OutputKind::picture, "picture", ".png"},
-    OutputRow{OutputKind::page, "page", ".html"},
-    OutputRow{OutputKind::thumbnail, "thumbnail", ".jpg"},
-    OutputRow{OutputKind::report, "report", ".report.json"},
+    OutputRow{OutputKind::picture, "picture", ".png"},     OutputRow{OutputKind::page, "page", ".html"},
+    OutputRow{OutputKind::thumbnail, "thumbnail", ".jpg"}, OutputRow{OutputKind::report, "report", ".report.json"},
+    OutputRow{OutputKind::still, "still", ".still.jpg"},
 };
 
 inline constexpr std::string_view sidecar_ending = ".json";

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -38,6 +40,38 @@ class OneThreadInOpenCv {
     int before_;
 };
 
+/// Where the first error of a pipeline is kept. oneTBB loses the item of a filter that throws, and so its memory: the
+/// filters hand their errors to this instead, and the pipeline ends in good order.
+class FirstError {
+  public:
+    /// What `work` returns; an empty result if it throws, or if something has failed before.
+    template <class Work>
+    auto guard(const Work& work) -> decltype(work()) {
+        using Made = decltype(work());
+        if (!context_.is_group_execution_cancelled()) {
+            try {
+                return work();
+            } catch (...) {
+                const std::scoped_lock lock(mutex_);
+                if (!error_) error_ = std::current_exception();
+                context_.cancel_group_execution();
+            }
+        }
+        return Made();
+    }
+
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+    oneapi::tbb::task_group_context& context() { return context_; }
+
+  private:
+    oneapi::tbb::task_group_context context_;
+    std::mutex mutex_;
+    std::exception_ptr error_;
+};
+
 struct Result {
     SharedFrame frame;
     Field field;
@@ -67,37 +101,46 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
         return !is_before(options.span, frame.index, frame.pts) && !is_past(options.span, frame.index, frame.pts);
     };
 
+    FirstError first;
     const auto source =
         make_filter<void, FrameJob>(filter_mode::serial_in_order, [&](oneapi::tbb::flow_control& control) -> FrameJob {
             if (!ended) {
-                if (FrameJob job = read()) return job;
+                if (FrameJob job = first.guard(read)) return job;
                 ended = true;
             }
             if (turns_left-- == 0) control.stop();
             return {};
         });
-    const auto begin = make_filter<FrameJob, std::shared_ptr<Shot>>(
-        filter_mode::parallel, [&](const FrameJob& job) { return job ? work.begin(job()) : std::shared_ptr<Shot>{}; });
+    const auto begin = make_filter<FrameJob, std::shared_ptr<Shot>>(filter_mode::parallel, [&](const FrameJob& job) {
+        return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<Shot>{}; });
+    });
     const auto gather = make_filter<std::shared_ptr<Shot>, Neighbourhood>(
-        filter_mode::serial_in_order, [&](std::shared_ptr<Shot> shot) { return work.gather(std::move(shot)); });
+        filter_mode::serial_in_order,
+        [&](std::shared_ptr<Shot> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
+    const auto result_of = [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
+        if (about.empty()) return nullptr;  // something has failed
+        const Shot* const here = about[static_cast<std::size_t>(work.reach())].get();
+        if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
+        return std::make_shared<Result>(Result{here->frame, work.finish(about)});
+    };
     const auto finish = make_filter<Neighbourhood, std::shared_ptr<Result>>(
-        filter_mode::parallel, [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
-            const Shot* const here = about[static_cast<std::size_t>(work.reach())].get();
-            if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
-            return std::make_shared<Result>(Result{here->frame, work.finish(about)});
-        });
+        filter_mode::parallel,
+        [&](const Neighbourhood& about) { return first.guard([&] { return result_of(about); }); });
     const auto hand_over = [&](const std::shared_ptr<Result>& result) {
         if (!result) return;
         ++frames;
         sink(result->frame, std::move(result->field));
     };
-    const auto deliver = make_filter<std::shared_ptr<Result>, void>(filter_mode::serial_in_order, hand_over);
+    const auto deliver = make_filter<std::shared_ptr<Result>, void>(
+        filter_mode::serial_in_order,
+        [&](const std::shared_ptr<Result>& result) { first.guard([&] { hand_over(result); }); });
     const int threads = threads_of(options);
     // Twice the threads keeps them all busy while one waits for its turn in a stage that is in order.
     on_threads(threads, [&] {
         oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
-                                       source & begin & gather & finish & deliver);
+                                       source & begin & gather & finish & deliver, first.context());
     });
+    first.rethrow();
     return frames;
 }
 

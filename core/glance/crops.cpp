@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/image/resized.h"
+
 namespace vvr {
 
 namespace {
@@ -36,6 +38,18 @@ void Crops::keep(std::size_t track, const Portrait& portrait, const Frame& frame
     crops_[track] = {portrait.at, portrait.score, portrait.box.moved(-box.left, -box.top), part};
     if (crops_.size() <= most) return;
     crops_.erase(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score; }));
+}
+
+std::vector<Plane<Bgr>> portraits_of(std::span<const Event> events, const Crops& crops) {
+    constexpr std::size_t many = 200;
+    const int side = events.size() < many ? 72 : 40;
+    std::vector<Plane<Bgr>> portraits;
+    portraits.reserve(events.size());
+    for (const Event& event : events) {
+        const Crop* const crop = crops.of(event);
+        portraits.push_back(crop == nullptr ? Plane<Bgr>() : resized(crop->picture, {side, side}));
+    }
+    return portraits;
 }
 
 const Crop* Crops::of(const Event& event) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/events/event.h"
 #include "core/plane.h"
@@ -35,6 +36,9 @@ class Crops {
 
     std::map<std::size_t, Crop> crops_;
 };
+
+/// A still of each event for a list of them; smaller where there are very many, empty where there is none.
+std::vector<Plane<Bgr>> portraits_of(std::span<const Event> events, const Crops& crops);
 
 /// The square around an object that a still shows: with some of the scene around it, within the frame.
 PixelBox still_box(const PixelBox& object, Size frame);

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/image/picture_file.h"
 #include "core/json_text.h"
+#include "core/labels/time_ticks.h"
 #include "core/page/text.h"
 #include "page_files.h"
+#include "page_script.h"
 
 namespace vvr {
 
@@ -17,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int still_quality = 78;
+constexpr int still_quality = 66;
 
 /// Times and rates as exact as a container's.
 double rounded(double value) {
@@ -48,15 +51,39 @@ Json json_of_frames(const Plane<float>& frames, std::int64_t first) {
     return json;
 }
 
-/// The number of the event that each pixel shows: 0 = none.
-Json json_of_objects(const Plane<float>& objects) {
+/// From an event's number in the picture to its place in the list, plus 1; 0 = it is not in the list.
+class Places {
+  public:
+    explicit Places(const PageContent& content) {
+        const std::size_t count = content.events ? content.events->size() : 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            places_[k < content.numbers.size() ? content.numbers[k] : k + 1] = static_cast<std::int64_t>(k) + 1;
+        }
+    }
+
+    std::int64_t of(std::size_t number) const {
+        const auto found = places_.find(number);
+        return found == places_.end() ? 0 : found->second;
+    }
+
+  private:
+    std::unordered_map<std::size_t, std::int64_t> places_;
+};
+
+/// The place of the event that each pixel shows, plus 1: 0 = none.
+Json json_of_objects(const Plane<float>& objects, const Places& places) {
     if (objects.empty()) return {};
-    return json_of_pixels(objects, [](float number) { return std::llround(number); });
+    return json_of_pixels(objects,
+                          [&](float number) { return number > 0 ? places.of(static_cast<std::size_t>(number)) : 0; });
 }
 
-Json json_of(const PageContent::Region& region) {
-    const PixelBox& box = region.box;
-    return {box.left, box.top, box.right, box.bottom, region.number - 1};
+Json json_of_regions(const PageContent& content, const Places& places) {
+    Json json = Json::array();
+    for (const auto& [box, number] : content.regions) {
+        const std::int64_t place = places.of(number);
+        if (place > 0) json.push_back({box.left, box.top, box.right, box.bottom, place - 1});
+    }
+    return json;
 }
 
 std::string css_of(const glm::vec3& colour) {
@@ -86,12 +113,22 @@ Json json_of(const std::vector<PathPoint>& path, Size field) {
     return json;
 }
 
-Json json_of(const Event& event, Size field) {
+double still_seconds(const Event& event) {
     double still = 0;
     for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
-    return {{"kind", name_of(event.kind)},       {"first", event.first.frame},    {"last", event.last.frame},
-            {"still", rounded(still)},           {"from", number_of(event.from)}, {"into", number_of(event.into)},
-            {"path", json_of(event.path, field)}};
+    return still;
+}
+
+Json json_of(const Event& event, Size field) {
+    return {{"kind", name_of(event.kind)},   {"first", event.first.frame},
+            {"last", event.last.frame},      {"still", rounded(still_seconds(event))},
+            {"from", number_of(event.from)}, {"into", number_of(event.into)},
+            {"by", number_of(event.by)},     {"path", json_of(event.path, field)}};
+}
+
+Json json_of_portrait(const Plane<Bgr>& portrait) {
+    if (portrait.empty()) return {};
+    return data_url("image/jpeg", encode_picture("portrait.jpg", portrait, still_quality));
 }
 
 Json json_of(const Still& still) {
@@ -103,28 +140,72 @@ Json json_of(const Film& film) {
     return {{"type", film.type}, {"begin", rounded(film.begin)}, {"step", film.step}, {"base64", base64(film.bytes)}};
 }
 
+Json json_of_events(const PageContent& content) {
+    if (!content.events) return {};
+    Json json = Json::array();
+    for (const Event& event : *content.events) json.push_back(json_of(event, content.field));
+    for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
+        json[k]["colour"] = css_of(content.colours[k]);
+    }
+    for (std::size_t k = 0; k < std::min(content.numbers.size(), json.size()); ++k) {
+        json[k]["number"] = content.numbers[k];
+    }
+    for (std::size_t k = 0; k < std::min(content.portraits.size(), json.size()); ++k) {
+        json[k]["portrait"] = json_of_portrait(content.portraits[k]);
+    }
+    return json;
+}
+
 Json json_of(const PageContent& content) {
     const Moments& moments = content.moments;
+    const Places places(content);
     Json json{{"name", content.name},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
+              {"clock", content.clock ? Json(*content.clock) : Json()},
+              {"zone", content.zone},
+              {"index", Json()},
+              {"live", Json()},
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
-              {"objects", json_of_objects(content.picture.pixel_data.object)}};
-    json["events"] = Json();
-    if (content.events) {
-        json["events"] = Json::array();
-        for (const Event& event : *content.events) json["events"].push_back(json_of(event, content.field));
-        for (std::size_t k = 0; k < std::min(content.colours.size(), content.events->size()); ++k) {
-            json["events"][k]["colour"] = css_of(content.colours[k]);
-        }
+              {"objects", json_of_objects(content.picture.pixel_data.object, places)},
+              {"events", json_of_events(content)},
+              {"regions", json_of_regions(content, places)},
+              {"stills", Json::array()},
+              {"preview", moments.preview ? json_of(*moments.preview) : Json()}};
+    if (content.index) json["index"] = {{"url", content.index->url}, {"clip", content.index->clip}};
+    if (const auto& live = content.live) {
+        json["live"] = {{"state", live->text}, {"written", live->written}, {"brick", std::ceil(live->brick_seconds)}};
     }
-    json["regions"] = Json::array();
-    for (const PageContent::Region& region : content.regions) json["regions"].push_back(json_of(region));
-    json["stills"] = Json::array();
     for (const Still& still : moments.stills) json["stills"].push_back(json_of(still));
-    json["preview"] = moments.preview ? json_of(*moments.preview) : Json();
     return json;
+}
+
+/// What there is to read where no script runs: each event in a line.
+std::string list_of(const PageContent& content) {
+    if (!content.events) return {};
+    std::string list;
+    for (const Event& event : *content.events) {
+        const double still = still_seconds(event);
+        list += fmt::format("<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
+                            format_span(event.first.seconds, event.last.seconds, content.clock),
+                            event.kind == EventKind::left ? std::string_view("left behind") : name_of(event.kind),
+                            still > 0 ? fmt::format(", still for {:.1f} s", still) : "");
+    }
+    return list;
+}
+
+/// Seconds of the last frame.
+double end_of(const std::vector<SteadyFrames>& times) {
+    const SteadyFrames& last = times.back();
+    return last.at(last.first + last.count - 1);
+}
+
+/// The page's script, of its pieces.
+std::string script_text() {
+    std::string text;
+    for (const auto& [name, piece] : page_script::files) text += piece;
+    return text;
 }
 
 /// In which direction time runs in the picture, for people.
@@ -139,21 +220,26 @@ std::string way_of_time(const Metadata& settings) {
 std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
+    const std::string script = script_text();
     // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
     const std::string name = Json::parse(json_text(content.name));
-    return fill(page_files::page_html,
-                {
-                    {"script policy", policy_hash(page_files::page_js)},
-                    {"style policy", policy_hash(page_files::page_css)},
-                    {"name", html_text(name)},
-                    {"way", way_of_time(content.settings)},
-                    {"style", std::string(page_files::page_css)},
-                    {"script", std::string(page_files::page_js)},
-                    {"picture", data_url("image/png", encode_picture("page.png", content.picture, content.settings))},
-                    {"width", fmt::to_string(size.width)},
-                    {"height", fmt::to_string(size.height)},
-                    {"data", script_json(json_text(data, -1, true))},
-                });
+    return fill(
+        page_files::page_html,
+        {
+            {"script policy", policy_hash(script)},
+            {"style policy", policy_hash(page_files::page_css)},
+            {"connect", content.live ? "; connect-src 'self'" : ""},
+            {"name", html_text(name)},
+            {"summary", format_span(content.moments.times.front().begin, end_of(content.moments.times), content.clock)},
+            {"way", way_of_time(content.settings)},
+            {"list", list_of(content)},
+            {"style", std::string(page_files::page_css)},
+            {"script", script},
+            {"picture", data_url("image/png", encode_picture("page.png", content.picture, content.settings))},
+            {"width", fmt::to_string(size.width)},
+            {"height", fmt::to_string(size.height)},
+            {"data", script_json(json_text(data, -1, true))},
+        });
 }
 
 }  // namespace vvr

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,19 @@
 
 namespace vvr {
 
+/// What the page of a stream says beside its picture.
+struct LiveState {
+    std::string text;           ///< of the connection, in a line for people
+    std::int64_t written = 0;   ///< seconds since 1970
+    double brick_seconds = 10;  ///< from one picture to the next
+};
+
+/// Where a page belongs in an archive.
+struct PageIndex {
+    std::string url;   ///< of the index, relative to the page
+    std::string clip;  ///< the clip's path as the index writes it
+};
+
 /// What a page shows.
 struct PageContent {
     std::string name;      ///< of the clip, for people
@@ -19,19 +33,26 @@ struct PageContent {
     Picture picture;       ///< with its pixel data
     Metadata settings;     ///< of the picture
     Moments moments;
+    std::optional<std::int64_t> clock;         ///< when the clip's second 0 was, in seconds of a wall clock since 1970
+    std::string zone;                          ///< of the clock, for people; may be empty
     std::optional<std::vector<Event>> events;  ///< if they were searched for
+    std::vector<std::size_t> numbers;          ///< of the events in the picture; empty = their places, plus 1
     std::vector<glm::vec3> colours;            ///< of the events in the picture, sRGB; empty where they have none
+    std::vector<Plane<Bgr>> portraits;         ///< of the events; empty where there is none
+    std::optional<PageIndex> index;
+    std::optional<LiveState> live;  ///< of a stream
 
     /// A part of the picture that stands for an event.
     struct Region {
         PixelBox box;
-        std::size_t number = 0;  ///< of the event: its place in the list, plus 1
+        std::size_t number = 0;  ///< of the event
     };
     std::vector<Region> regions;
 };
 
-/// A page that needs only a browser, and no file but the clip: the picture, the moment that each of its pixels shows,
-/// and stills and a preview of these moments. Same content, same text.
+/// A page that needs only a browser, and no file but the clip: the picture, the moment and the event that each of its
+/// pixels shows, and stills and a preview of these moments. The page of a stream asks its server for newer ones. Same
+/// content, same text.
 std::string make_page(const PageContent& content);
 
 }  // namespace vvr

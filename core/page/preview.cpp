@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/fit_into.h"
 #include "core/image/resized.h"
 
 namespace vvr {
@@ -20,23 +21,32 @@ struct Kind {
     const char* type;
     const char* muxer;
     const char* encoder;
-    const char* quality;
+    const char* options;
+    std::array<int, 2> crf;  ///< of each Use: the constant rate factor, less is better
 };
 
 /// The first whose encoder is installed is taken.
 constexpr std::array kinds{
-    Kind{"video/mp4", "mp4", "libx264", "crf=27,preset=veryfast,bf=0,x264-params=log=-1"},
-    Kind{"video/webm", "webm", "libvpx-vp9", "crf=34,cpu-used=6,deadline=realtime"},
-    Kind{"video/webm", "webm", "libvpx", "crf=20,cpu-used=8,deadline=realtime"},
+    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0,x264-params=log=-1", {29, 32}},
+    Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
+    Kind{"video/webm", "webm", "libvpx", "cpu-used=8,deadline=realtime", {22, 28}},
 };
 
 std::int64_t step_for(const ExpectedLength& expected) {
     return std::max<std::int64_t>(1, (expected.frames + Preview::most_frames - 1) / Preview::most_frames);
 }
 
+constexpr std::array long_sides{384, 256};  // pixels, of each Use
+constexpr int key_seconds = 5;              // from one key frame to the next: so many are decoded to go to a moment
+
+std::size_t place_of(Preview::Use use) {
+    return static_cast<std::size_t>(use);
+}
+
 }  // namespace
 
-Preview::Preview(Size size, const ExpectedLength& expected) : size_(size), expected_(expected) {
+Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
+    : use_(use), size_(fit_into(clip, long_sides[place_of(use)])), expected_(expected) {
     film_.step = step_for(expected);
     const double kept = static_cast<double>(expected.frames) / static_cast<double>(film_.step);
     given_up_ = film_.step > 1 && kept < least_rate * expected.seconds;
@@ -59,8 +69,9 @@ void Preview::begin() {
         constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
     film_.type = kind->type;
     encoder_ = std::make_unique<FilmEncoder>(
-        FilmFormat{kind->muxer, kind->encoder, fmt::format("{},{}", kind->quality, limit)}, "preview", size_, ticks,
-        pictures, 2 * pictures);
+        FilmFormat{kind->muxer, kind->encoder,
+                   fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
+        "preview", size_, ticks, pictures, key_seconds * pictures);
 }
 
 void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {

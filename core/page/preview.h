@@ -31,10 +31,18 @@ class Preview {
     static constexpr std::size_t most_bytes = 8'000'000;
     static constexpr std::int64_t most_frames = 6000;  ///< of longer clips only every n-th frame is taken
     static constexpr double least_rate = 2;            ///< pictures per second; with fewer, stills show as much
-    static constexpr int long_side = 384;
 
-    /// \param size of the film
-    Preview(Size size, const ExpectedLength& expected);
+    /// What a preview is for.
+    enum class Use {
+        instead,   ///< the browser can't play the clip itself
+        fallback,  ///< it can, unless the clip has gone: small
+    };
+
+    /// \param clip size of its pictures
+    Preview(Size clip, const ExpectedLength& expected, Use use = Use::instead);
+
+    /// Whether there is going to be one, as far as it is known by now.
+    bool is_possible() const { return !given_up_; }
 
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
 
@@ -44,6 +52,7 @@ class Preview {
   private:
     void begin();
 
+    Use use_;
     Size size_;
     ExpectedLength expected_;
     std::unique_ptr<FilmEncoder> encoder_;

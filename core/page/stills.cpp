@@ -8,7 +8,7 @@ namespace vvr {
 
 void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
     if (kept_.empty() || in_last_ == stretch_) {
-        if (kept_.size() == most) join_neighbours();
+        if (kept_.size() == most_) join_neighbours();
         kept_.push_back({{frame, seconds, resized(picture, size_)}, activity});
         in_last_ = 1;
         return;
@@ -27,13 +27,13 @@ std::vector<Still> Stills::take() {
 }
 
 void Stills::join_neighbours() {
-    for (std::size_t k = 0; k < most / 2; ++k) {
+    for (std::size_t k = 0; k < most_ / 2; ++k) {
         Kept& a = kept_[2 * k];
         Kept& b = kept_[2 * k + 1];
         Kept better = std::move(b.activity > a.activity ? b : a);
         kept_[k] = std::move(better);
     }
-    kept_.resize(most / 2);
+    kept_.resize(most_ / 2);
     stretch_ *= 2;
 }
 

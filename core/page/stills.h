@@ -23,7 +23,8 @@ class Stills {
     static constexpr std::size_t most = 160;
 
     /// \param size of the stills
-    explicit Stills(Size size) : size_(size) {}
+    /// \param most that are kept, an even number
+    explicit Stills(Size size, std::size_t most_kept = most) : size_(size), most_(most_kept) {}
 
     /// \param activity pixels that are not quiet, or any other measure
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity);
@@ -40,6 +41,7 @@ class Stills {
     void join_neighbours();
 
     Size size_;
+    std::size_t most_;
     std::int64_t stretch_ = 1;  ///< frames
     std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
     std::vector<Kept> kept_;

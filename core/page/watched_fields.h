@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,7 +22,12 @@ struct Moments {
 /// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
 class WatchedFields final : public FieldSource {
   public:
-    explicit WatchedFields(std::unique_ptr<FieldSource> fields);
+    enum class Film {
+        none,
+        preview,  ///< small where browsers play the clip itself
+    };
+
+    WatchedFields(std::unique_ptr<FieldSource> fields, Film film);
 
     const VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
@@ -36,11 +42,14 @@ class WatchedFields final : public FieldSource {
   private:
     void begin();
     void look_at(const Frame& frame, const Field& field);
+    void encode(const Field& field, Plane<Bgr>&& picture);
 
     std::unique_ptr<FieldSource> fields_;
+    Film film_;
     TimeLine times_;
     std::optional<Stills> stills_;
     std::optional<Preview> preview_;
+    std::future<void> encoding_;  ///< of the frame before: an encoder takes as long as the fields do
 };
 
 }  // namespace vvr

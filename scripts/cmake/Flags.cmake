@@ -10,3 +10,10 @@ if(VVR_SANITIZE)
   target_compile_options(vvr_flags INTERFACE -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=address,undefined)
 endif()
+
+# See tests/support/keep_libraries.cpp.
+function(vvr_keep_libraries program)
+  if(VVR_SANITIZE)
+    target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/keep_libraries.cpp)
+  endif()
+endfunction()

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "core/fields/field_source.h"
+#include "core/moment.h"
+#include "core/page/watched_fields.h"
+
+namespace vvr {
+
+/// Takes times and stills from the fields of a stream as they come, and keeps those of its last frames. Its memory is
+/// bounded by the number of frames that are kept.
+class RecentMoments final : public FieldSource {
+  public:
+    /// \param frames that are kept
+    RecentMoments(std::unique_ptr<FieldSource> fields, std::int64_t frames);
+
+    const VideoInfo& info() const override { return fields_->info(); }
+    Size field_size() const override { return fields_->field_size(); }
+    std::int64_t expected_frames() const override { return fields_->expected_frames(); }
+    std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
+    bool has_pictures() const override { return fields_->has_pictures(); }
+    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+
+    /// The moments from this frame on. There is no preview.
+    Moments since(std::int64_t first) const;
+
+  private:
+    void look_at(const Frame& frame, const Field& field);
+
+    std::unique_ptr<FieldSource> fields_;
+    std::int64_t frames_;
+    std::deque<Moment> times_;
+    std::deque<Still> stills_;
+};
+
+}  // namespace vvr
