@@ -230,4 +230,11 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
     return report;
 }
 
+std::vector<Event> find_events(const RenderJob& job, FieldSource& source, Observer& observer) {
+    Products products{.pictures = 0};
+    products.events = true;
+    Fields fields = read_fields(job, products, source, planned_step(job.bricks, source.expected_frames()), observer);
+    return std::move(*fields.events);
+}
+
 }  // namespace vvr
