@@ -57,6 +57,10 @@ def test_cut_commands(t):
     run_commands(t, "docs/cut.md")
 
 
+def test_pictures_commands(t):
+    run_commands(t, "docs/pictures.md")
+
+
 def test_watch_commands(t):
     run_commands(t, "docs/watch.md")
 
