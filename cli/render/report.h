@@ -34,6 +34,7 @@ struct RenderReport {
     std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< none where they were not looked for
+    std::vector<std::string> advice;           ///< what would serve this clip better, in sentences
     std::vector<glm::vec3> event_colours;      ///< in the picture, sRGB; empty where they have none
     Lettering lettering;                       ///< on the last picture
     std::size_t keyframes = 0;                 ///< shown between the first and the last frame
