@@ -42,6 +42,7 @@ std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_watch();
 std::unique_ptr<Command> make_extract();
 std::unique_ptr<Command> make_inspect();
+std::unique_ptr<Command> make_cut();
 std::unique_ptr<Command> make_archive();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_info();

@@ -10,6 +10,7 @@
 #include "cli/options/parse_value.h"
 #include "cli/render/open_fields.h"
 #include "core/error.h"
+#include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
 
 namespace vvr {
@@ -25,7 +26,9 @@ class Inspect final : public Command {
   public:
     void add_options(CommandLine& line) override {
         line.path(Group::output, job_.path, text::output,
-                  {.letter = 'o', .help = fmt::format(": {}", fmt::join(picture_endings(), " "))});
+                  {.letter = 'o',
+                   .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
+                                       fmt::join(picture_endings(), " "))});
         add_input_options(line, job_.input);
         line.value(Group::input, text::frame, "", [this](const std::string& given) { frame_ = parse_time(given); });
         add_field_options(line, job_.fields);
@@ -36,7 +39,11 @@ class Inspect final : public Command {
         only_input(job_.input);
         if (!frame_) throw Error(ErrorKind::usage, "no frame: say which with --frame 250, 12.5s or 00:00:12.5");
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
-        check_picture_path(job_.path);
+        if (is_page(job_.path)) {
+            check_file_path(job_.path);
+        } else {
+            check_picture_path(job_.path);
+        }
         job_.frame = *frame_;
         Console console(environment, false);
         inspect(job_, console);

@@ -137,6 +137,14 @@ void add_comparison_options(CommandLine& line, ComparisonOptions& options) {
     line.path(Group::comparison, options.diff, text::diff);
 }
 
+void add_event_options(CommandLine& line, Group group, EventChoice& choice) {
+    line.explain(text::events, event_kinds());
+    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
+               [&choice](const std::string& given) { choice.kinds = parse_kinds(given); },
+               {.help = list_of(event_kinds())});
+    line.number(group, choice.least, text::event_min_seconds);
+}
+
 void add_output_options(CommandLine& line, OutputOptions& options) {
     constexpr Group output = Group::output;
     line.path(output, options.path, text::output,
@@ -153,11 +161,7 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
     line.path(output, options.thumbnail, text::thumbnail);
     line.path(output, options.still, text::still);
     line.path(output, options.report, text::report);
-    line.explain(text::events, event_kinds());
-    line.value(output, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
-               [&options](const std::string& given) { options.events.kinds = parse_kinds(given); },
-               {.help = list_of(event_kinds())});
-    line.number(output, options.events.least, text::event_min_seconds);
+    add_event_options(line, output, options.events);
     line.path(Group::comparison, options.golden.path, text::golden);
     line.flag(Group::comparison, options.golden.bless, text::bless);
     add_comparison_options(line, options.golden.comparison);

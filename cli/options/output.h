@@ -7,6 +7,9 @@ namespace vvr {
 
 void add_output_options(CommandLine& line, OutputOptions& options);
 
+/// Which events count, as in `render`: so their numbers are the same everywhere.
+void add_event_options(CommandLine& line, Group group, EventChoice& choice);
+
 /// By how much two pictures may differ: in `compare` and in `render --golden`.
 void add_comparison_options(CommandLine& line, ComparisonOptions& options);
 

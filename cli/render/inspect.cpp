@@ -1,16 +1,70 @@
 #include "cli/render/inspect.h"
 
+#include <span>
+#include <string>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "cli/render/find_frame.h"
 #include "cli/render/inspection.h"
 #include "cli/render/open_fields.h"
+#include "cli/render/shown_name.h"
+#include "core/error.h"
 #include "core/fields/pipeline.h"
+#include "core/fields/region.h"
+#include "core/fields/settings.h"
+#include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
+#include "core/labels/time_ticks.h"
+#include "core/page/region_editor.h"
+#include "core/video/scaler.h"
 
 namespace vvr {
 
+namespace {
+
+/// The frame in the size and the colours of the clip.
+Plane<Bgr> picture_of(FrameSource& clip, const Moment& moment) {
+    clip.seek(moment.seconds - 1);
+    Scaler scale(clip);
+    while (const auto frame = clip.next()) {
+        if (frame->index >= moment.frame) return picture_of(scale(*frame));
+    }
+    throw Error(ErrorKind::not_video, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
+                                                  clip.info().name, moment.frame));
+}
+
+/// Regions as polygons; a page can't change a picture.
+std::string polygons_of(std::string_view setting, const std::string& area, Observer& observer) {
+    validate_region(setting, area);
+    if (area.empty() || is_polygon_list(area)) return area;
+    observer.warn(fmt::format("{} '{}' is a picture, so the page begins without it", setting, area), {setting});
+    return {};
+}
+
+void write_region_editor(const InspectJob& job, Observer& observer) {
+    InputOptions options = job.input;
+    options.field_size = {-1, -1};
+    RegionEditorContent content;
+    content.roi = polygons_of(setting::roi.name, job.fields.roi, observer);
+    content.mask = polygons_of(setting::mask.name, job.fields.mask, observer);
+    const auto clip = open_clip(options, true, job.fields.threads);
+    const Moment found = find_frame(*clip, job.frame);
+    content.name = shown_name(clip->info().name);
+    content.moment = format_moment(found.seconds);
+    content.frame = picture_of(*clip, found);
+    const std::string text = make_region_editor(content);
+    const auto held = observer.guard();
+    replace_file(job.path, std::as_bytes(std::span(text)));
+    observer.info(fmt::format("'{}': draw regions on frame {} at {:.3f} s, and copy the option for them",
+                              job.path.string(), found.frame, found.seconds));
+}
+
+}  // namespace
+
 void inspect(const InspectJob& job, Observer& observer) {
+    if (is_page(job.path)) return write_region_editor(job, observer);
     constexpr bool colour = true;
     const auto clip = open_clip(job.input, colour, job.fields.threads);
     const Moment found = find_frame(*clip, job.frame);

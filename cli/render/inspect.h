@@ -7,7 +7,7 @@
 
 namespace vvr {
 
-/// One frame of a clip, and where the picture of its fields goes.
+/// One frame of a clip, and where the picture of its fields goes, or the page on which regions are drawn.
 struct InspectJob {
     InputOptions input;
     FieldOptions fields;
@@ -15,7 +15,8 @@ struct InspectJob {
     std::filesystem::path path;
 };
 
-/// Draws Fig. 4 for a frame: its difference object, flow and seeds side by side.
+/// Draws Fig. 4 for a frame: its difference object, flow and seeds side by side. Into a page goes the frame alone, to
+/// draw regions on; it begins with those that the fields have.
 /// \throws Error usage, io, not_video, limit
 void inspect(const InspectJob& job, Observer& observer);
 

@@ -50,6 +50,7 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
                       {"threshold"});
     }
+    for (const std::string& advice : report.advice) observer.warn(advice);
     if (report.step > 1) {
         observer.info(
             fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));

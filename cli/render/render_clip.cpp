@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "cli/render/advice.h"
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
 #include "cli/render/objects.h"
@@ -141,6 +142,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
                           nothing_visible(volume, transfer_of(job.look)),
                           clock};
     report.events = fields.events;
+    report.advice = advice_on(job, report);
     const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
@@ -229,6 +231,13 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
         draw_pictures(job, products, fields, drawing, report, sink);
     });
     return report;
+}
+
+std::vector<Event> find_events(const RenderJob& job, FieldSource& source, Observer& observer) {
+    Products products{.pictures = 0};
+    products.events = true;
+    Fields fields = read_fields(job, products, source, planned_step(job.bricks, source.expected_frames()), observer);
+    return std::move(*fields.events);
 }
 
 }  // namespace vvr

@@ -19,4 +19,7 @@ using PictureSink = std::function<void(const RenderReport& so_far, int number, P
 RenderReport render_clip(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
                          const PictureSink& sink);
 
+/// The events of a clip, as a report of `render_clip` lists them. Draws nothing.
+std::vector<Event> find_events(const RenderJob& job, FieldSource& source, Observer& observer);
+
 }  // namespace vvr

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/render/advice.h"
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
 #include "cli/render/objects.h"
@@ -252,6 +253,7 @@ RenderReport render_series(const RenderJob& job, const Products& products, Field
     RenderReport report = series.finish(summary.reference);
     report.frames = summary.frames;
     report.damaged = summary.damaged;
+    report.advice = advice_on(job, report);
     return report;
 }
 

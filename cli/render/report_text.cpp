@@ -174,6 +174,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
     json["peak_memory_bytes"] = peak_memory();
+    json["advice"] = report.advice;
     json["events"] = Json();
     if (report.events) {
         json["events"] = Json::array();

@@ -24,16 +24,6 @@ using Polygon = std::vector<cv::Point2d>;
 // Far beyond any picture, and still safe in the fixed-point arithmetic of the rasteriser.
 constexpr double farthest = 100000;
 
-/// Anything that begins with a number and a comma is meant as a polygon, not as a file's name.
-bool is_polygon_list(std::string_view text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string_view::npos) return false;
-    double x = 0;
-    const std::size_t begin = text.find_first_not_of(' ');
-    const char* const end = text.data() + comma;
-    return begin < comma && std::from_chars(text.data() + begin, end, x).ptr == end;
-}
-
 class Parser {
   public:
     Parser(std::string_view setting, std::string_view text) : setting_(setting), text_(text) {}
@@ -115,6 +105,16 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
 }
 
 }  // namespace
+
+bool is_polygon_list(std::string_view text) {
+    // Anything that begins with a number and a comma is meant as a polygon, not as a file's name.
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return false;
+    double x = 0;
+    const std::size_t begin = text.find_first_not_of(' ');
+    const char* const end = text.data() + comma;
+    return begin < comma && std::from_chars(text.data() + begin, end, x).ptr == end;
+}
 
 void validate_region(std::string_view setting, const std::string& text) {
     if (is_polygon_list(text)) Parser(setting, text).polygons();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/fields/options.h"
 #include "core/plane.h"
@@ -17,6 +18,9 @@ namespace vvr {
 ///
 /// \throws Error usage for polygons that aren't, io or not_video for a picture that can't be read
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video);
+
+/// Whether one of both options means polygons, well written or not; else it is the name of a picture.
+bool is_polygon_list(std::string_view text);
 
 /// Checks a polygon list; takes anything else for the name of a picture.
 /// \throws Error usage naming `setting`, where the text is wrong, and what it must be

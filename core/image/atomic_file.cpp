@@ -99,11 +99,12 @@ class TemporaryFile {
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-    void write(std::span<const std::byte> bytes, const fs::path& target) {
+    void write(std::int64_t offset, std::span<const std::byte> bytes, const fs::path& target) {
         while (!bytes.empty()) {
-            const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+            const ssize_t written = ::pwrite(file_, bytes.data(), bytes.size(), offset);
             if (written >= 0) {
                 bytes = bytes.subspan(static_cast<std::size_t>(written));
+                offset += written;
             } else if (errno != EINTR) {
                 throw_error("write", target, errno);
             }
@@ -195,9 +196,13 @@ void check_file_path(const fs::path& path) {
 }
 
 void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
+    replace_file(path, [bytes](const WriteAt& write_at) { write_at(0, bytes); });
+}
+
+void replace_file(const fs::path& path, const std::function<void(const WriteAt&)>& write) {
     const fs::path target = target_of(path);
     TemporaryFile file(target);
-    file.write(bytes, path);
+    write([&](std::int64_t offset, std::span<const std::byte> bytes) { file.write(offset, bytes, path); });
     file.rename_to(target);
 }
 

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+
+#include "core/av_writer.h"
 
 namespace vvr {
 
@@ -18,6 +21,10 @@ void check_file_path(const std::filesystem::path& path);
 /// machines may be writing, they are an hour old.
 /// \throws Error io
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// The same of a file that is too large for memory: `write` puts it together. If it throws, `path` stays as it was.
+/// \throws Error io; what `write` throws
+void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write);
 
 /// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. The caller
 /// has to make sure that no program is replacing them now.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <utility>
 
 extern "C" {
@@ -29,54 +29,33 @@ struct Free {
     void operator()(AVPacket* packet) const { av_packet_free(&packet); }
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }
     void operator()(SwsContext* context) const { sws_freeContext(context); }
-    void operator()(AVIOContext* context) const {
-        av_freep(&context->buffer);
-        avio_context_free(&context);
-    }
 };
 template <class T>
 using Ptr = std::unique_ptr<T, Free>;
 
-/// A file in memory, for libav's muxers.
-struct MemoryFile {
-    std::vector<std::byte> bytes;
-    std::size_t at = 0;
-
-    static int write(void* opaque, std::uint8_t* from, int size) {
-        auto& file = *static_cast<MemoryFile*>(opaque);
-        const auto count = static_cast<std::size_t>(size);
-        file.bytes.resize(std::max(file.bytes.size(), file.at + count));
-        std::memcpy(file.bytes.data() + file.at, from, count);
-        file.at += count;
-        return size;
-    }
-
-    static std::int64_t seek(void* opaque, std::int64_t offset, int whence) {
-        auto& file = *static_cast<MemoryFile*>(opaque);
-        const auto size = static_cast<std::int64_t>(file.bytes.size());
-        if (whence == AVSEEK_SIZE) return size;
-        const std::int64_t base = whence == SEEK_SET   ? 0
-                                  : whence == SEEK_CUR ? static_cast<std::int64_t>(file.at)
-                                                       : size;
-        if (base + offset < 0 || base + offset > size) return AVERROR(EINVAL);
-        file.at = static_cast<std::size_t>(base + offset);
-        return base + offset;
-    }
-};
+/// A file in memory.
+WriteAt into(std::vector<std::byte>& file) {
+    return [&file](std::int64_t offset, std::span<const std::byte> bytes) {
+        const auto at = static_cast<std::size_t>(offset);
+        file.resize(std::max(file.size(), at + bytes.size()));
+        std::ranges::copy(bytes, file.begin() + offset);
+    };
+}
 
 }  // namespace
 
 struct FilmEncoder::Parts {
-    Parts(const FilmFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames)
-        : name(std::move(file_name)), size(format.palette ? picture_size : even(picture_size)) {
+    /// \param write_at empty = into memory
+    Parts(const FilmFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames,
+          WriteAt write_at)
+        : name(std::move(file_name)),
+          size(format.palette ? picture_size : even(picture_size)),
+          writer(write_at ? std::move(write_at) : into(memory)) {
         const AVPixelFormat pixels = format.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
-        constexpr int buffer_size = 1 << 16;
-        io.reset(avio_alloc_context(static_cast<unsigned char*>(av_malloc(buffer_size)), buffer_size, 1, &file, nullptr,
-                                    &MemoryFile::write, &MemoryFile::seek));
         AVFormatContext* made = nullptr;
         check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
         container.reset(made);
-        container->pb = io.get();
+        container->pb = writer.context();
         container->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
 
         const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
@@ -123,6 +102,7 @@ struct FilmEncoder::Parts {
 
     void check(int result) const {
         if (result >= 0) return;
+        writer.check();
         std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
         av_strerror(result, words.data(), words.size());
         throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", name, words.data()));
@@ -151,7 +131,7 @@ struct FilmEncoder::Parts {
         drain();
         unfinished = false;
         check(av_write_trailer(container.get()));
-        avio_flush(io.get());
+        writer.flush();
     }
 
     void paint_palette(const Picture& picture) {
@@ -216,8 +196,8 @@ struct FilmEncoder::Parts {
     bool unfinished = false;  ///< there is a header and no trailer
     std::string name;
     Size size;
-    MemoryFile file;
-    Ptr<AVIOContext> io;
+    std::vector<std::byte> memory;  ///< the file, if it goes nowhere else
+    AvWriter writer;
     Ptr<AVFormatContext> container;
     Ptr<AVCodecContext> context;
     AVStream* stream = nullptr;  ///< the container's
@@ -234,7 +214,11 @@ bool has_encoder(const std::string& encoder) {
 
 FilmEncoder::FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate,
                          int key_frames)
-    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames)) {}
+    : FilmEncoder(format, name, size, ticks, rate, key_frames, {}) {}
+
+FilmEncoder::FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate,
+                         int key_frames, WriteAt write_at)
+    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames, std::move(write_at))) {}
 
 FilmEncoder::~FilmEncoder() = default;
 
@@ -249,12 +233,12 @@ void FilmEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
 }
 
 std::size_t FilmEncoder::bytes() const {
-    return parts_->file.bytes.size();
+    return static_cast<std::size_t>(parts_->writer.size());
 }
 
 std::vector<std::byte> FilmEncoder::finish() {
     parts_->finish();
-    return std::move(parts_->file.bytes);
+    return std::move(parts_->memory);
 }
 
 }  // namespace vvr

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/av_writer.h"
 #include "core/image/picture.h"
 
 namespace vvr {
@@ -21,8 +22,8 @@ struct FilmFormat {
 /// Whether the installed libav has an encoder.
 bool has_encoder(const std::string& encoder);
 
-/// Pictures of one size as a film in memory. Films with a palette keep the size, others have even sides: an odd last
-/// row or column is dropped. Same pictures, same bytes.
+/// Pictures of one size as a film, in memory or in a file. Films with a palette keep the size, others have even sides:
+/// an odd last row or column is dropped. Same pictures, same bytes.
 class FilmEncoder {
   public:
     /// \param name for messages
@@ -31,6 +32,10 @@ class FilmEncoder {
     /// \param key_frames pictures from one key frame to the next
     /// \throws Error io when libav can't
     FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
+
+    /// The same with a file that takes the bytes; it outlives this.
+    FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
+                WriteAt write_at);
     ~FilmEncoder();
     FilmEncoder(const FilmEncoder&) = delete;
     FilmEncoder& operator=(const FilmEncoder&) = delete;
@@ -45,7 +50,7 @@ class FilmEncoder {
     /// Size so far.
     std::size_t bytes() const;
 
-    /// The whole file. Call it once, after the last picture.
+    /// The whole file; empty where it went elsewhere. Call it once, after the last picture.
     /// \throws Error io
     std::vector<std::byte> finish();
 

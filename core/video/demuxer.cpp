@@ -157,7 +157,18 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
     }
 }
 
+void Demuxer::take_all_streams() {
+    for (unsigned i = 0; i < format_->nb_streams; ++i) format_->streams[i]->discard = AVDISCARD_DEFAULT;
+}
+
 bool Demuxer::read(AVPacket& packet) {
+    while (read_any(packet)) {
+        if (packet.stream_index == stream_->index) return true;
+    }
+    return false;
+}
+
+bool Demuxer::read_any(AVPacket& packet) {
     if (watchdog_) watchdog_->feed();
     for (int errors = 0; errors < max_read_errors;) {
         av_packet_unref(&packet);
@@ -167,7 +178,7 @@ bool Demuxer::read(AVPacket& packet) {
         if (code < 0) {
             ++damaged_;
             ++errors;
-        } else if (packet.stream_index == stream_->index) {
+        } else {
             return true;
         }
     }

@@ -27,6 +27,12 @@ class Demuxer {
     /// The next packet of the video stream, passing over errors; false at the end.
     bool read(AVPacket& packet);
 
+    /// From now on `read_any` gives the packets of all streams, not those of the video stream alone.
+    void take_all_streams();
+
+    /// The next packet of any stream that is taken, passing over errors; false at the end.
+    bool read_any(AVPacket& packet);
+
     AVFormatContext& format() const { return *format_; }
     AVStream& stream() const { return *stream_; }
     av::Log& log() { return log_; }

@@ -53,6 +53,14 @@ def test_page_commands(t):
     run_commands(t, "docs/page.md")
 
 
+def test_cut_commands(t):
+    run_commands(t, "docs/cut.md")
+
+
+def test_pictures_commands(t):
+    run_commands(t, "docs/pictures.md")
+
+
 def test_watch_commands(t):
     run_commands(t, "docs/watch.md")
 

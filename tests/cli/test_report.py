@@ -1,6 +1,7 @@
 """render --report: what stands in it is true, and as its schema says."""
 
 import json
+import re
 
 import jsonschema
 
@@ -177,3 +178,40 @@ def test_report_of_a_series(t):
     for part in ("frames", "span", "input", "events"):
         check(whole[part] == series[part], f"{part}: {whole[part]} and {series[part]}")
     check(series["seconds"]["draw"] > 0, str(series["seconds"]))
+
+
+def peeking_clip(t):
+    """Somebody walks through, and small things come round the corner of the picture again and again."""
+    source = "size={}:rate=10:duration=80"
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:" + source.format("384x288"), "-f", "lavfi", "-i", "testsrc2=" + source.format("12x10"),
+             "-f", "lavfi", "-i", "testsrc2=" + source.format("24x50"), "-filter_complex",
+             "[0][1]overlay=x='if(lt(mod(n,50),18),384-2*mod(n,50),348)':y='if(lt(mod(n,50),18),16,16-2*(mod(n,50)-18))'[a];"
+             "[a][2]overlay=x='-24+2*mod(n,300)':y=180", "-c:v", "ffv1", "peeking.mkv")
+
+
+def test_report_advises_a_region_where_scraps_dominate(t):
+    peeking_clip(t)
+    result = t.vvr("render", "peeking.mkv", "--report", "report.json")
+    report = read(t)
+    advice, = report["advice"]
+    small = [event for event in report["events"] if max(event["box"]["width"], event["box"]["height"]) <= 48]
+    check(len(small) >= 12, str(len(small)))
+    result.expect(0, f"vvr: warning: {advice}", f"{len(small)} of {len(report['events'])} events are small", "pixels at 34", "--roi")
+    # What it says can be done.
+    command = re.search(r"vvr (inspect 'peeking.mkv' --frame [\d.]+s -o roi.html)$", advice)[1]
+    t.vvr(*command.replace("'", "").split()).expect(0, "draw regions on frame")
+    # And it helps: what is left are those who walk through, and no advice.
+    result = t.vvr("render", "peeking.mkv", "--report", "report.json", "--roi", "0,150 384,150 384,288 0,288").expect(0)
+    left = read(t)
+    check(len(left["events"]) == len(report["events"]) - len(small) and left["advice"] == [] and "--roi" not in result.err, str(left["advice"]))
+    t.vvr("render", "peeking.mkv", "-o", "series.{brick:2}.png", "--size", "160x100", "--brick", "40s", "--report", "series.json").expect(0, "choose where to look with --roi")
+    check(read(t, "series.json")["advice"] == [advice], "a series has other advice")
+    # Where a region was drawn already, there is nothing to say.
+    t.vvr("render", "peeking.mkv", "--report", "report.json", "--roi", "0,0 384,0 384,288 0,288").expect(0)
+    check(read(t)["advice"] == [], "advises what was done")
+
+
+def test_report_of_a_quiet_scene_has_no_advice(t):
+    t.scene("left_bag", "bag.y4m", "--size", "384x288", "--frames", "400")
+    result = t.vvr("render", "bag.y4m", "--report", "report.json").expect(0, "3 events")
+    check(read(t)["advice"] == [] and "--roi" not in result.err, result.err)

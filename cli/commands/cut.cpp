@@ -1,0 +1,94 @@
+#include "cli/render/cut.h"
+
+#include <chrono>
+#include <stop_token>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands/command.h"
+#include "cli/console.h"
+#include "cli/options/job_options.h"
+#include "cli/options/output.h"
+#include "cli/options/parse_value.h"
+#include "cli/render/open_fields.h"
+#include "cli/render/settings.h"
+#include "core/choice.h"
+#include "core/error.h"
+#include "core/video/packet_copy.h"
+
+namespace vvr {
+
+namespace {
+
+namespace text {
+constexpr Setting output{"output", "FILE", "the piece; its ending names the container"};
+constexpr Setting event{
+    "event", "N", "cut this event, by its number in the picture, the report and the page", {1, 1e9}};
+constexpr Setting report{"report", "FILE", "read the events from this report of `vvr render --report`; no search"};
+constexpr Setting from{"from", "TIME", "cut from here: 250, 12.5s or 00:00:12.5; the beginning if not given"};
+constexpr Setting to{"to", "TIME", "the first frame that is no longer in the piece; the end if not given"};
+constexpr Setting margin{"margin", "SECONDS", "so much more before and after", {0, 3600}};
+constexpr Setting exact{"exact", "",
+                        "encode exactly these frames anew, without sound; else packets are copied from the key frame "
+                        "before"};
+}  // namespace text
+
+class Cut final : public Command {
+  public:
+    void add_options(CommandLine& line) override {
+        constexpr Group output = Group::output;
+        line.path(output, job_.path, text::output,
+                  {.letter = 'o', .help = fmt::format(": {}", fmt::join(names_of(containers()), " "))});
+        line.value(output, text::event, "", [this](const std::string& given) {
+            job_.event = parse_integer(given, static_cast<std::int64_t>(text::event.range.low),
+                                       static_cast<std::int64_t>(text::event.range.high));
+        });
+        line.path(output, job_.report, text::report);
+        line.value(output, text::from, "", [this](const std::string& given) { job_.from = parse_time(given); });
+        line.value(output, text::to, "", [this](const std::string& given) { job_.to = parse_time(given); });
+        line.number(output, job_.margin, text::margin);
+        line.flag(output, job_.exact, text::exact);
+        line.exclude(text::event, text::from);
+        line.exclude(text::event, text::to);
+        line.exclude(text::report, text::from);
+        line.exclude(text::report, text::to);
+        // Whatever decides which events there are, and which number each has.
+        RenderJob& search = job_.search;
+        add_event_options(line, output, search.output.events);
+        add_input_options(line, search.input, "the file of a clip");
+        add_span_options(line, search.fields.span);
+        add_field_options(line, search.fields);
+        line.number(Group::bricks, search.bricks.skip_idle, setting::skip_idle);
+        add_thread_options(line, search.fields.threads);
+    }
+
+    ExitStatus run(const CommandLine&, const Environment& environment) override {
+        only_input(job_.search.input);
+        if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the piece goes with -o FILE");
+        if (!job_.event && !job_.from && !job_.to) {
+            throw Error(ErrorKind::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
+        }
+        Console console(environment);
+        const std::stop_source stop;
+        environment.signals.before_end([stop]() mutable { stop.request_stop(); });
+        if (!cut(job_, console, stop.get_token())) {
+            // What stopped it was a signal, and that ends the program now.
+            for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+        }
+        environment.signals.before_end({});
+        return ExitStatus::done;
+    }
+
+  private:
+    CutJob job_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_cut() {
+    return std::make_unique<Cut>();
+}
+
+}  // namespace vvr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+
+#include "cli/render/job.h"
+#include "cli/render/observer.h"
+
+namespace vvr {
+
+/// A piece of a clip, and where it goes. The piece is an event, or lies between two times.
+struct CutJob {
+    RenderJob search;                   ///< the clip, and how events are found in it; nothing is drawn
+    std::filesystem::path report;       ///< lists the events instead; empty = they are searched for
+    std::optional<std::int64_t> event;  ///< its number, from 1
+    std::optional<Time> from;           ///< none = from the beginning
+    std::optional<Time> to;             ///< the first frame that is no longer in it; none = to the end
+    double margin = 0;                  ///< seconds before and after
+    bool exact = false;                 ///< encodes the frames of the piece anew, without sound
+    std::filesystem::path path;
+};
+
+/// Writes the piece. Packets are copied from the key frame before it on, unless it is to be exact.
+/// \param stop ends it; nothing is left then
+/// \returns false where it was stopped
+/// \throws Error usage, io, not_video, limit
+bool cut(const CutJob& job, Observer& observer, const std::stop_token& stop);
+
+}  // namespace vvr

@@ -1,0 +1,35 @@
+#include "core/page/region_editor.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/image/picture_file.h"
+#include "core/json_text.h"
+#include "core/page/text.h"
+#include "page_files.h"
+
+namespace vvr {
+
+std::string make_region_editor(const RegionEditorContent& content) {
+    constexpr int quality = 88;
+    const bool masks = content.roi.empty() && !content.mask.empty();
+    const nlohmann::ordered_json data{{"option", masks ? "mask" : "roi"},
+                                      {"regions", masks ? content.mask : content.roi}};
+    // Bytes that are not UTF-8 become U+FFFD.
+    const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
+    return fill(page_files::region_editor_html,
+                {
+                    {"script policy", policy_hash(page_files::region_editor_js)},
+                    {"style policy", policy_hash(page_files::region_editor_css)},
+                    {"name", html_text(name)},
+                    {"moment", html_text(content.moment)},
+                    {"style", std::string(page_files::region_editor_css)},
+                    {"script", std::string(page_files::region_editor_js)},
+                    {"frame", data_url("image/jpeg", encode_picture("frame.jpg", content.frame, quality))},
+                    {"width", fmt::to_string(content.frame.width())},
+                    {"height", fmt::to_string(content.frame.height())},
+                    {"data", script_json(json_text(data, -1, true))},
+                });
+}
+
+}  // namespace vvr

@@ -1,0 +1,175 @@
+#include "core/video/piece.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/video/demuxer.h"
+#include "core/video/video_reader.h"
+
+namespace vvr {
+namespace {
+
+constexpr double clock_was_set = 1;    // seconds, as in Clock
+constexpr std::size_t reordered = 16;  // packets; no codec keeps more waiting
+constexpr double slack = 0.0005;       // seconds; times are rounded
+
+struct VideoPacket {
+    std::int64_t stamp;
+    bool key;
+    bool damaged;
+};
+
+[[noreturn]] void throw_no_times(const Input& input, const std::string& what) {
+    throw Error(ErrorKind::not_video,
+                fmt::format("'{}' can't be copied: {}; cut it exactly instead, which decodes it", input.name, what),
+                {"exact"});
+}
+
+/// The first frame's time on the container's clock, seconds.
+double origin_of(const Input& input, double rate) {
+    VideoReader reader(input, rate, 1);
+    if (!reader.next().image) {
+        throw Error(
+            ErrorKind::not_video,
+            fmt::format("'{}' has video, but no frame of it decodes; `ffprobe` on it may say more", input.name));
+    }
+    return reader.origin();
+}
+
+/// The packets of the video stream in the order of the file, a little farther than the span goes.
+class Scan {
+  public:
+    Scan(const Input& input, double rate, const FrameSpan& span)
+        : input_(input), span_(span), origin_(origin_of(input, rate)), demuxer_(input, Demuxer::Kind::video, rate) {
+        const auto packet = av::make_packet();
+        while (!is_done() && demuxer_.read(*packet)) add(*packet);
+    }
+
+    /// Whether the clip ends before the span does.
+    bool ends_early() const {
+        if (packets_.empty() || is_done()) return packets_.empty();
+        const bool before_stop = span_.stop && std::ssize(packets_) < *span_.stop;
+        return before_stop || (span_.end && last_time() + demuxer_.frame_duration() + slack < *span_.end);
+    }
+
+    /// Time of the clip's last frame, where that comes before the span.
+    std::optional<double> end() const {
+        const bool before = last_time() < span_.start || std::ssize(packets_) <= span_.first;
+        return before && !is_done() ? std::optional(last_time()) : std::nullopt;
+    }
+
+    const std::vector<VideoPacket>& packets() const { return packets_; }
+
+    double seconds(std::int64_t stamp) const { return *demuxer_.seconds(stamp) - origin_; }
+
+  private:
+    void add(const AVPacket& packet) {
+        if (packet.pts == AV_NOPTS_VALUE && (packet.dts == AV_NOPTS_VALUE || demuxer_.stream().codecpar->video_delay)) {
+            throw_no_times(input_, "its packets do not say when they are shown");
+        }
+        const std::int64_t stamp = packet.pts == AV_NOPTS_VALUE ? packet.dts : packet.pts;
+        if (packet.dts != AV_NOPTS_VALUE) {
+            const double dts = seconds(packet.dts);
+            if (dts < last_dts_ - clock_was_set) {
+                throw_no_times(
+                    input_, fmt::format("its clock goes back by {:.1f} s after {:.1f} s", last_dts_ - dts, last_dts_));
+            }
+            last_dts_ = std::max(last_dts_, dts);
+            if (span_.end && dts > *span_.end) ++past_end_;
+        }
+        packets_.push_back({stamp, (packet.flags & AV_PKT_FLAG_KEY) != 0, (packet.flags & AV_PKT_FLAG_CORRUPT) != 0});
+    }
+
+    double last_time() const {
+        return packets_.empty() ? 0 : seconds(std::ranges::max(packets_, {}, &VideoPacket::stamp).stamp);
+    }
+
+    /// Whether all frames that are still to come are shown after the span.
+    bool is_done() const {
+        const bool past_stop = span_.stop && packets_.size() > static_cast<std::size_t>(*span_.stop) + reordered;
+        return past_stop || past_end_ > reordered;
+    }
+
+    const Input& input_;
+    const FrameSpan& span_;
+    double origin_;
+    Demuxer demuxer_;
+    double last_dts_ = -std::numeric_limits<double>::infinity();
+    std::size_t past_end_ = 0;  ///< packets that are decoded after the span has ended
+    std::vector<VideoPacket> packets_;
+};
+
+/// The numbers of the packets whose frames lie in the span, in the order in which they are shown.
+std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
+    const std::vector<VideoPacket>& packets = scan.packets();
+    std::vector<std::size_t> order(packets.size());
+    std::ranges::copy(std::views::iota(std::size_t{0}, packets.size()), order.begin());
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return packets[k].stamp; });
+    std::vector<std::size_t> inside;
+    std::int64_t index = 0;
+    for (const std::size_t k : order) {
+        const double time = scan.seconds(packets[k].stamp);
+        if (time < -slack) continue;  // what comes before the first frame that decodes
+        if (!is_before(span, index, time) && !is_past(span, index, time)) inside.push_back(k);
+        ++index;
+    }
+    return inside;
+}
+
+/// After a packet come others that are shown before it: with them there are no holes.
+std::size_t last_needed(const std::vector<VideoPacket>& packets, std::size_t first, std::size_t last) {
+    std::int64_t latest = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t k = first; k <= last; ++k) latest = std::max(latest, packets[k].stamp);
+    const std::size_t end = std::min(packets.size(), last + reordered);
+    for (std::size_t k = last + 1; k < end && !packets[k].key; ++k) {
+        if (packets[k].stamp < latest) last = k;
+    }
+    return last;
+}
+
+}  // namespace
+
+Piece find_piece(const Input& input, double rate, const FrameSpan& span) {
+    const Scan scan(input, rate, span);
+    const std::vector<VideoPacket>& packets = scan.packets();
+    const std::vector<std::size_t> inside = packets_in(scan, span);
+    if (inside.empty()) throw_empty(input.name, span, scan.end());
+
+    const std::size_t earliest = std::ranges::min(inside);
+    const std::int64_t wanted = packets[inside.front()].stamp;
+    std::optional<std::size_t> first;
+    for (std::size_t k = 0; k <= earliest; ++k) {
+        if (packets[k].key && packets[k].stamp <= wanted) first = k;
+    }
+    if (!first) throw_no_times(input, "there is no key frame before the piece");
+    const std::size_t last = last_needed(packets, *first, std::ranges::max(inside));
+
+    Piece piece;
+    piece.first = static_cast<std::int64_t>(*first);
+    piece.last = static_cast<std::int64_t>(last);
+    piece.first_stamp = piece.last_stamp = packets[*first].stamp;
+    for (std::size_t k = *first; k <= last; ++k) {
+        piece.last_stamp = std::max(piece.last_stamp, packets[k].stamp);
+        piece.damaged += packets[k].damaged;
+    }
+    piece.begin = scan.seconds(piece.first_stamp);
+    piece.end = scan.seconds(piece.last_stamp);
+    piece.wanted = scan.seconds(wanted);
+    piece.ends_early = scan.ends_early();
+    return piece;
+}
+
+void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {
+    const std::string end = last ? fmt::format("its last frame is at {:.3f} s; ", *last) : "";
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}' has no frame {}; {}choose another piece", name, text_of(span), end));
+}
+
+}  // namespace vvr

@@ -1,0 +1,305 @@
+"""vvr cut: the piece has the clip's own bytes, from the right frame to the right frame; and what it refuses."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+import pytest
+from harness import check
+
+RATE = 25
+KEYS = 40  # frames from one key frame to the next
+H264 = ("-c:v", "libx264", "-bf", "2", "-g", str(KEYS), "-keyint_min", str(KEYS), "-sc_threshold", "0", "-pix_fmt", "yuv420p")
+
+
+def bag(t, name="bag.mp4", *codec):
+    """A clip with three events: somebody leaves a bag, and fetches it. With sound."""
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "400")
+    t.ffmpeg("-i", "bag.y4m", "-f", "lavfi", "-i", "sine=duration=16", *(codec or H264), "-c:a", "aac", "-shortest", name)
+    t.path("bag.y4m").unlink()
+    return name
+
+
+def events(t, name):
+    t.vvr("render", name, "--report", "report.json").expect(0)
+    return json.loads(t.path("report.json").read_text())["events"]
+
+
+def packets(t, name, stream="v"):
+    """Of each packet: time, flags, and a hash of its bytes."""
+    probe = t.run(["ffprobe", "-v", "error", "-select_streams", stream, "-show_packets", "-show_data_hash", "MD5", "-of", "json", name])
+    check(probe.status == 0, str(probe))
+    return [(float(p["pts_time"]), p["flags"][0], p["data_hash"]) for p in json.loads(probe.out)["packets"]]
+
+
+def grey_frames(t, name):
+    """The mean brightness of each frame in an 8 by 6 grid."""
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", t.path(name), "-vsync", "passthrough", "-vf", "scale=8:6:flags=area",
+                          "-f", "rawvideo", "-pix_fmt", "gray", "-"], stdout=subprocess.PIPE, check=True).stdout
+    return [raw[k:k + 48] for k in range(0, len(raw), 48)]
+
+
+def apart(a, b):
+    """How far apart two frames are: the largest difference of a cell, grey levels."""
+    return max(abs(x - y) for x, y in zip(a, b))
+
+
+def check_copied(t, clip, piece, first, last):
+    """A piece is packets of the clip, from the last key frame at or before the frame `first` to `last` or little later."""
+    whole, part = packets(t, clip), packets(t, piece)
+    check(part[0][0] == 0 and part[0][1] == "K", f"begins with {part[0]}")
+    hashes = [packet[2] for packet in whole]
+    begin = hashes.index(part[0][2])
+    check([packet[2] for packet in part] == hashes[begin:begin + len(part)], "the packets are not those of the clip")
+    key = round(whole[begin][0] * RATE)
+    check(key <= first < key + KEYS, f"begins with the key frame {key} for the frame {first}")
+    shown = {round((packet[0] + whole[begin][0]) * RATE) for packet in part}
+    check(shown == set(range(key, max(shown) + 1)) and last <= max(shown) <= last + 3, f"shows {sorted(shown)} of {key}..{last}")
+
+
+def test_cut_copies_an_event(t):
+    clip = bag(t)
+    for event in events(t, clip):
+        number, first, last = event["number"], event["first"]["frame"], event["last"]["frame"]
+        result = t.vvr("cut", clip, "--event", str(number), "-o", "found.mp4").expect(
+            0, "frames copied", f"s of '{clip}'; it begins with ", "key frame")
+        check(result.err.count("\n") == 1, str(result))
+        check_copied(t, clip, "found.mp4", first, last)
+        t.vvr("cut", clip, "--event", str(number), "--report", "report.json", "-o", "listed.mp4").expect(0)
+        check(t.path("found.mp4").read_bytes() == t.path("listed.mp4").read_bytes(), "a report leads to another piece")
+        length = (last - first) / RATE
+        sound = packets(t, "found.mp4", "a")
+        check(0 <= sound[0][0] < 0.05 and length <= sound[-1][0] + 0.1, f"sound from {sound[0]} to {sound[-1]}")
+        known = {packet[2] for packet in packets(t, clip, "a")}
+        check(all(packet[2] in known for packet in sound), "the sound is not that of the clip")
+
+
+def test_cut_follows_the_ending(t):
+    clip = bag(t)
+    for name in ("piece.mkv", "piece.mov", "piece.m4v", "PIECE.MP4"):
+        t.vvr("cut", clip, "--from", "5s", "--to", "00:00:08", "-o", name).expect(0, f"'{name}': ")
+        check_copied(t, clip, name, 125, 199)
+    probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format=format_name", "-of", "csv=p=0", "piece.mkv"])
+    check("matroska" in probe.out, str(probe))
+
+
+def test_cut_copies_avi(t):
+    t.clip("clip.avi", seconds=6)
+    t.vvr("cut", "clip.avi", "--from", "33", "--to", "47", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins with the key frame 0.300 s before the piece")
+    t.vvr("cut", "clip.avi", "--from", "3s", "--to", "47", "-o", "same.avi").expect(0, "it begins with a key frame, where the piece does")
+    check(t.path("same.avi").read_bytes() == t.path("piece.avi").read_bytes(), "the same piece by other words")
+    whole, part = packets(t, "clip.avi"), packets(t, "piece.avi")
+    check([p[2] for p in part] == [p[2] for p in whole[30:47]], "other packets")
+    check([round(p[0] * 10) for p in part] == list(range(17)), f"times {part}")
+
+
+def test_cut_with_a_margin(t):
+    clip = bag(t)
+    came = events(t, clip)[1]
+    t.vvr("cut", clip, "--event", "2", "--margin", "1.5", "--report", "report.json", "-o", "wide.mp4").expect(0)
+    check_copied(t, clip, "wide.mp4", came["first"]["frame"] - 37, came["last"]["frame"] + 37)
+    t.vvr("cut", clip, "--from", "5s", "--to", "6s", "--margin", "1", "--exact", "-o", "wide.mp4").expect(
+        0, "75 frames encoded anew without sound, 4.000 s to 6.960 s")
+    t.vvr("cut", clip, "--from", "0.5s", "--to", "6s", "--margin", "60", "-o", "wide.mp4").expect(
+        0, "ends at 15.960 s, before the piece was to end", "400 frames copied, 0.000 s to 15.960 s")
+
+
+def test_cut_exactly(t):
+    clip = bag(t)
+    frames = grey_frames(t, clip)
+    for event in events(t, clip):
+        first, last = event["first"]["frame"], event["last"]["frame"]
+        for name in ("exact.mp4", "exact.mkv"):
+            t.vvr("cut", clip, "--event", str(event["number"]), "--report", "report.json", "--exact", "-o", name).expect(
+                0, f"'{name}': {last - first + 1} frames encoded anew without sound, {first / RATE:.3f} s to {last / RATE:.3f} s")
+            part = grey_frames(t, name)
+            check(len(part) == last - first + 1, f"{len(part)} frames of {first}..{last}")
+            worst = max(apart(a, b) for a, b in zip(part, frames[first:last + 1]))
+            check(worst <= 6, f"a frame is off by {worst} grey levels")
+            times = sorted(packet[0] for packet in packets(t, name))
+            check(times[0] == 0 and all(abs(time * RATE - k) < 0.03 for k, time in enumerate(times)), f"times {times[:5]}")
+    # A frame more or less would have been seen: what moves is not where it was a few frames before.
+    came = events(t, clip)[0]["first"]["frame"]
+    check(apart(frames[came + 25], frames[came + 35]) > 12, "nothing moves in the scene, so this shows nothing")
+
+
+def test_cut_exactly_between_frames(t):
+    clip = bag(t)
+    t.vvr("cut", clip, "--from", "101", "--to", "151", "--exact", "-o", "a.mp4").expect(0, "50 frames encoded", "4.040 s to 6.000 s")
+    t.vvr("cut", clip, "--from", "4.04s", "--to", "6.04s", "--exact", "-o", "b.mp4").expect(0, "50 frames encoded")
+    check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
+
+
+def test_cut_takes_the_searches_options(t):
+    clip = bag(t)
+    t.vvr("render", clip, "--events", "left", "--report", "left.json").expect(0, "1 event")
+    left = json.loads(t.path("left.json").read_text())["events"][0]
+    t.vvr("cut", clip, "--events", "left", "--event", "1", "--exact", "-o", "left.mp4").expect(
+        0, f"{left['last']['frame'] - left['first']['frame'] + 1} frames encoded")
+    t.vvr("cut", clip, "--events", "left", "--event", "2", "-o", "none.mp4").expect(1, "has 1 event; choose that")
+    t.vvr("cut", clip, "--roi", "0,0 20,0 20,20 0,20", "--event", "1", "-o", "none.mp4").expect(
+        1, f"--event: there is no event 1: '{clip}' has no events")
+
+
+def test_cut_keeps_when_it_was_recorded_and_how_it_is_turned(t):
+    t.clip("plain.mp4", seconds=4, codec=("-c:v", "libx264", "-g", "10", "-pix_fmt", "yuv420p"))
+    t.ffmpeg("-display_rotation", "90", "-i", "plain.mp4", "-c", "copy", "-metadata", "creation_time=2026-11-21T07:12:00Z", "clip.mp4") \
+        if "display_rotation" in t.run(["ffmpeg", "-h", "full"]).out else \
+        t.ffmpeg("-i", "plain.mp4", "-c", "copy", "-metadata", "creation_time=2026-11-21T07:12:00Z", "-metadata:s:v", "rotate=90", "clip.mp4")
+    t.vvr("cut", "clip.mp4", "--from", "2s", "-o", "piece.mp4").expect(0)
+    whole, piece = (json.loads(t.vvr("info", "--json", name).out) for name in ("clip.mp4", "piece.mp4"))
+    check((whole["width"], whole["height"]) == (48, 64) == (piece["width"], piece["height"]), f"{whole} {piece}")
+    check(piece["recorded"] == "2026-11-21 07:12:02" and piece["frames"] == 20, str(piece))
+
+
+def test_cut_of_a_damaged_clip(t):
+    clip = bag(t, "bag.mkv")
+    data = bytearray(t.path(clip).read_bytes())
+    for k in range(len(data) // 2, len(data) // 2 + 400):
+        data[k] ^= 0x5A
+    t.write("damaged.mkv", bytes(data))
+    t.vvr("cut", "damaged.mkv", "--from", "2s", "-o", "piece.mkv").expect(0, "frames copied, 1.600 s to 15.960 s")
+    t.vvr("render", "piece.mkv", "--report", "piece.json").expect(0, "frames in")
+    t.vvr("cut", "damaged.mkv", "--from", "2s", "--exact", "-o", "exact.mp4").expect(0, "damaged packet", "the piece has the frames that decoded")
+    t.write("half.mkv", bytes(data[:len(data) // 3]))
+    t.vvr("cut", "half.mkv", "--from", "1s", "--to", "15s", "-o", "piece.mkv").expect(
+        0, "warning: 'half.mkv' ends at ", "before the piece was to end", "frames copied")
+
+
+def test_cut_refuses_events_that_are_not_there(t):
+    clip = bag(t)
+    events(t, clip)
+    t.vvr("cut", clip, "--event", "4", "-o", "x.mp4").expect(1, f"vvr: --event: there is no event 4: '{clip}' has 3 events; choose 1 to 3")
+    t.vvr("cut", clip, "--event", "9", "--report", "report.json", "-o", "x.mp4").expect(
+        1, "vvr: --event: there is no event 9: 'report.json' has 3 events; choose 1 to 3")
+    t.vvr("cut", clip, "--event", "0", "-o", "x.mp4").expect(1, "--event: '0'", "1")
+    t.vvr("cut", clip, "--event", "1", "--filter", "edges", "-o", "x.mp4").expect(1, "'edges' marks no objects, so there are no events")
+    t.expect_files(clip, "report.json")
+
+
+def test_cut_refuses_reports_that_are_none(t):
+    clip = bag(t)
+    cut = ("cut", clip, "--event", "1", "-o", "x.mp4", "--report")
+    t.write("text.json", "what is this")
+    t.vvr(*cut, "text.json").expect(1, "vvr: --report 'text.json' is no report of `vvr render`; make one with: vvr render CLIP")
+    t.write("list.json", "[1, 2]")
+    t.vvr(*cut, "list.json").expect(1, "is no report of `vvr render`")
+    t.write("null.json", json.dumps({"report": 1, "input": {"name": clip}, "events": None}))
+    t.vvr(*cut, "null.json").expect(1, "tells of no events, as they were not searched for")
+    t.write("odd.json", json.dumps({"report": 1, "input": {"name": clip}, "events": [{"first": 3}]}))
+    t.vvr(*cut, "odd.json").expect(1, "is not as `vvr render` writes it")
+    t.vvr(*cut, "none.json").expect(2, "none.json: can't be opened: No such file or directory")
+    events(t, clip)
+    os.rename(t.path(clip), t.path("renamed.mp4"))
+    t.vvr("cut", "renamed.mp4", "--event", "1", "--report", "report.json", "-o", "x.mp4").expect(
+        0, "warning: report 'report.json' is about 'bag.mp4', and the clip is 'renamed.mp4'", "frames copied")
+
+
+def test_cut_refuses_pieces_that_are_empty(t):
+    t.clip("clip.mkv", seconds=4)
+    for exact in ((), ("--exact",)):
+        t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 5 s to its end; ", "choose another piece")
+        t.vvr("cut", "clip.mkv", "--from", "40", "--to", "90", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from frame 40 to frame 90")
+        t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "3s", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 3 s")
+        t.vvr("cut", "clip.mkv", "--from", "20", "--to", "10", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 10, a frame")
+        t.vvr("cut", "clip.mkv", "--from", "3.02s", "--to", "3.05s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 3.02 s to 3.05 s; choose another piece")
+    t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv").expect(1, "to its end; its last frame is at 3.900 s; choose another piece")
+    t.vvr("cut", "clip.mkv", "--from", "1s", "--to", "10", "--margin", "2", "-o", "x.mkv").expect(
+        1, "--margin is in seconds, and to 10 is a frame; give a time such as 12.5s")
+    t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "9s", "-o", "x.mkv").expect(0, "warning: 'clip.mkv' ends at 3.900 s")
+
+
+def test_cut_refuses_what_cannot_be_cut(t):
+    t.path("frames").mkdir()
+    t.clip("frames/%03d.png", seconds=1, codec=())
+    t.clip("clip.avi")
+    t.vvr("extract", "clip.avi", "-o", "data").expect(0)
+    os.mkfifo(t.path("pipe"))
+    cut = lambda name: t.vvr("cut", name, "--from", "0", "-o", "x.mkv", timeout=20)
+    cut("frames").expect(1, "'frames' is a sequence of pictures, not a clip; give the file of a clip")
+    cut("frames/%03d.png").expect(1, "is a sequence of pictures")
+    cut("data").expect(1, "'data' is what `vvr extract` wrote, and has no video in it")
+    cut("-").expect(1, "'-' is stdin, which can't be cut")
+    cut("rtsp://camera/stream").expect(1, "'rtsp://camera/stream' is an address; save it to a file first")
+    cut("pipe").expect(1, "'pipe' is not a regular file")
+    cut("none.avi").expect(2, "cannot read 'none.avi': No such file or directory")
+    t.write("notes.avi", "this is no video\n" * 100)
+    cut("notes.avi").expect(3, "'notes.avi' is not a video")
+    t.ffmpeg("-f", "lavfi", "-i", "sine=duration=1", "sound.m4a")
+    cut("sound.m4a").expect(3, "'sound.m4a' has no video")
+    check(not t.path("x.mkv").exists(), "something was written")
+
+
+def test_cut_needs_a_piece_and_an_output(t):
+    t.clip("clip.avi")
+    t.vvr("cut", "clip.avi", "--from", "0").expect(1, "no output: say where the piece goes with -o FILE")
+    t.vvr("cut", "clip.avi", "-o", "x.avi").expect(1, "no piece: say which with --event N, or with --from TIME --to TIME")
+    t.vvr("cut", "clip.avi", "--event", "1", "--from", "0", "-o", "x.avi").expect(1, "--from", "--event")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.png").expect(1, "cannot write 'x.png': the name of a clip ends in .mp4, .mov")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "x.avi", "--exact").expect(1, "an exact piece can't be a .avi", "choose .mp4", "--exact")
+    t.vvr("cut", "clip.avi", "--from", "0", "-o", "no/x.mkv").expect(2, "there is no folder 'no'")
+    t.vvr("cut", "-o", "x.avi", "--from", "0").expect(1, "no INPUT")
+    t.expect_files("clip.avi")
+
+
+def test_cut_never_writes_over_its_input(t):
+    t.clip("clip.mkv")
+    before = t.path("clip.mkv").read_bytes()
+    os.link(t.path("clip.mkv"), t.path("hard.mkv"))
+    os.symlink("clip.mkv", t.path("soft.mkv"))
+    for name in ("clip.mkv", "./clip.mkv", "hard.mkv", "soft.mkv"):
+        for exact in ((), ("--exact",)):
+            t.vvr("cut", "clip.mkv", "--from", "1s", "-o", name, *exact).expect(1, "is the clip itself, 'clip.mkv'; give the piece a name of its own")
+    check(t.path("clip.mkv").read_bytes() == before, "the input has changed")
+
+
+def test_cut_names_containers_that_can_hold_the_codec(t):
+    t.clip("clip.mkv", codec=("-c:v", "ffv1"))
+    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4").expect(
+        1, "cannot write 'x.mp4': .mp4 can't hold video (ffv1); choose ", ".mkv", "--exact")
+    t.vvr("cut", "clip.mkv", "--from", "1s", "-o", "x.mp4", "--exact").expect(0, "10 frames encoded")
+    bag(t)
+    t.vvr("cut", "bag.mp4", "--from", "1s", "-o", "x.webm").expect(1, ".webm can't hold video (h264); choose .mp4, .mov")
+    t.ffmpeg("-i", "bag.mp4", "-c:v", "copy", "-c:a", "pcm_mulaw", "-ar", "8000", "law.mkv")
+    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mp4").expect(1, ".mp4 can't hold audio (pcm_mulaw); choose .mov")
+    t.vvr("cut", "law.mkv", "--from", "1s", "-o", "x.mkv").expect(0, "frames copied")
+
+
+def test_cut_refuses_to_copy_without_times(t):
+    t.clip("clip.mp4", codec=("-c:v", "libx264", "-pix_fmt", "yuv420p"))
+    t.ffmpeg("-i", "clip.mp4", "-c", "copy", "-bsf:v", "h264_mp4toannexb", "raw.h264")
+    t.vvr("cut", "raw.h264", "--from", "1s", "-o", "x.mp4").expect(3, "'raw.h264' can't be copied: ", "(--exact)")
+    t.vvr("cut", "raw.h264", "--from", "10", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded anew")
+
+
+def test_cut_of_a_full_disk_leaves_nothing(t):
+    clip = bag(t)
+    for exact in ((), ("--exact",)):
+        command = f'ulimit -f 4; "{t.vvr_path}" cut {clip} --from 0 -o x.mp4 {" ".join(exact)}'
+        t.run(["bash", "-c", command]).expect(2, "cannot write 'x.mp4': File too large; free some space")
+        t.expect_files(clip)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_cut_is_stopped_by_signals(t, number):
+    t.clip("long.mkv", seconds=60, size="640x480")
+    child = subprocess.Popen([t.vvr_path, "cut", "long.mkv", "--from", "0", "--exact", "-o", "x.mp4"], cwd=t.folder,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + 20
+    while not any(name.endswith(".part") for name in t.files()):
+        check(time.monotonic() < end and child.poll() is None, "nothing is being written")
+        time.sleep(0.02)
+    child.send_signal(number)
+    check(child.wait(timeout=5) == -number, f"status {child.returncode}")
+    t.expect_files("long.mkv")
+
+
+def test_cut_of_hostile_names(t):
+    for name in ("-x.mkv", "a'b\"<c>.mkv", "ü\u202eivom.mkv", "%03d.mkv"):
+        t.clip("clip.mkv")
+        os.rename(t.path("clip.mkv"), t.path(name))
+        t.vvr("cut", "./" + name, "--from", "1s", "-o", "./piece-" + name).expect(0, "10 frames copied")
+        check(pathlib.Path(t.path("piece-" + name)).exists(), f"no piece of {name}")
