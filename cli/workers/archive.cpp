@@ -121,9 +121,10 @@ Survey survey(const ArchiveOptions& options, const ArchiveJob& job, spdlog::logg
 
 ExitStatus run_archive(const ArchiveOptions& options, const Environment& environment) {
     ArchiveJob job = job_of(options);
+    const RecorderNames names(options.names);
     if (options.index_only) {
         make_folder(options.out);
-        write_index(job, environment);
+        write_index(job, names, environment);
         environment.log.info("'{}' is up to date", (options.out / index_name).string());
         return ExitStatus::done;
     }
@@ -147,7 +148,7 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
         outcome = draw_clips(job, work, shares.workers, environment);
     }
     if (options.prune) prune(job, options.shard, found.clips_there, false, environment);
-    if (!options.no_index) write_index(job, environment);
+    if (!options.no_index) write_index(job, names, environment);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found.planned, outcome, took.count()));
     const bool partial = outcome.failed + found.unreadable + count(found.planned, Need::given_up) > 0;

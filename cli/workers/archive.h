@@ -18,6 +18,7 @@ struct ArchiveOptions {
     std::filesystem::path in;
     std::filesystem::path out;
     std::vector<std::string> match;  ///< patterns of clips; none = by their endings
+    std::vector<std::string> names;  ///< layouts of clips' names, before those that are known
     Shard shard;
     std::chrono::seconds settle{60};
     int tries = 3;

@@ -136,16 +136,16 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
     return account.outcome();
 }
 
-void write_index(const ArchiveJob& job, const Environment& environment) {
+void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment) {
     const auto held = environment.signals.hold();
     // Of two runs that end together, the later one has to read what the other wrote.
-    const std::vector<std::string> names{std::string(index_name)};
-    const Claim claim = Claim::wait_for(job.out, names.front());
-    if (claim.was_left_behind()) remove_leftovers(job.out, names);
+    const std::vector<std::string> files{std::string(index_name)};
+    const Claim claim = Claim::wait_for(job.out, files.front());
+    if (claim.was_left_behind()) remove_leftovers(job.out, files);
     const Outputs outputs = list_outputs(job.out, job.in);
     tidy(job.out, outputs);
     const fs::path path = job.out / index_name;
-    const std::string text = make_index(outputs.sidecars);
+    const std::string text = make_index(outputs.sidecars, names);
     if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));
 }
 

@@ -8,6 +8,7 @@
 #include "cli/workers/archive_clip.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr {
 
@@ -34,7 +35,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
                           const Environment& environment);
 
 /// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
-void write_index(const ArchiveJob& job, const Environment& environment);
+void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment);
 
 /// Removes the files of clips that have gone.
 /// \returns how many clips there were

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.h"
+#include "core/local_time.h"
 #include "core/page/text.h"
 #include "index_files.h"
 
@@ -36,11 +37,21 @@ int files_of(const Sidecar& sidecar) {
     return bits;
 }
 
-Json row_of(const Sidecar& sidecar, const std::vector<std::string>& cameras) {
-    const auto camera = std::ranges::lower_bound(cameras, camera_of(sidecar.clip.path)) - cameras.begin();
+/// A clip's place in the index.
+struct Place {
+    std::string camera;
+    std::int64_t begin = 0;  ///< seconds since 1970
+};
+
+Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
+    return {names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
+}
+
+Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras) {
+    const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
     Json row{camera,
              url_of_path(sidecar.clip.path),
-             begin_of(sidecar),
+             place.begin,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
              files_of(sidecar)};
@@ -52,22 +63,40 @@ Json row_of(const Sidecar& sidecar, const std::vector<std::string>& cameras) {
     return row;
 }
 
+/// What the clocks on the walls of the machine that draws showed: [from, seconds ahead of UTC, name] each, from the
+/// first clip on.
+Json zone_of(const std::vector<Place>& places) {
+    Json zone = Json::array();
+    if (places.empty()) return zone;
+    const auto [first, last] = std::ranges::minmax(places, {}, &Place::begin);
+    for (const ZoneChange& change : zone_changes(first.begin, last.begin)) {
+        zone.push_back({change.from, change.offset, zone_text(change.from)});
+    }
+    return zone;
+}
+
 }  // namespace
 
-std::int64_t begin_of(const Sidecar& sidecar) {
+std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
+    const std::int64_t written = sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
+    if (const auto named = names.read(sidecar.clip.path).begin) return utc_of(*named, written);
     if (sidecar.recorded) {
         if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
     }
-    return sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
+    return written;
 }
 
-std::string make_index(const std::vector<Sidecar>& sidecars) {
-    std::set<std::string> names;
-    for (const Sidecar& sidecar : sidecars) names.insert(camera_of(sidecar.clip.path));
-    const std::vector<std::string> cameras(names.begin(), names.end());
-    Json json{{"cameras", Json::array()}, {"clips", Json::array()}};
+std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames& names) {
+    std::vector<Place> places;
+    for (const Sidecar& sidecar : sidecars) places.push_back(place_of(sidecar, names));
+    std::set<std::string> found;
+    for (const Place& place : places) found.insert(place.camera);
+    const std::vector<std::string> cameras(found.begin(), found.end());
+    Json json{{"cameras", Json::array()}, {"zone", zone_of(places)}, {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
-    for (const Sidecar& sidecar : sidecars) json["clips"].push_back(row_of(sidecar, cameras));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        json["clips"].push_back(row_of(sidecars[i], places[i], cameras));
+    }
     return fill(index_files::index_html, {
                                              {"script policy", policy_hash(index_files::index_js)},
                                              {"style policy", policy_hash(index_files::index_css)},

@@ -32,19 +32,6 @@ std::size_t character_length(std::string_view text) {
     return wrong ? 0 : length;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-/// 2026, 2026-11, 20261121, 2026_11_21: a year, then only numbers.
-bool is_date(std::string_view folder) {
-    const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
-                      std::ranges::all_of(folder.substr(0, 4), is_digit);
-    if (!year || folder.size() == 5 || folder.size() > 10) return false;
-    return std::ranges::all_of(folder.substr(4),
-                               [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
-}
-
 fs::path with_ending(const fs::path& out, const std::string& clip, std::string_view ending) {
     return out / (clip + std::string(ending));
 }
@@ -88,18 +75,6 @@ fs::path output_path(const fs::path& out, const std::string& clip, OutputKind ki
 
 fs::path sidecar_path(const fs::path& out, const std::string& clip) {
     return with_ending(out, clip, sidecar_ending);
-}
-
-std::string camera_of(std::string_view clip) {
-    std::string camera;
-    for (auto slash = clip.find('/'); slash != std::string_view::npos; slash = clip.find('/')) {
-        const std::string_view folder = clip.substr(0, slash);
-        if (is_date(folder)) break;
-        if (!camera.empty()) camera += '/';
-        camera += folder;
-        clip.remove_prefix(slash + 1);
-    }
-    return camera;
 }
 
 }  // namespace vvr

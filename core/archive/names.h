@@ -35,8 +35,4 @@ inline constexpr std::string_view index_name = "index.html";
 std::filesystem::path output_path(const std::filesystem::path& out, const std::string& clip, OutputKind kind);
 std::filesystem::path sidecar_path(const std::filesystem::path& out, const std::string& clip);
 
-/// The folder of the camera: the clip's folders before the first that is a date, `cam1` for
-/// `cam1/2026/11/21/x.avi` and for `cam1/2026-11-21/x.avi`. Empty for a clip at the top.
-std::string camera_of(std::string_view clip);
-
 }  // namespace vvr

@@ -300,9 +300,32 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 10m, 2h or 1d")
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
+    t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(1, "'%Y-%m-%d' is no pattern of names: a time needs %Y, %m, %d and %H, or %s", "(--names)")
+    t.vvr("archive", "in", "-o", "out", "--names", "{cam}").expect(1, "it has '{cam}', and fields are * ? {camera} {number} %Y")
     t.vvr("archive", "in", "-o", "out", "--sise", "1x1").expect(1, "did you mean")
     t.vvr("archive", "in", "-o", "out", "--start", "2s", "--end", "1s").expect(1, "--end has to come after the start")
     check(not t.path("out").exists(), "a refused run leaves something")
+
+
+def test_archive_knows_the_names_of_recorders(t):
+    clips(t, "2026-11-21/08/gate/00.10.mp4", "hall/door at 2026.11.21 09-30.avi", "2026/11/21/10/yard/x.avi")
+
+    def index(*arguments):
+        archive(t, *arguments, "--no-pages").expect(0)
+        text = t.path("out/index.html").read_text()
+        data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+        return {row[1]: (data["cameras"][row[0]], row[2]) for row in data["clips"]}, data["zone"]
+
+    os.environ["TZ"] = "Asia/Kolkata"
+    found, zone = index("--names", "{camera} at %Y.%m.%d %H-%M")
+    day = 1795219200  # 2026-11-21 00:00 UTC
+    check(found["./2026-11-21/08/gate/00.10.mp4"] == ("gate", day + 8 * 3600 + 10), f"Frigate's are in UTC: {found}")
+    check(found["./hall/door%20at%202026.11.21%2009-30.avi"] == ("door", day + 4 * 3600), f"others are local: {found}")
+    check(found["./2026/11/21/10/yard/x.avi"][0] == "yard", str(found))
+    check(zone[0][1:] == [19800, "IST, UTC+5:30"], str(zone))
+    found, _ = index()
+    check(found["./hall/door%20at%202026.11.21%2009-30.avi"][0] == "hall", f"not drawn again, and indexed by its folder: {found}")
+    del os.environ["TZ"]
 
 
 def test_archive_without_opengl_blames_no_clip(t):

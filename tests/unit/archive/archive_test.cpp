@@ -356,6 +356,23 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
 }
 
+TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
+    ::setenv("TZ", "Europe/Berlin", 1);
+    ::tzset();
+    Sidecar sidecar = done("2026-11-21/07/gate/00.07.mp4");
+    sidecar.recorded = "2020-01-01 00:00:00";
+    EXPECT_EQ(begin_of(sidecar), 1795244407) << "Frigate's are in UTC";
+    const std::vector<std::string> local{"%Y-%m-%d/%H/{camera}/%M.%S"};
+    EXPECT_EQ(begin_of(sidecar, RecorderNames(local)), 1795244407 - 3600);
+    const std::string text = make_index({sidecar, done("2026-03-29/00/hall/59.00.mp4")});
+    EXPECT_NE(text.find(R"("cameras":["gate","hall"])"), std::string::npos);
+    EXPECT_NE(text.find(R"("zone":[[1774745940,3600,"CET, UTC+1"],[1774746000,7200,"CEST, UTC+2"],)"
+                        R"([1792890000,3600,"CET, UTC+1"]])"),
+              std::string::npos);
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
+}
+
 TEST_F(Archive, IsIndexedByItsSidecars) {
     Sidecar sidecar = done("cam/a</script>\"\xFF.avi");
     sidecar.recorded = "2026-11-21 08:00:07";

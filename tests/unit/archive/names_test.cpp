@@ -14,6 +14,7 @@
 #include "core/archive/shard.h"
 #include "core/error.h"
 #include "core/fnv.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr {
 namespace {
@@ -54,7 +55,8 @@ TEST(ArchiveNames, ArePlainOrNotTaken) {
     }
 }
 
-TEST(ArchiveNames, KnowTheCamera) {
+TEST(ArchiveNames, KnowTheCameraByItsFolders) {
+    const auto camera_of = [](const std::string& path) { return RecorderNames().camera_of(path); };
     EXPECT_EQ(camera_of("x.avi"), "");
     EXPECT_EQ(camera_of("cam1/x.avi"), "cam1");
     EXPECT_EQ(camera_of("house/gate/x.avi"), "house/gate");
