@@ -34,11 +34,8 @@ struct RenderReport {
     std::string gl_version;       ///< GL_VERSION
     std::string backend;
     std::optional<std::vector<Event>> events;  ///< none where they were not looked for
-<<<<<<< HEAD
     std::vector<std::size_t> event_numbers;    ///< that the picture shows; empty = their places in the list, plus 1
-=======
     std::vector<std::string> advice;           ///< what would serve this clip better, in sentences
->>>>>>> cut
     std::vector<glm::vec3> event_colours;      ///< in the picture, sRGB; empty where they have none
     std::vector<Plane<Bgr>> portraits;         ///< of the events, small; empty where nobody asked for them
     Lettering lettering;                       ///< on the last picture
