@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -94,6 +95,33 @@ bool holds(const fs::path& path, const std::string& text) {
     return fs::is_regular_file(path, none) && read_file(path.string()) == text;
 }
 
+/// Leaves a file alone that is as it should be: who keeps it open sees no change.
+void put_file(const fs::path& path, const std::string& text) {
+    if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));
+}
+
+/// The clips that are no longer there; none where their folder itself is not, as its disk may not be mounted.
+std::set<std::string> gone_of(const fs::path& in, const std::vector<Sidecar>& sidecars) {
+    std::set<std::string> gone;
+    std::error_code none;
+    if (in.empty() || !fs::is_directory(in, none) || fs::is_empty(in, none)) return gone;
+    for (const Sidecar& sidecar : sidecars) {
+        if (is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
+    }
+    return gone;
+}
+
+/// Files of days on which no clip is left.
+void remove_other_days(const fs::path& out, const DayFiles& days) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
+        const std::string name = entry.path().filename().string();
+        std::error_code none;
+        const bool is_file = fs::is_regular_file(fs::symlink_status(entry.path(), none));
+        if (is_file && is_day_file(name) && !days.contains(name)) fs::remove(entry.path(), none);
+    }
+}
+
 }  // namespace
 
 std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const ArchiveJob& job) {
@@ -144,9 +172,10 @@ void write_index(const ArchiveJob& job, const RecorderNames& names, const Enviro
     if (claim.was_left_behind()) remove_leftovers(job.out, files);
     const Outputs outputs = list_outputs(job.out, job.in);
     tidy(job.out, outputs);
-    const fs::path path = job.out / index_name;
-    const std::string text = make_index(outputs.sidecars, names);
-    if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));
+    const DayFiles days = make_day_files(outputs.sidecars, names);
+    for (const auto& [name, text] : days) put_file(job.out / name, text);
+    put_file(job.out / index_name, make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)));
+    remove_other_days(job.out, days);
 }
 
 std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,

@@ -4,14 +4,17 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <set>
+#include <string_view>
+#include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.h"
 #include "core/local_time.h"
 #include "core/page/text.h"
 #include "index_files.h"
+#include "index_script.h"
 
 namespace vvr {
 
@@ -47,14 +50,33 @@ Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
     return {names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
 }
 
-Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras) {
+/// Seconds of what lay there for longest and of what stood for longest, and how many things were taken; null where it
+/// is not known.
+Json badges_of(const Sidecar& sidecar) {
+    if (sidecar.found.empty()) return {};
+    int left = 0;
+    int stood = 0;
+    int taken = 0;
+    for (const FoundEvent& event : sidecar.found) {
+        const int lasts = event.path.empty() ? 0 : event.path.back().time - event.path.front().time;
+        if (event.kind == 'l') left = std::max(left, lasts);
+        if (event.kind == 's') stood = std::max(stood, event.still);
+        if (event.kind == 't') ++taken;
+    }
+    return {left / 10.0, stood / 10.0, taken};
+}
+
+constexpr int gone_bit = 1 << 8;
+
+Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
     Json row{camera,
              url_of_path(sidecar.clip.path),
              place.begin,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
-             files_of(sidecar)};
+             files_of(sidecar) | (gone ? gone_bit : 0),
+             badges_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);
         row.push_back(sidecar.reason);
@@ -75,6 +97,24 @@ Json zone_of(const std::vector<Place>& places) {
     return zone;
 }
 
+/// The index's script, of its pieces.
+std::string script_text() {
+    std::string text;
+    for (const auto& [name, piece] : index_script::files) text += piece;
+    return text;
+}
+
+constexpr std::string_view day_file_begin = "index.";
+constexpr std::string_view day_file_end = ".js";
+
+/// The day on the wall's calendar: "2026-11-21".
+std::string day_of(std::int64_t utc) {
+    const std::chrono::sys_seconds wall{std::chrono::seconds(utc + local_offset(utc))};
+    const std::chrono::year_month_day date{std::chrono::floor<std::chrono::days>(wall)};
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                       static_cast<unsigned>(date.day()));
+}
+
 }  // namespace
 
 std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
@@ -86,7 +126,34 @@ std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
     return written;
 }
 
-std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames& names) {
+DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const RecorderNames& names) {
+    std::map<std::string, Json> days;
+    for (const Sidecar& sidecar : sidecars) {
+        if (sidecar.found.empty()) continue;
+        Json events = Json::array();
+        for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
+        Json& day = days[day_of(begin_of(sidecar, names))];
+        day.push_back({url_of_path(sidecar.clip.path), std::move(events)});
+    }
+    DayFiles files;
+    for (const auto& [day, clips] : days) {
+        files[fmt::format("{}{}{}", day_file_begin, day, day_file_end)] =
+            fmt::format("vvrDay(\"{}\",{});\n", day, script_json(json_text(clips, -1, true)));
+    }
+    return files;
+}
+
+bool is_day_file(std::string_view name) {
+    constexpr std::string_view date = "dddd-dd-dd";
+    if (!name.starts_with(day_file_begin) || !name.ends_with(day_file_end)) return false;
+    name.remove_prefix(day_file_begin.size());
+    if (name.size() != date.size() + day_file_end.size()) return false;
+    return std::ranges::equal(name.substr(0, date.size()), date,
+                              [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
+}
+
+std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames& names,
+                       const std::set<std::string>& gone) {
     std::vector<Place> places;
     for (const Sidecar& sidecar : sidecars) places.push_back(place_of(sidecar, names));
     std::set<std::string> found;
@@ -95,13 +162,19 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
     Json json{{"cameras", Json::array()}, {"zone", zone_of(places)}, {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
     for (std::size_t i = 0; i < places.size(); ++i) {
-        json["clips"].push_back(row_of(sidecars[i], places[i], cameras));
+        json["clips"].push_back(row_of(sidecars[i], places[i], cameras, gone.contains(sidecars[i].clip.path)));
     }
+    std::set<std::string> days;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!sidecars[i].found.empty()) days.insert(day_of(places[i].begin));
+    }
+    json["days"] = days;
+    const std::string script = script_text();
     return fill(index_files::index_html, {
-                                             {"script policy", policy_hash(index_files::index_js)},
+                                             {"script policy", policy_hash(script)},
                                              {"style policy", policy_hash(index_files::index_css)},
                                              {"style", std::string(index_files::index_css)},
-                                             {"script", std::string(index_files::index_js)},
+                                             {"script", script},
                                              {"data", script_json(json_text(json, -1, true))},
                                          });
 }

@@ -20,12 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether it is certain that there is no such file. Without permission to look, it is not.
-bool is_gone(const fs::path& path) {
-    struct stat status {};
-    return ::lstat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR);
-}
-
 /// The nearest folder above a clip that exists.
 std::string folder_left(const fs::path& in, const std::string& clip) {
     fs::path folder = fs::path(clip).parent_path();
@@ -45,6 +39,11 @@ std::set<fs::path> files_with_owners(const fs::path& out, const Outputs& outputs
 }
 
 }  // namespace
+
+bool is_gone(const fs::path& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) != 0 && (errno == ENOENT || errno == ENOTDIR);
+}
 
 Outputs list_outputs(const fs::path& out, const fs::path& in) {
     Outputs outputs;

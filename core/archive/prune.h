@@ -25,6 +25,9 @@ void tidy(const std::filesystem::path& out, const Outputs& outputs);
 /// The names of all files that are written for a clip; for the index, its own name.
 std::vector<std::string> written_names(const std::string& file_name);
 
+/// Whether it is certain that there is no such file. Without permission to look, it is not.
+bool is_gone(const std::filesystem::path& path);
+
 /// The clips that no longer exist.
 struct Gone {
     std::vector<Sidecar> sidecars;

@@ -82,7 +82,21 @@ std::optional<Sidecar> parse(const std::string& text) {
     sidecar.seconds = json.at("seconds").get<double>();
     sidecar.events = optional_of<std::int64_t>(json.at("events"));
     sidecar.recorded = optional_of<std::string>(json.at("recorded"));
+    // Older sidecars have none.
+    for (const Json& event : json.value("found", Json::array())) sidecar.found.push_back(found_event_of(event));
     return sidecar;
+}
+
+/// Over lines for people, but each event in one.
+std::string text_of(Json json) {
+    const Json found = json.value("found", Json());
+    json.erase("found");
+    std::string text = json_text(json, 2);
+    if (found.is_null()) return text + "\n";
+    text.resize(text.rfind('\n'));
+    text += ",\n  \"found\": [";
+    for (const Json& event : found) text += (&event == &found.front() ? "\n    " : ",\n    ") + json_text(event);
+    return text + (found.empty() ? "]" : "\n  ]") + "\n}\n";
 }
 
 }  // namespace
@@ -107,13 +121,15 @@ std::string format_sidecar(const Sidecar& sidecar) {
         json["seconds"] = sidecar.seconds;
         json["events"] = json_of(sidecar.events);
         json["recorded"] = json_of(sidecar.recorded);
+        json["found"] = Json::array();
+        for (const FoundEvent& event : sidecar.found) json["found"].push_back(json_of(event));
     }
     json["files"] = Json::object();
     for (const OutputKind kind : sidecar.files) {
         const auto row = std::ranges::find(output_rows, kind, &OutputRow::kind);
         json["files"][std::string(row->name)] = text_of_path(file_name(sidecar.clip.path)) + std::string(row->ending);
     }
-    return json_text(json, 2) + "\n";
+    return text_of(json);
 }
 
 void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
@@ -145,6 +161,7 @@ void take_report(Sidecar& sidecar, const fs::path& report) {
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         if (const Json& events = json.at("events"); !events.is_null()) {
             sidecar.events = static_cast<std::int64_t>(events.size());
+            sidecar.found = found_events(json);
         }
     } catch (const Json::exception& error) {
         throw Error(ErrorKind::io, fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive/found_event.h"
 #include "core/archive/names.h"
 #include "core/archive/scan.h"
 
@@ -31,6 +32,7 @@ struct Sidecar {
     double seconds = 0;
     std::optional<std::int64_t> events;   ///< if they were searched for
     std::optional<std::string> recorded;  ///< UTC, if the container says it
+    std::vector<FoundEvent> found;        ///< the events
 };
 
 /// Writes it whole or not at all. Call it once all files that it names exist.

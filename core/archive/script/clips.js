@@ -1,0 +1,158 @@
+'use strict';
+
+const data = JSON.parse(document.getElementById('data').textContent);
+const at = id => document.getElementById(id);
+const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+const digits = number => String(number).padStart(2, '0');
+const many = (count, word) => count.toLocaleString('en') + ' ' + word + (count === 1 ? '' : 's');
+
+function element(tag, className, text) {
+    const made = document.createElement(tag);
+    if (className) made.className = className;
+    if (text !== undefined) made.textContent = text;
+    return made;
+}
+
+/// The name in an address as people read it; bytes that are no UTF-8 stay as they stand there.
+function readable(url) {
+    try {
+        return decodeURIComponent(url);
+    } catch {
+        return url;
+    }
+}
+
+// ---- The clock of the machine that drew the pictures, so that every reader sees the times of the place
+
+const zone = data.zone.length ? data.zone : [[0, 0, 'UTC']];  // [from, seconds ahead of UTC, name] each
+
+/// The clock on the wall at a moment, as a date whose UTC fields are what it shows.
+function wallOf(seconds) {
+    const change = zone.findLast(([from]) => from <= seconds) ?? zone[0];
+    return new Date((seconds + change[1]) * 1000);
+}
+const dayOf = date => date.toISOString().slice(0, 10);
+const timeOf = date => date.toISOString().slice(11, 19);
+const weekday = day => new Date(day + 'T00:00:00Z').toLocaleDateString('en', {weekday: 'long', timeZone: 'UTC'});
+
+function lengthOf(seconds) {
+    const all = Math.round(seconds);
+    if (all < 60) return seconds < 10 ? seconds.toFixed(1) + ' s' : all + ' s';
+    const minutes = Math.floor(all / 60);
+    return minutes < 60 ? minutes + ':' + digits(all % 60) + ' min'
+                        : Math.floor(minutes / 60) + ':' + digits(minutes % 60) + ' h';
+}
+
+/// Text for comparisons: small letters without marks, with ü as u and, as others write it, as ue.
+function folded(text) {
+    const small = text.toLowerCase().normalize('NFC');
+    const plain = small.normalize('NFD').replace(/\p{M}/gu, '').replaceAll('ß', 'ss');
+    const german = small.replace(/[äöüß]/g, letter => ({ä: 'ae', ö: 'oe', ü: 'ue', ß: 'ss'})[letter]);
+    return plain === german ? plain : plain + '\n' + german.normalize('NFD').replace(/\p{M}/gu, '');
+}
+
+// Each row: camera, address, begins (seconds since 1970), length, events or null, the kinds of files that there are,
+// seconds for which something was left and stood and how many things were taken, and of a failure its status, its reason
+// and the number of tries.
+const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone] = [1, 2, 4, 16, 256];
+const clips = data.clips.map(([camera, url, begins, seconds, events, files, badges, status, reason, tries]) => {
+    const date = wallOf(begins);
+    const path = readable(url).replace(/^\.\//, '');
+    const [left, stood, taken] = badges ?? [0, 0, 0];
+    const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason, tries,
+                  name: path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: dayOf(date), hour: date.getUTCHours()};
+    clip.failed = status !== undefined;
+    clip.gone = (files & hasGone) !== 0;
+    clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? ''].join(' '));
+    return clip;
+}).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
+
+const clipOfUrl = new Map(clips.map(clip => [clip.url, clip]));
+const cameraName = camera => data.cameras[camera] === '' ? '(top folder)' : data.cameras[camera];
+const pageOf = clip => clip.url + (clip.files & hasPage ? '.html' : '.png');
+
+// ---- What has been seen, kept in the browser
+
+const seenKey = 'vvr seen ' + location.pathname;
+let seen = new Set();
+try {
+    seen = new Set(JSON.parse(localStorage.getItem(seenKey) ?? '[]'));
+} catch {
+    // a browser that keeps nothing
+}
+
+function see(clip) {
+    seen.add(clip.url);
+    try {
+        localStorage.setItem(seenKey, JSON.stringify([...seen].slice(-20_000)));
+    } catch {
+        // it is full, or keeps nothing
+    }
+}
+
+function grouped(list, key) {
+    const groups = new Map();
+    for (const clip of list) {
+        const group = groups.get(clip[key]);
+        if (group) group.push(clip);
+        else groups.set(clip[key], [clip]);
+    }
+    return groups;
+}
+
+// ---- What is asked for: kept in the address, so that going back from a clip's page finds it again
+
+const asked = {view: 'clips', text: '', kind: 'all', order: 'newest', camera: null, day: null};
+const choices = {view: ['clips', 'days', 'scene'], kind: ['all', 'events', 'left', 'stood', 'unseen', 'failed'],
+                 order: ['newest', 'left', 'stood', 'events']};
+
+function readAsked() {
+    const parts = new URLSearchParams(location.hash.slice(1));
+    asked.text = parts.get('text') ?? '';
+    asked.day = parts.get('day');
+    for (const [name, known] of Object.entries(choices)) asked[name] = known.includes(parts.get(name)) ? parts.get(name) : known[0];
+    const camera = data.cameras.indexOf(parts.get('camera') ?? undefined);
+    asked.camera = camera < 0 ? null : camera;
+    at('text').value = asked.text;
+    at('order').value = asked.order;
+    for (const radio of document.getElementsByName('kind')) radio.checked = radio.value === asked.kind;
+}
+
+function keepAsked() {
+    const parts = new URLSearchParams();
+    if (asked.text) parts.set('text', asked.text);
+    if (asked.day) parts.set('day', asked.day);
+    for (const [name, known] of Object.entries(choices)) if (asked[name] !== known[0]) parts.set(name, asked[name]);
+    if (asked.camera !== null) parts.set('camera', data.cameras[asked.camera]);
+    history.replaceState(null, '', '#' + parts);
+}
+
+const isWanted = {
+    all: () => true,
+    events: clip => clip.events > 0,
+    left: clip => clip.left > 0 || clip.taken > 0,
+    stood: clip => clip.stood > 0,
+    unseen: clip => !clip.failed && !seen.has(clip.url),
+    failed: clip => clip.failed,
+};
+
+function chosenClips() {
+    const words = asked.text.split(/\s+/).filter(Boolean).map(word => folded(word).split('\n'));
+    return clips.filter(clip => (asked.camera === null || clip.camera === asked.camera) && isWanted[asked.kind](clip) &&
+                                (!asked.day || clip.day === asked.day) &&
+                                words.every(ways => ways.some(word => clip.text.includes(word))));
+}
+
+/// A clip's page leads here to find the clip before or after it, which it can't know.
+function followNeighbour() {
+    const parts = new URLSearchParams(location.hash.slice(1));
+    const by = parts.has('after') ? -1 : 1;
+    const clip = clipOfUrl.get(parts.get('after') ?? parts.get('before') ?? '');
+    if (!clip) return false;
+    const ofCamera = clips.filter(other => other.camera === clip.camera && !other.failed);
+    const next = ofCamera[ofCamera.indexOf(clip) + by];
+    if (next) location.replace(pageOf(next));
+    else Object.assign(asked, {camera: clip.camera});
+    if (!next) history.replaceState(null, '', '#' + new URLSearchParams({camera: data.cameras[clip.camera]}));
+    return Boolean(next);
+}

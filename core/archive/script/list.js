@@ -1,0 +1,125 @@
+
+// ---- Clips: a section for each day, in it one for each camera, filled when it comes near the window
+
+function badgesOf(clip) {
+    const badges = [];
+    if (clip.left > 0) badges.push(element('span', 'badge left', 'left ' + lengthOf(clip.left)));
+    if (clip.taken > 0) badges.push(element('span', 'badge left', 'taken' + (clip.taken > 1 ? ' ' + clip.taken : '')));
+    if (clip.stood > 0) badges.push(element('span', 'badge stood', 'stood ' + lengthOf(clip.stood)));
+    if (clip.events !== null) {
+        badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
+    }
+    return badges;
+}
+
+function factsOf(clip) {
+    const facts = element('span', 'facts');
+    const first = element('span', 'first');
+    first.append(element('b', '', clip.time));
+    if (!clip.failed) first.append(element('small', '', lengthOf(clip.seconds)));
+    if (!clip.failed && !seen.has(clip.url)) {
+        const dot = element('i', 'new', '●');
+        dot.title = 'not seen yet';
+        first.append(dot);
+    }
+    const badges = element('span', 'badges');
+    if (!clip.failed) badges.append(...badgesOf(clip));
+    const second = element('span', 'second');
+    const name = element('bdi', 'name', clip.name);
+    name.title = clip.path;
+    second.append(name);
+    if (clip.gone) second.append(element('small', 'gone', 'the clip is gone'));
+    facts.append(first, badges, second);
+    return facts;
+}
+
+function imageOf(clip, ending) {
+    const image = element('img');
+    image.loading = 'lazy';
+    image.decoding = 'async';
+    image.alt = '';
+    image.src = clip.url + ending;
+    return image;
+}
+
+function cardOf(clip) {
+    if (clip.failed) {
+        const card = element('article', 'card failed');
+        const reason = element('p', 'reason');
+        reason.title = clip.reason;
+        reason.append(element('b', '', `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, status ${clip.status}`), clip.reason);
+        card.append(reason, factsOf(clip));
+        return card;
+    }
+    const card = element('a', 'card');
+    card.href = pageOf(clip);
+    const images = element('span', 'images');
+    if (clip.files & hasStill) images.append(imageOf(clip, '.still.jpg'));
+    images.append(imageOf(clip, clip.files & hasThumbnail ? '.jpg' : '.png'));
+    card.append(images, factsOf(clip));
+    card.addEventListener('click', () => see(clip));
+    return card;
+}
+
+const nearby = new IntersectionObserver(entries => {
+    for (const {target, isIntersecting} of entries) {
+        if (!isIntersecting) continue;
+        nearby.unobserve(target);
+        target.style.minHeight = '';
+        target.replaceChildren(...target.clips.map(cardOf));
+    }
+}, {rootMargin: '1200px'});
+
+const orders = {
+    newest: null,
+    left: (a, b) => b.left - a.left || b.taken - a.taken,
+    stood: (a, b) => b.stood - a.stood,
+    events: (a, b) => (b.events ?? 0) - (a.events ?? 0),
+};
+const lastFailed = list => [...list.filter(clip => !clip.failed), ...list.filter(clip => clip.failed)];
+
+function sectionOf(title, clipsOf, columns) {
+    const block = element('section', 'camera');
+    const cards = element('div', 'cards');
+    cards.clips = clipsOf;
+    cards.style.minHeight = Math.ceil(clipsOf.length / columns) * 232 + 'px';
+    block.append(element('h3', '', title), cards);
+    nearby.observe(cards);
+    return block;
+}
+
+function showClips(list) {
+    const days = at('days');
+    nearby.disconnect();
+    const columns = Math.max(1, Math.floor((days.clientWidth + 12) / 284));
+    const sections = [];
+    if (asked.order !== 'newest') {
+        const sorted = lastFailed([...list].sort(orders[asked.order]));
+        if (sorted.length) sections.push(sectionOf(at('order').selectedOptions[0].textContent, sorted, columns));
+    } else {
+        for (const [day, ofDay] of grouped(list, 'day')) {
+            const section = element('section', 'day');
+            section.append(element('h2', '', weekday(day) + ', ' + day));
+            const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => a[0] - b[0]);
+            for (const [camera, ofCamera] of cameras) section.append(sectionOf(`${cameraName(camera)} · ${ofCamera.length}`, lastFailed(ofCamera), columns));
+            sections.push(section);
+        }
+    }
+    if (!list.length) {
+        const empty = element('p', 'empty', clips.length ? 'Nothing here is like that. ' : 'No clips yet.');
+        if (clips.length) {
+            const all = element('button', '', 'Show all clips');
+            all.type = 'button';
+            all.addEventListener('click', () => { readNothing(); ask({}); });
+            empty.append(all);
+        }
+        sections.push(empty);
+    }
+    days.replaceChildren(...sections);
+}
+
+function readNothing() {
+    Object.assign(asked, {text: '', kind: 'all', camera: null, day: null});
+    at('text').value = '';
+    for (const radio of document.getElementsByName('kind')) radio.checked = radio.value === 'all';
+}

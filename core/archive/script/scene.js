@@ -1,0 +1,271 @@
+
+// ---- Scene: what was where over all days of a camera. Events are loaded by day, from files beside the index
+
+const eventsOfDay = new Map();  // day: [{clip, kind, number, still, path}]; a path is [tenths of a second, x, y, ...]
+const waiting = new Map();      // day: what goes on when it is there
+
+/// Called by the files of days.
+function vvrDay(day, list) {
+    const found = [];
+    for (const [url, events] of list) {
+        const clip = clipOfUrl.get(url);
+        if (!clip) continue;
+        for (const [kind, number, still, ...path] of events) found.push({clip, kind, number, still: still / 10, path});
+    }
+    eventsOfDay.set(day, found);
+}
+
+function loadDay(day) {
+    if (eventsOfDay.has(day)) return Promise.resolve();
+    if (!waiting.has(day)) {
+        waiting.set(day, new Promise(done => {
+            const script = element('script');
+            script.src = `index.${day}.js`;
+            script.onload = done;
+            script.onerror = () => { eventsOfDay.set(day, []); done(); };
+            document.head.append(script);
+        }));
+    }
+    return waiting.get(day);
+}
+
+let place = null;   // what was drawn: {kind: 'box' or 'line', from: [x, y], to: [x, y]} in thousandths of the scene
+let drawKind = 'box';
+let drawn = null;
+const grid = [48, 36];
+
+/// The days between the two that are chosen, of those that have events.
+function chosenDays() {
+    return data.days.filter(day => (!at('from').value || day >= at('from').value) && (!at('to').value || day <= at('to').value));
+}
+
+function partInBox(x, y, toX, toY, box) {
+    let [begin, end] = [0, 1];
+    for (const [from, by, low, high] of [[x, toX - x, box[0], box[2]], [y, toY - y, box[1], box[3]]]) {
+        if (by === 0) {
+            if (from < low || from > high) return null;
+            continue;
+        }
+        const [a, b] = by > 0 ? [(low - from) / by, (high - from) / by] : [(high - from) / by, (low - from) / by];
+        begin = Math.max(begin, a);
+        end = Math.min(end, b);
+    }
+    return begin <= end ? [begin, end] : null;
+}
+
+/// Seconds that a path was in a box; null = never. And when it first was, in tenths.
+function inBox(path, box) {
+    let tenths = 0;
+    let first = null;
+    for (let k = 0; k + 2 < path.length; k += 3) {
+        const next = Math.min(k + 3, path.length - 3);
+        const part = partInBox(path[k + 1], path[k + 2], path[next + 1], path[next + 2], box);
+        if (!part) continue;
+        const length = path[next] - path[k];
+        first ??= path[k] + part[0] * length;
+        tenths += (part[1] - part[0]) * length;
+    }
+    return first === null ? null : {seconds: tenths / 10, at: first / 10};
+}
+
+const sideOf = (ax, ay, bx, by, x, y) => (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+
+/// Whether and when a path first crossed a line, and to which side: 1 or -1.
+function acrossLine(path, [ax, ay], [bx, by]) {
+    for (let k = 0; k + 5 < path.length; k += 3) {
+        const [x, y, toX, toY] = [path[k + 1], path[k + 2], path[k + 4], path[k + 5]];
+        const [before, after] = [sideOf(ax, ay, bx, by, x, y), sideOf(ax, ay, bx, by, toX, toY)];
+        if ((before < 0) === (after < 0)) continue;
+        if ((sideOf(x, y, toX, toY, ax, ay) < 0) === (sideOf(x, y, toX, toY, bx, by) < 0)) continue;
+        const share = before / (before - after);
+        return {side: after < 0 ? -1 : 1, at: (path[k] + share * (path[k + 3] - path[k])) / 10};
+    }
+    return null;
+}
+
+const arrowOf = (x, y) => '→↘↓↙←↖↑↗'[(Math.round(Math.atan2(y, x) / (Math.PI / 4)) + 8) % 8];
+
+/// What an event has to do with the place that is asked for: when, how long, in words; null = nothing.
+function answerOf(event) {
+    if (!place) return {at: event.path[0] / 10, seconds: (event.path.at(-3) - event.path[0]) / 10, words: ''};
+    const {kind, from, to} = place;
+    if (kind === 'box') {
+        const box = [Math.min(from[0], to[0]), Math.min(from[1], to[1]), Math.max(from[0], to[0]), Math.max(from[1], to[1])];
+        const found = inBox(event.path, box);
+        return found && {...found, words: 'here ' + lengthOf(found.seconds)};
+    }
+    const found = acrossLine(event.path, from, to);
+    return found && {at: found.at, seconds: 0, words: 'crossed ' + arrowOf(-(to[1] - from[1]) * found.side, (to[0] - from[0]) * found.side)};
+}
+
+let asking = 0;  // counts questions: an answer to an older one is not shown
+
+async function showScene(list) {
+    const mine = ++asking;
+    const camera = asked.camera ?? list[0]?.camera ?? 0;
+    const wanted = new Set(list.filter(clip => clip.camera === camera));
+    const ground = clips.find(clip => clip.camera === camera && clip.files & hasStill) ?? clips.find(clip => clip.camera === camera);
+    at('ground').src = ground ? ground.url + (ground.files & hasStill ? '.still.jpg' : '.png') : '';
+    at('scenehint').textContent = `${ground ? cameraName(camera) : 'No clips'}: draw on the scene to ask what was there. Warm colours show where most went on.`;
+    at('foundheading').textContent = 'Loading…';
+    const days = chosenDays().toReversed();
+    for (const day of days) {
+        await loadDay(day);
+        if (mine !== asking) return;
+    }
+    const events = days.flatMap(day => eventsOfDay.get(day) ?? []).filter(event => wanted.has(event.clip));
+    answer(events);
+}
+
+function answer(events) {
+    const began = performance.now();
+    const found = [];
+    for (const event of events) {
+        const how = answerOf(event);
+        if (how) found.push({event, how});
+    }
+    answer.took = performance.now() - began;
+    drawHeat(found.map(({event}) => event));
+    drawHours(found);
+    listFound(found, events.length);
+    answer.found = found;
+}
+
+/// Where the objects were, and for how long: seconds in each cell, on a scale that shows the seldom too.
+function drawHeat(events) {
+    const [columns, rows] = grid;
+    const cells = new Float32Array(columns * rows);
+    for (const {path} of events) {
+        for (let k = 0; k + 2 < path.length; k += 3) {
+            const next = Math.min(k + 3, path.length - 3);
+            const steps = 1 + Math.floor(Math.max(Math.abs(path[next + 1] - path[k + 1]) * columns, Math.abs(path[next + 2] - path[k + 2]) * rows) / 1000);
+            for (let step = 0; step < steps; ++step) {
+                const share = (step + 0.5) / steps;
+                const x = clamp(Math.floor((path[k + 1] + share * (path[next + 1] - path[k + 1])) / 1000 * columns), 0, columns - 1);
+                const y = clamp(Math.floor((path[k + 2] + share * (path[next + 2] - path[k + 2])) / 1000 * rows), 0, rows - 1);
+                cells[y * columns + x] += Math.max(1, path[next] - path[k]) / steps;
+            }
+        }
+    }
+    const heat = at('heat');
+    [heat.width, heat.height] = grid;
+    const context = heat.getContext('2d');
+    const image = context.createImageData(columns, rows);
+    const most = Math.log1p(Math.max(...cells));
+    cells.forEach((seconds, k) => {
+        const share = most > 0 ? Math.log1p(seconds) / most : 0;
+        image.data.set([255, Math.round(210 * (1 - share)), 0, seconds > 0 ? Math.round(40 + 160 * share) : 0], 4 * k);
+    });
+    context.putImageData(image, 0, 0);
+}
+
+function drawHours(found) {
+    const counts = new Array(24).fill(0);
+    for (const {event, how} of found) ++counts[wallOf(event.clip.begins + how.at).getUTCHours()];
+    const most = Math.max(1, ...counts);
+    at('hours').replaceChildren(...counts.map((count, hour) => {
+        const column = element('span');
+        const bar = element('i');
+        bar.style.height = count / most * 100 + '%';
+        column.title = `${digits(hour)}:00 to ${digits(hour)}:59: ${many(count, 'event')}`;
+        column.append(bar, element('small', '', hour % 3 ? '' : String(hour)));
+        return column;
+    }));
+    const busiest = counts.indexOf(most);
+    at('hours').ariaLabel = found.length ? `Events by hour of the day; most, ${most}, from ${busiest} to ${busiest + 1}` : 'No events';
+}
+
+const kindNames = {m: 'moved', s: 'stood', l: 'left behind', t: 'taken'};
+const mostFound = 300;
+
+function listFound(found, count) {
+    at('foundheading').textContent = place ? `${found.length.toLocaleString('en')} of ${many(count, 'event')}` : many(count, 'event');
+    const rank = {l: 0, t: 1, s: 2, m: 3};
+    const byNews = (a, b) => b.event.clip.begins + b.how.at - a.event.clip.begins - a.how.at;
+    const sorted = [...found].sort(place ? byNews : (a, b) => rank[a.event.kind] - rank[b.event.kind] || byNews(a, b));
+    const items = sorted.slice(0, mostFound).map(({event, how}) => {
+        const link = element('a');
+        link.href = event.clip.url + (event.clip.files & hasPage ? `.html#event=${event.number}` : '.png');
+        link.addEventListener('click', () => see(event.clip));
+        const when = wallOf(event.clip.begins + how.at);
+        const badge = element('span', 'badge ' + ({l: 'left', t: 'left', s: 'stood'}[event.kind] ?? 'none'), kindNames[event.kind]);
+        const lasts = (event.path.at(-3) - event.path[0]) / 10;
+        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words || lengthOf(event.kind === 's' ? event.still : lasts)));
+        const item = element('li');
+        item.append(link);
+        return item;
+    });
+    if (sorted.length > mostFound) items.push(element('li', 'none', `${(sorted.length - mostFound).toLocaleString('en')} more: choose days, or draw a smaller area.`));
+    if (!sorted.length) items.push(element('li', 'none', 'Nothing was here.'));
+    at('found').replaceChildren(...items);
+}
+
+function pointOnScene(event) {
+    const box = at('drawing').getBoundingClientRect();
+    return [clamp((event.clientX - box.left) / box.width, 0, 1) * 1000, clamp((event.clientY - box.top) / box.height, 0, 1) * 1000];
+}
+
+function drawPlace(shown) {
+    const drawing = at('drawing');
+    drawing.setAttribute('viewBox', '0 0 1000 1000');
+    drawing.replaceChildren();
+    if (!shown) return;
+    const [[x, y], [toX, toY]] = [shown.from, shown.to];
+    const shape = document.createElementNS('http://www.w3.org/2000/svg', shown.kind === 'box' ? 'rect' : 'line');
+    const values = shown.kind === 'box'
+        ? {x: Math.min(x, toX), y: Math.min(y, toY), width: Math.abs(toX - x), height: Math.abs(toY - y)}
+        : {x1: x, y1: y, x2: toX, y2: toY};
+    for (const [name, value] of Object.entries(values)) shape.setAttribute(name, value);
+    drawing.append(shape);
+}
+
+function askPlace(asked_for) {
+    place = asked_for;
+    drawPlace(place);
+    at('askall').hidden = place === null;
+    showScene(chosenClips());
+}
+
+at('drawing').addEventListener('pointerdown', event => {
+    if (event.button !== 0) return;
+    drawn = {kind: drawKind, from: pointOnScene(event), to: pointOnScene(event)};
+    at('drawing').setPointerCapture(event.pointerId);
+});
+at('drawing').addEventListener('pointermove', event => {
+    if (!drawn) return;
+    drawn.to = pointOnScene(event);
+    drawPlace(drawn);
+});
+at('drawing').addEventListener('pointerup', event => {
+    if (!drawn) return;
+    const done = {...drawn, to: pointOnScene(event)};
+    drawn = null;
+    askPlace(Math.hypot(done.to[0] - done.from[0], done.to[1] - done.from[1]) < 10 ? null : done);
+});
+at('drawing').addEventListener('pointercancel', () => { drawn = null; });
+for (const [id, kind] of [['askbox', 'box'], ['askline', 'line']]) {
+    at(id).addEventListener('click', () => {
+        drawKind = kind;
+        at('askbox').setAttribute('aria-pressed', kind === 'box');
+        at('askline').setAttribute('aria-pressed', kind === 'line');
+    });
+}
+at('askall').addEventListener('click', () => askPlace(null));
+
+function chooseDays(from, to) {
+    at('from').value = from;
+    at('to').value = to;
+    showScene(chosenClips());
+}
+for (const id of ['from', 'to']) at(id).addEventListener('change', () => showScene(chosenClips()));
+const lastDay = () => data.days.at(-1) ?? '';
+at('day').addEventListener('click', () => chooseDays(lastDay(), lastDay()));
+at('week').addEventListener('click', () => {
+    const begin = new Date(lastDay() + 'T00:00:00Z');
+    begin.setUTCDate(begin.getUTCDate() - 6);
+    chooseDays(dayOf(begin), lastDay());
+});
+at('everything').addEventListener('click', () => chooseDays('', ''));
+at('ground').addEventListener('load', () => {
+    at('stage').style.aspectRatio = at('ground').naturalWidth / at('ground').naturalHeight;
+});
