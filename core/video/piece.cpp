@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -110,7 +110,7 @@ class Scan {
 std::vector<std::size_t> packets_in(const Scan& scan, const FrameSpan& span) {
     const std::vector<VideoPacket>& packets = scan.packets();
     std::vector<std::size_t> order(packets.size());
-    std::ranges::copy(std::views::iota(std::size_t{0}, packets.size()), order.begin());
+    std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return packets[k].stamp; });
     std::vector<std::size_t> inside;
     std::int64_t index = 0;

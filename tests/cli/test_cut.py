@@ -86,6 +86,23 @@ def test_cut_follows_the_ending(t):
     check("matroska" in probe.out, str(probe))
 
 
+def test_cut_of_groups_that_lean_on_the_one_before(t):
+    """Frames that follow a key frame and are shown before it can't be decoded from there: they stay out, or it begins earlier."""
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=160x120:rate=25:duration=8", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-x264-params",
+             "open-gop=1:keyint=50:min-keyint=50:scenecut=0:bframes=3", "-bf", "3", "open.mkv")
+    t.ffmpeg("-i", "open.mkv", "-c", "copy", "open.ts")
+    frames = grey_frames(t, "open.mkv")
+    for clip in ("open.mkv", "open.ts"):
+        for first, last in ((100, 110), (98, 99), (126, 180), (0, 3)):
+            t.vvr("cut", clip, "--from", f"{first / RATE:.2f}s", "--to", f"{(last + 1) / RATE:.2f}s", "-o", "piece.mp4").expect(0)
+            decoded = t.run(["ffmpeg", "-v", "error", "-i", "piece.mp4", "-f", "null", "-"])
+            check(decoded.status == 0 and decoded.err == "", str(decoded))
+            part = grey_frames(t, "piece.mp4")
+            key = first // 50 * 50
+            check(last - key + 1 <= len(part) <= last - key + 5, f"{len(part)} frames for {first}..{last}")
+            check(all(apart(a, b) <= 1 for a, b in zip(part, frames[key:])), f"{clip}: other frames for {first}..{last}")
+
+
 def test_cut_copies_avi(t):
     t.clip("clip.avi", seconds=6)
     t.vvr("cut", "clip.avi", "--from", "33", "--to", "47", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins with the key frame 0.300 s before the piece")

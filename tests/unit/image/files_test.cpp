@@ -6,7 +6,9 @@
 #include <fstream>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fcntl.h>
@@ -19,6 +21,7 @@
 #include "core/error.h"
 #include "core/fnv.h"
 #include "core/image/atomic_file.h"
+#include "core/image/film_encoder.h"
 #include "core/image/picture_file.h"
 #include "core/image/pixel_data_channels.h"
 
@@ -297,6 +300,52 @@ TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
     EXPECT_EQ(error.kind(), ErrorKind::io);
     EXPECT_NE(std::string(error.what()).find("it is a link that can't be followed"), std::string::npos);
     EXPECT_EQ(files(), 1);
+}
+
+TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
+    const auto put = [](const WriteAt& write_at, std::int64_t offset, std::string_view text) {
+        write_at(offset, std::as_bytes(std::span(text)));
+    };
+    replace_file(file("x"), [&](const WriteAt& write_at) {
+        put(write_at, 4, "tail");
+        put(write_at, 0, "head");
+        put(write_at, 2, "..");
+        EXPECT_FALSE(fs::exists(file("x"))) << "before it is whole";
+    });
+    EXPECT_EQ(bytes(file("x")), "he..tail");
+    EXPECT_THROW(replace_file(file("x"),
+                              [&](const WriteAt& write_at) {
+                                  put(write_at, 0, "something else");
+                                  throw std::runtime_error("the source ended");
+                              }),
+                 std::runtime_error);
+    EXPECT_EQ(bytes(file("x")), "he..tail");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
+    const FilmFormat format{"mp4", "mpeg4", "b=1000000"};
+    const auto shade = [](int k) { return Plane<Bgr>({32, 16}, Bgr{40, 80, static_cast<std::uint8_t>(20 * k)}); };
+    FilmEncoder memory(format, "a", {32, 16}, 10, 10, 5);
+    for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
+    const std::vector<std::byte> wanted = memory.finish();
+    EXPECT_EQ(memory.bytes(), wanted.size());
+    replace_file(file("film"), [&](const WriteAt& write_at) {
+        FilmEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
+        for (int k = 0; k < 8; ++k) film.add(shade(k), k);
+        EXPECT_TRUE(film.finish().empty());
+    });
+    EXPECT_EQ(bytes(file("film")), std::string(reinterpret_cast<const char*>(wanted.data()), wanted.size()));
+}
+
+TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
+    const auto full = [](std::int64_t, std::span<const std::byte>) { throw Error(ErrorKind::io, "the disk is full"); };
+    const Error error = error_of([&] {
+        FilmEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
+        film.add(Plane<Bgr>({32, 16}), 0);
+        film.finish();
+    });
+    EXPECT_EQ(error.what(), std::string("the disk is full"));
 }
 
 }  // namespace
