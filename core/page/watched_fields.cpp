@@ -12,7 +12,7 @@ namespace vvr {
 namespace {
 
 constexpr int still_side = 240;
-constexpr int small_still_side = 160;
+constexpr int small_still_side = 200;
 constexpr std::size_t few_stills =
     Stills::most / 2;  // where there is a film too, stills are only the first that is seen of a moment
 

@@ -1,0 +1,112 @@
+#include "core/archive/found_event.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/archive/index.h"
+
+namespace vvr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a simplified path has an object at a time.
+std::pair<double, double> place_at(const std::vector<FoundPoint>& path, int time) {
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        const FoundPoint& a = path[k - 1];
+        const FoundPoint& b = path[k];
+        if (time > b.time) continue;
+        const double share = static_cast<double>(time - a.time) / (b.time - a.time);
+        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    }
+    return {path.back().x, path.back().y};
+}
+
+TEST(FoundEvent, KeepsEveryMomentsPlaceWithinTheTolerance) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> step(0, 9);
+    for (int round = 0; round < 50; ++round) {
+        std::vector<FoundPoint> path;
+        double x = 500;
+        double y = 500;
+        for (int time = 0; time < 300; time += 5) {
+            path.push_back({time, static_cast<int>(x), static_cast<int>(y)});
+            x += step(random);
+            y += step(random);
+        }
+        const std::vector<FoundPoint> few = simplified(path, 12);
+        EXPECT_LT(few.size(), path.size());
+        EXPECT_EQ(few.front(), path.front());
+        EXPECT_EQ(few.back(), path.back());
+        for (const FoundPoint& point : path) {
+            const auto [there, down] = place_at(few, point.time);
+            EXPECT_LE(std::hypot(there - point.x, down - point.y), 12 + 1e-9);
+        }
+    }
+}
+
+TEST(FoundEvent, KeepsAStayAndAStraightWayInFewPoints) {
+    std::vector<FoundPoint> path;
+    for (int k = 0; k <= 100; ++k) path.push_back({k, k < 50 ? 10 * k : 500, 100});
+    const std::vector<FoundPoint> few = simplified(path, 2);
+    EXPECT_EQ(few, (std::vector<FoundPoint>{{0, 0, 100}, {50, 500, 100}, {100, 500, 100}}));
+    EXPECT_EQ(simplified({}, 2).size(), 0U);
+    EXPECT_EQ(simplified(std::vector<FoundPoint>{{1, 2, 3}}, 2).size(), 1U);
+    const std::vector<FoundPoint> one_time{{5, 0, 0}, {5, 900, 0}, {5, 0, 0}};
+    EXPECT_EQ(simplified(one_time, 2).size(), 3U);
+}
+
+TEST(FoundEvent, IsReadFromAReport) {
+    const Json report = Json::parse(R"({"input": {"width": 200, "height": 100}, "events": [
+        {"number": 3, "kind": "left", "stays": [{"seconds": 4.25}, {"seconds": 2}],
+         "path": [{"seconds": 1.5, "place": {"x": 19.5, "y": 49.5}}, {"seconds": 9, "place": {"x": 19.5, "y": 49.5}}]}]})");
+    const std::vector<FoundEvent> found = found_events(report);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0], (FoundEvent{'l', 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
+    EXPECT_EQ(json_of(found[0]).dump(), R"(["l",3,63,15,100,500,90,100,500])");
+    EXPECT_EQ(found_event_of(json_of(found[0])), found[0]);
+    EXPECT_EQ(found_event_of(Json::parse(R"(["<b>", 1, 2])")).kind, 'm');
+    EXPECT_THROW(found_event_of(Json::parse(R"(["l", "x"])")), Json::exception);
+    EXPECT_THROW(found_events(Json::parse("{}")), Json::exception);
+}
+
+TEST(FoundEvent, IsDroppedWhereThereAreTooMany) {
+    Json report = Json::parse(R"({"input": {"width": 100, "height": 100}, "events": []})");
+    for (int k = 1; k <= 5; ++k) {
+        Json event =
+            Json::parse(R"({"kind": "moved", "stays": [], "path": [{"seconds": 0, "place": {"x": 1, "y": 1}}]})");
+        event["number"] = k;
+        event["path"].push_back({{"seconds", k == 2 ? 100 : k}, {"place", {{"x", 50}, {"y", 50}}}});
+        report["events"].push_back(event);
+    }
+    const std::vector<FoundEvent> found = found_events(report, 2);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].number, 2);
+    EXPECT_EQ(found[1].number, 5);
+}
+
+TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
+    Sidecar sidecar;
+    sidecar.clip = {"cam/</script><b>.avi", 1, 0};
+    sidecar.recorded = "2026-11-21 08:00:07";
+    sidecar.found = {{'l', 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
+    Sidecar other = sidecar;
+    other.recorded = "2026-11-20 10:00:00";
+    const DayFiles days = make_day_files({sidecar, other});
+    ASSERT_EQ(days.size(), 2U);
+    const std::string& text = days.at("index.2026-11-21.js");
+    EXPECT_EQ(text.find('<'), std::string::npos);
+    EXPECT_TRUE(text.starts_with("vvrDay(\"2026-11-21\",[[\"./cam/%3C"));
+    EXPECT_NE(text.find(R"([["l",1,0,0,1,2,10,1,2]])"), std::string::npos);
+    for (const auto& [name, unused] : days) EXPECT_TRUE(is_day_file(name));
+    for (const char* name : {"index.html", "index.js", "index.2026-11-2.js", "index.2026x11-21.js",
+                             "xindex.2026-11-21.js", "index.2026-11-21.js.bak", "index..js"}) {
+        EXPECT_FALSE(is_day_file(name)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace vvr
