@@ -10,6 +10,7 @@
 
 #include "cli/log_file.h"
 #include "core/json_text.h"
+#include "core/shown_text.h"
 
 namespace vvr {
 
@@ -25,6 +26,20 @@ class WarningFlag : public spdlog::custom_flag_formatter {
     std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<WarningFlag>(); }
 };
 
+std::string payload_of(const spdlog::details::log_msg& message) {
+    return shown_text(without_secrets({message.payload.data(), message.payload.size()}));
+}
+
+/// What is said, as a terminal and a log may show it: names in it may be anybody's.
+class SaidText : public spdlog::custom_flag_formatter {
+  public:
+    void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
+        const std::string text = payload_of(message);
+        out.append(text.data(), text.data() + text.size());
+    }
+    std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<SaidText>(); }
+};
+
 /// A line is an object with its time (UTC), level and message.
 class JsonLines : public spdlog::formatter {
   public:
@@ -34,7 +49,7 @@ class JsonLines : public spdlog::formatter {
         const nlohmann::ordered_json line{
             {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
             {"level", std::string(level.data(), level.size())},
-            {"message", std::string(message.payload.data(), message.payload.size())}};
+            {"message", payload_of(message)}};
         const std::string text = json_text(line) + "\n";
         out.append(text.data(), text.data() + text.size());
     }
@@ -43,7 +58,8 @@ class JsonLines : public spdlog::formatter {
 
 std::unique_ptr<spdlog::formatter> text_lines(bool timed) {
     auto lines = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
-    lines->add_flag<WarningFlag>('*').set_pattern(timed ? "%Y-%m-%dT%H:%M:%SZ vvr: %*%v" : "vvr: %*%v");
+    lines->add_flag<WarningFlag>('*').add_flag<SaidText>('?');
+    lines->set_pattern(timed ? "%Y-%m-%dT%H:%M:%SZ vvr: %*%?" : "vvr: %*%?");
     return lines;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/render/plan.h"
 #include "core/json_text.h"
 #include "core/labels/time_ticks.h"
+#include "core/shown_text.h"
 #include "core/words.h"
 
 namespace vvr {
@@ -24,7 +25,7 @@ std::string or_unknown(double value, const std::string& text) {
 
 std::string as_text(const FieldSource& source, const Plan& plan) {
     const VideoInfo& info = source.info();
-    std::string text = info.name + "\n";
+    std::string text = shown_text(without_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
         text += fmt::format("  {:<8} {}\n", name, value);
     };

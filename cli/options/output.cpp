@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,6 +54,7 @@ std::set<EventKind> parse_kinds(const std::string& list) {
 /// Whether both name one file, be it there or not.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
+    if (std::filesystem::equivalent(a, b, none)) return true;
     const auto whole = [&](const auto& path) {
         return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
     };
@@ -125,6 +127,32 @@ void check_golden(const GoldenOptions& options) {
     if (options.bless) throw Error(ErrorKind::usage, "--bless: add --golden FILE to say which picture is blessed");
     if (!options.comparison.diff.empty()) {
         throw Error(ErrorKind::usage, "--diff: add --golden FILE to say what the picture is compared with");
+    }
+}
+
+/// Whether a file is one of the pictures in a folder that is read.
+bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    std::error_code none;
+    return std::filesystem::is_directory(folder, none) && std::filesystem::exists(file, none) &&
+           std::filesystem::equivalent(std::filesystem::absolute(file).parent_path(), folder, none);
+}
+
+/// What a run reads is never what it writes: footage may be evidence. Whatever the names, it is the files that count.
+void check_inputs_stay(const RenderJob& job) {
+    const OutputOptions& output = job.output;
+    std::vector<std::filesystem::path> read(job.input.names.begin(), job.input.names.end());
+    for (const std::string& file : {job.fields.reference, job.fields.roi, job.fields.mask}) read.emplace_back(file);
+    if (!output.golden.bless) read.push_back(output.golden.path);
+    const std::pair<const char*, const std::filesystem::path&> written[] = {
+        {"-o", output.path},       {"--report", output.report},
+        {"--page", output.page},   {"--thumbnail", output.thumbnail},
+        {"--still", output.still}, {"--diff", output.golden.comparison.diff}};
+    for (const auto& [option, file] : written) {
+        for (const std::filesystem::path& input : read) {
+            if (file.empty() || input.empty() || !(same_file(file, input) || is_in_folder(file, input))) continue;
+            throw Error(ErrorKind::usage, fmt::format("{} '{}' would replace what is read, '{}'; choose another name",
+                                                      option, file.string(), input.string()));
+        }
     }
 }
 
@@ -221,12 +249,7 @@ void check(const OutputOptions& options) {
 
 void check_outputs(const RenderJob& job) {
     const OutputOptions& output = job.output;
-    for (const std::string& input : job.input.names) {
-        if (!same_file(output.report, input)) continue;
-        throw Error(ErrorKind::usage, fmt::format("--report '{}' would replace the input; give the report a name of "
-                                                  "its own, such as report.json",
-                                                  output.report.string()));
-    }
+    check_inputs_stay(job);
     if (pictures_of(output) > 1 && !job.look.show.has(Part::tracelines)) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/read_file.h"
 
 namespace vvr {
@@ -22,7 +23,7 @@ using Json = nlohmann::json;
 }  // namespace
 
 ReportedEvents read_events(const std::filesystem::path& report) {
-    const Json json = Json::parse(read_file(report.string()), nullptr, false);
+    const Json json = parse_json(read_file(report.string()));
     if (!json.is_object() || !json.contains("report") || !json.contains("events")) {
         refuse(report, "is no report of `vvr render`");
     }

@@ -6,31 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "core/shown_text.h"
+
 namespace vvr {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool continues(std::string_view text, std::size_t at) {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
-}
-
-/// Length in bytes of the UTF-8 character at the front; 0 if there is none.
-std::size_t character_length(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text[0]);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : 4;
-    if (first < 0xC2 || first > 0xF4) return 0;
-    for (std::size_t k = 1; k < length; ++k) {
-        if (!continues(text, k)) return 0;
-    }
-    const auto second = static_cast<unsigned char>(text[1]);
-    // Overlong forms, halves of UTF-16 pairs, and values beyond the last character.
-    const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
-                       (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
-    return wrong ? 0 : length;
-}
 
 fs::path with_ending(const fs::path& out, const std::string& clip, std::string_view ending) {
     return out / (clip + std::string(ending));

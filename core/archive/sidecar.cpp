@@ -61,7 +61,7 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
 }
 
 std::optional<Sidecar> parse(const std::string& text) {
-    const Json json = Json::parse(text);
+    const Json json = parse_json(text);
     if (json.at(mark) != format_version) return std::nullopt;
     Sidecar sidecar;
     const Json& clip = json.at("clip");
@@ -154,7 +154,7 @@ std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string&
 
 void take_report(Sidecar& sidecar, const fs::path& report) {
     try {
-        const Json json = Json::parse(text_of_file(report, "{").value_or(""));
+        const Json json = parse_json(text_of_file(report, "{").value_or(""));
         sidecar.frames = json.at("frames").at("used").get<std::int64_t>();
         sidecar.damaged = json.at("frames").at("damaged").get<std::int64_t>();
         sidecar.seconds = json.at("span").at("seconds").get<double>();

@@ -4,6 +4,7 @@
 #include <regex>
 #include <vector>
 
+#include <climits>
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -33,6 +34,11 @@ int digits_of(const std::string& text, const std::string& given) {
 
 NamePattern::NamePattern(const std::filesystem::path& path) : path_(path) {
     const std::string name = path.filename().string();
+    // The expressions of the library need stack for each character.
+    if (name.size() > NAME_MAX) {
+        throw Error(ErrorKind::usage, fmt::format("'{}...': a name has {} bytes at most, and this has {}",
+                                                  name.substr(0, 40), NAME_MAX, name.size()));
+    }
     std::smatch match;
     if (!std::regex_search(name, match, field())) return;
     has_field_ = true;

@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "core/image/codec.h"
+#include "core/read_file.h"
 #include "core/image/pixel_data_channels.h"
 
 namespace vvr {
 
 Samples read_samples(const std::filesystem::path& path) {
+    check_is_file(path.string());
     return picture_codec().read(path, std::nullopt);
 }
 

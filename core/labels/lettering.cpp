@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/image/draw.h"
 #include "core/image/resized.h"
@@ -99,14 +100,16 @@ std::string elide(const std::string& text, int size, int width) {
         const std::optional<PixelBox> box = measure_text(candidate, size);
         return box && box->width() <= width;
     };
-    if (fits(text)) return text;
-    std::string shorter = text;
-    while (!shorter.empty()) {
-        while (!shorter.empty() && is_middle_of_character(shorter.back())) shorter.pop_back();
-        if (!shorter.empty()) shorter.pop_back();
-        if (fits(shorter + "…")) return shorter.empty() ? shorter : shorter + "…";
+    // No letter is narrower than a pixel: of a text of any length so many bytes are measured at most.
+    const std::size_t most = 4 * static_cast<std::size_t>(std::max(0, width));
+    if (text.size() <= most && fits(text)) return text;
+    std::vector<std::size_t> ends;  // of each character but the last
+    for (std::size_t k = 1; k < std::min(text.size(), most); ++k) {
+        if (!is_middle_of_character(text[k])) ends.push_back(k);
     }
-    return {};
+    const auto too_long =
+        std::ranges::partition_point(ends, [&](std::size_t end) { return fits(text.substr(0, end) + "…"); });
+    return too_long == ends.begin() ? std::string() : text.substr(0, *std::prev(too_long)) + "…";
 }
 
 void draw(Picture& picture, const Lettering& lettering) {

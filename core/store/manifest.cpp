@@ -200,7 +200,7 @@ std::string unfinished_manifest() {
 }
 
 Manifest parse_manifest(std::string_view text, const std::string& name) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = parse_json(text);
     if (json.is_discarded()) {
         throw Error(ErrorKind::io, fmt::format("'{}': not JSON; run `vvr extract` again", name));
     }
@@ -232,7 +232,7 @@ bool is_data_folder(const std::filesystem::path& folder) {
     std::error_code none;
     const std::filesystem::path file = folder / stored::manifest;
     if (!std::filesystem::is_regular_file(file, none)) return false;
-    const Json json = Json::parse(read_file(file.string()), nullptr, false);
+    const Json json = parse_json(read_file(file.string()));
     if (json.is_discarded()) return true;
     return json.is_object() && json.contains("format") && json["format"] == format_name;
 }

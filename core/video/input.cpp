@@ -89,6 +89,12 @@ Input open_input(const std::string& name) {
         // "cam:1.avi" from being taken for a protocol.
         return {name, std::string(file_protocol) + name, nullptr};
     }
+    if (S_ISCHR(mode) || S_ISBLK(mode)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("'{}' is a device, which may have no end; give a file, or watch a camera "
+                                "with vvr watch",
+                                name));
+    }
     Input spooled{name, {}, spool(*file, name)};
     require_bytes(*spooled.file, name);
     return spooled;

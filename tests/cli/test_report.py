@@ -147,7 +147,7 @@ def test_report_has_a_file_of_its_own(t):
         1, "--report and -o both name 'out.png'; give the report a name of its own, such as report.json")
     t.vvr("render", "clip.avi", "--golden", "g.png", "--report", "g.png").expect(
         1, "--report and --golden both name 'g.png'")
-    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi' would replace the input")
+    t.vvr("render", "clip.avi", "--report", "clip.avi").expect(1, "--report 'clip.avi' would replace what is read")
     check(t.path("clip.avi").read_bytes() == before, "the clip was written over")
     t.expect_files("clip.avi")
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <hwy/aligned_allocator.h>
-
 #include "core/kernels/linear_rows.h"
 
 namespace vvr {
@@ -121,8 +119,8 @@ template <class Take>
 void LinearSystem::for_each_residual(Take take) const {
     const auto width = static_cast<std::size_t>(size().width);
     const std::size_t room = (width + 63) / 32 * 32;
-    const auto r1 = hwy::AllocateAligned<float>(room);
-    const auto r2 = hwy::AllocateAligned<float>(room);
+    const auto r1 = aligned_floats(room);
+    const auto r2 = aligned_floats(room);
     for (int j = 0; j < size().height; ++j) {
         residual_row(
             {.u_above = work_.row(u(), j - 1),
@@ -142,7 +140,7 @@ void LinearSystem::for_each_residual(Take take) const {
 void LinearSystem::hand_down_residual(LinearSystem& coarse) const {
     const int coarse_width = coarse.size().width;
     const std::size_t room = static_cast<std::size_t>(coarse_width + 63) / 32 * 64;
-    const std::array upper{hwy::AllocateAligned<float>(room), hwy::AllocateAligned<float>(room)};
+    const std::array upper{aligned_floats(room), aligned_floats(room)};
     for_each_residual([&](int j, const float* r1, const float* r2) {
         if (j % 2 == 0) {
             std::copy_n(r1, size().width + 1, upper[0].get());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 #include <utility>
 
 #include <hwy/aligned_allocator.h>
@@ -9,6 +10,16 @@
 #include "core/plane.h"
 
 namespace vvr {
+
+using AlignedFloats = hwy::AlignedFreeUniquePtr<float[]>;
+
+/// Floats that begin on a cache line. Their values are whatever they are.
+/// \throws std::bad_alloc, unlike hwy::AllocateAligned
+inline AlignedFloats aligned_floats(std::size_t count) {
+    AlignedFloats floats = hwy::AllocateAligned<float>(count);
+    if (!floats) throw std::bad_alloc();
+    return floats;
+}
 
 /// Planes of floats of one size for the solvers: row j of each lies beside row j of the others, each row starts on
 /// a cache line and may be read and written up to the next two cache lines beyond its end, and there is a border of
@@ -27,7 +38,7 @@ class PlaneStack {
         planes_ = planes;
         stride_ = (2 * ((size.width + 2 * line) / (2 * line)) + 1) * line;
         if (count() <= capacity_) return;
-        values_ = hwy::AllocateAligned<float>(count());
+        values_ = aligned_floats(count());
         capacity_ = count();
     }
 
@@ -79,7 +90,7 @@ class PlaneStack {
     int planes_ = 0;
     std::ptrdiff_t stride_ = 0;
     std::size_t capacity_ = 0;
-    hwy::AlignedFreeUniquePtr<float[]> values_;
+    AlignedFloats values_;
 };
 
 }  // namespace vvr
