@@ -18,6 +18,7 @@ constexpr std::array table{
     CommandRow{"render", "draw a video as one picture", make_render},
     CommandRow{"watch", "draw a live stream as a picture that is replaced after each brick", make_watch},
     CommandRow{"extract", "write the data files of a video: scalar fields, flow, seeds", make_extract},
+    CommandRow{"seeds", "choose seeds anew on a flow that is stored, as lists", make_seeds_command},
     CommandRow{"inspect", "show one frame's object, flow and seeds side by side", make_inspect},
     CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
     CommandRow{"compare", "compare two pictures within a tolerance", make_compare},

@@ -100,8 +100,10 @@ void add_look_options(CommandLine& line, RenderJob& job) {
                 [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });
     line.number(group, look.opacity, setting::opacity);
     line.number(group, look.glyph_scale, setting::glyph_scale);
+    line.number(group, look.glyph_cap, setting::glyph_cap);
     line.number(group, look.traces.steps, setting::trace_steps);
     line.number(group, look.traces.dt, setting::trace_dt);
+    line.number(group, look.traces.rest, setting::trace_rest);
     line.number(group, look.traces.time_velocity, setting::time_velocity);
 }
 

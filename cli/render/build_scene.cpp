@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/bricks/used_seeds.h"
 #include "core/glance/directions.h"
 #include "core/scene/overlay.h"
 
@@ -42,13 +43,14 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
                   const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects,
                   const Identify& identify) {
     Scene scene;
-    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
+    const std::vector<FrameSeed> seeds = used_seeds(volume, frames.bricks, frames.first_brick, job.seed_flags);
+    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, seeds, layout, glyph_options_of(job.look));
     if (job.look.show.has(Part::directions)) {
         const double length = 1.5 * glyph_options_of(job.look).cap;
         const std::vector<Glyph> along = direction_arrows(objects, volume, layout, length);
         scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }
-    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, layout, job.look.traces);
+    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, seeds, layout, job.look.traces);
     const glm::vec4 line_colour(job.look.theme.lines, 1);
     if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
     const auto add_lines = [&scene](const std::vector<Segment>& lines) {

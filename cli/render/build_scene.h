@@ -22,11 +22,13 @@ struct KeyFrame {
     std::int64_t number = 0;
 };
 
-/// The frames at the ends of a volume and between them; one without a picture is not drawn.
+/// The frames at the ends of a volume and between them; one without a picture is not drawn. And its bricks.
 struct WindowFrames {
     const Frame& first;
     const Frame& last;
     std::span<const KeyFrame> between{};
+    std::span<const Brick> bricks{};
+    std::int64_t first_brick = 0;  ///< its number, counted from the clip's first
 };
 
 /// Reports the source and the context.

@@ -25,8 +25,10 @@ void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::keyframes, look.keyframes);
     check(setting::opacity, look.opacity);
     check(setting::glyph_scale, look.glyph_scale);
+    check(setting::glyph_cap, look.glyph_cap);
     check(setting::trace_steps, look.traces.steps);
     check(setting::trace_dt, look.traces.dt);
+    check(setting::trace_rest, look.traces.rest);
     check(setting::time_velocity, look.traces.time_velocity);
 }
 
@@ -147,7 +149,7 @@ GlyphOptions glyph_options_of(const LookOptions& look) {
     GlyphOptions options;
     options.time_velocity = look.traces.time_velocity;
     options.frames *= look.glyph_scale;
-    options.cap *= look.glyph_scale;
+    options.cap = look.glyph_cap * look.glyph_scale;
     return options;
 }
 

@@ -54,8 +54,9 @@ struct LookOptions {
     std::optional<VolumeColour> colour{};        ///< none = as `with_colour` chooses
     std::string title;                           ///< empty = the clip's name
     StartTime start_time;
-    double opacity = 1;      ///< factor on the extinction
-    double glyph_scale = 1;  ///< factor on the arrows' size
+    double opacity = 1;                     ///< factor on the extinction
+    double glyph_scale = 1;                 ///< factor on the arrows' size
+    double glyph_cap = GlyphOptions{}.cap;  ///< of arrows at factor 1
     TraceOptions traces;
     std::optional<View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
 };
@@ -70,7 +71,8 @@ struct BackendOptions {
 struct RenderJob {
     InputOptions input;
     FieldOptions fields;
-    std::string seeds;  ///< a folder of lists that replace the computed seeds; empty = none
+    std::string seeds;                      ///< lists that replace the computed seeds, as ListedSeeds; empty = none
+    std::optional<SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
     BrickOptions bricks;
     std::string layout = layouts().front().name;
     LayoutOptions shape;

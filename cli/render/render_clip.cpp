@@ -163,8 +163,8 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
         picture_of(*fields.last),
         volume.size()};
     const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
-    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing,
-                              ticks, glance.objects, identify);
+    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes, bricks}, layout,
+                              drawing.framing, ticks, glance.objects, identify);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");

@@ -139,10 +139,12 @@ class Series {
         report_.still = caption_.still;
     }
 
+    /// Number of the first brick in the window.
+    std::int64_t oldest() const { return newest_ - std::ssize(bricks_) + 1; }
+
     /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
     void show_pieces(BrickWindow& window) const {
-        const std::int64_t oldest = newest_ - std::ssize(bricks_) + 1;
-        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_, identify_);
+        window.show(volume_, cut_into_pieces(bricks_), oldest() * pieces_of_brick_, identify_);
     }
 
     void draw(Drawing& drawing) {
@@ -151,8 +153,8 @@ class Series {
         const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);
         const Glance glance = glance_now();
-        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
-                                  ticks, glance.objects, identify_);
+        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_, {}, bricks_, oldest()},
+                                  *drawing.layout, drawing.framing, ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
         ++report_.pictures;
         report_.stages.end("scene");

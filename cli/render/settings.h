@@ -51,8 +51,12 @@ inline constexpr Setting colour{"color", "NAME", "colour of the volume"};
 inline constexpr Setting shading{"shading", "NAME", "light on the volume"};
 inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};
 inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the arrows' size", {0.01, 100}};
+inline constexpr Setting glyph_cap{
+    "glyph-cap", "UNITS", "longest arrow; the outer radius is 1. A faster one is as long and redder", {0.001, 10}};
 inline constexpr Setting trace_steps{"trace-steps", "COUNT", "steps of a traceline", {1, 100'000}};
 inline constexpr Setting trace_dt{"trace-dt", "FRAMES", "length of a traceline's step in time", {1e-3, 1000}};
+inline constexpr Setting trace_rest{
+    "trace-rest", "PIXELS", "a traceline ends where flow is slower, in pixels per frame; 0 = it goes on", {0, 10'000}};
 inline constexpr Setting time_velocity{
     "time-velocity",
     "NUMBER",

@@ -121,7 +121,8 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     const VideoInfo& info = stream_->info();
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
     if (!job_.look.start_time.clock) job_.look.start_time.clock = wall_clock_now();
-    fields_ = std::make_unique<ClipFields>(std::move(connected), job_.fields);
+    fields_ =
+        with_listed_seeds(std::make_unique<ClipFields>(std::move(connected), job_.fields), job_, job_.fields.filter);
 }
 
 std::int64_t StreamWatch::run() {

@@ -37,7 +37,7 @@ class StreamWatch {
   private:
     RenderJob job_;
     Observer& observer_;
-    std::unique_ptr<ClipFields> fields_;
+    std::unique_ptr<FieldSource> fields_;
     LiveSource* stream_;  ///< of the fields
 };
 

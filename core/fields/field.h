@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fields/seed_flags.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -19,7 +20,7 @@ struct Seed {
     float y = 0;  ///< row in field pixels, from the top
     float u = 0;  ///< flow at the point, pixels per frame
     float v = 0;
-    bool used = true;  ///< whether the brick that the frame falls in makes geometry of it (§6)
+    SeedFlags flags{};  ///< whether the brick that the frame falls in makes geometry of it (§6)
 
     friend bool operator==(const Seed&, const Seed&) = default;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 #include "core/choice.h"
@@ -17,17 +16,6 @@ namespace {
 // Grey levels by which an object differs from the empty scene, for filters that have no threshold of their own for
 // that.
 constexpr int object_threshold = 24;
-
-/// One more where there is an object, 0 elsewhere.
-Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object) {
-    auto age = Plane<std::uint16_t>::for_overwrite(object.size());
-    for (std::size_t i = 0; i < age.pixels().size(); ++i) {
-        const int then = before.empty() ? 0 : before.pixels()[i];
-        const int most = std::numeric_limits<std::uint16_t>::max();
-        age.pixels()[i] = static_cast<std::uint16_t>(object.pixels()[i] == 0 ? 0 : std::min(then + 1, most));
-    }
-    return age;
-}
 
 void paste(const Flow& part, const Rect& where, Flow& whole) {
     for (int j = 0; j < where.size.height; ++j) {
@@ -67,7 +55,8 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
       region_(scene.region),
       filter_(row_.make(options)),
       flow_(make_flow(options.flow)),
-      whole_frame_flow_(is_whole_frame(options.flow, scene.frames)) {
+      whole_frame_flow_(is_whole_frame(options.flow, scene.frames) ||
+                        !choose(setting::seed_area.name, options.seeds.area, seed_areas()).object_alone) {
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
         object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_);

@@ -32,6 +32,7 @@ void validate(const FlowOptions& flow) {
 void validate(const SeedOptions& seeds) {
     check(setting::grid, seeds.grid);
     check(setting::min_magnitude, seeds.min_magnitude);
+    choose(setting::seed_area.name, seeds.area, seed_areas());
     choose(setting::seed_order.name, seeds.order, seed_orders());
     parse_seed_selection(seeds.select);
 }

@@ -24,6 +24,7 @@ struct FlowOptions {
 struct SeedOptions {
     int grid = 14;                    ///< grid interval in field pixels
     double min_magnitude = 0.3;       ///< pixels per frame
+    std::string area = "object";      ///< a name in the table of seed areas
     std::string order = "magnitude";  ///< a name in the table of seed orders
     std::string select = "all";       ///< "all", "first:N", or "random:N" or "random:N:NUMBER" with a seed number
 };
