@@ -7,6 +7,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
+#include "core/fields/norm.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
 #include "core/fields/shadows.h"
@@ -42,6 +43,7 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
         options.length = length;
     });
     line.number(Group::bricks, options.window, setting::window);
+    line.number(Group::bricks, options.max_layers, setting::layers);
     line.number(Group::bricks, options.skip_idle, setting::skip_idle);
 }
 
@@ -67,6 +69,7 @@ void add_field_options(CommandLine& line, FieldOptions& options) {
     line.explain(setting::reference, reference_kinds());
     line.text(fields, options.reference, setting::reference,
               {.help = list_of(reference_kinds()) + ", or a picture file"});
+    line.choice(fields, norms(), options.norm, setting::norm);
     line.number(fields, options.threshold, setting::threshold);
     line.number(fields, options.smooth, setting::smooth);
     line.number(fields, options.min_area, setting::min_area);

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/render/settings.h"
 #include "core/choice.h"
 #include "core/error.h"
 #include "core/fields/busy_fields.h"
 #include "core/fields/filter.h"
 #include "core/fields/listed_seeds.h"
 #include "core/fields/seeds.h"
-#include "core/fields/settings.h"
 #include "core/store/stored_fields.h"
 
 namespace vvr {
@@ -19,6 +19,14 @@ namespace vvr {
 namespace {
 
 OpenedFields open_extracted(const RenderJob& job) {
+    if (!job.fields.second.empty()) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
+                        "colour",
+                        job.fields.second, job.input.names.front()),
+            {setting::colour.name});
+    }
     const std::vector<std::string>& folders = job.input.names;
     auto source = std::make_unique<StoredFields>(folders);
     for (const auto& [name, value] : job.given) {

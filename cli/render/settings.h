@@ -9,6 +9,12 @@ namespace vvr::setting {
 inline constexpr Setting step{
     "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};
 
+inline constexpr Setting layers{
+    "layers",
+    "COUNT",
+    "layers of the window at most; frames of a longer clip share layers; memory grows with it",
+    {2, 100'000}};
+
 inline constexpr Setting brick{
     "brick", "TIME", "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"};
 inline constexpr Setting window{"window",
@@ -35,7 +41,8 @@ inline constexpr Setting samples{
     "samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
 
 inline constexpr Setting show{"show", "LIST", "what is drawn"};
-inline constexpr Setting keyframes{"keyframes", "COUNT", "frames shown between the first and the last", {0, 32}};
+inline constexpr Setting keyframes{
+    "keyframes", "COUNT", "frames shown between the first and the last; in a series, in each brick", {0, 32}};
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
 inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
 inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};

@@ -113,7 +113,7 @@ std::string summary_of(const LiveSource& stream, const RenderReport& report, con
 }  // namespace
 
 StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
-    : job_(with_colour(with_possible_parts(job))), observer_(observer) {
+    : job_(with_colour(with_transfer(with_possible_parts(with_fields_of_colour(job))))), observer_(observer) {
     validate(job);
     validate_series(job);
     auto connected = connect(job, options, observer);

@@ -27,11 +27,12 @@ struct Seed {
 
 /// What the video sub-system gives for one frame.
 struct Field {
-    std::int64_t index = 0;      ///< of the frame in the clip
-    double pts = 0;              ///< seconds
-    Plane<std::uint8_t> scalar;  ///< 0 = uninteresting
-    Flow flow;                   ///< empty where no flow was asked for; else 0 far from any object, unless asked for
-    std::vector<Seed> seeds;     ///< empty where no flow was asked for
+    std::int64_t index = 0;        ///< of the frame in the clip
+    double pts = 0;                ///< seconds
+    Plane<std::uint8_t> scalar;    ///< 0 = uninteresting
+    Flow flow;                     ///< empty where no flow was asked for; else 0 far from any object, unless asked for
+    std::vector<Seed> seeds;       ///< empty where no flow was asked for
+    Plane<std::uint8_t> second{};  ///< what a second filter gives; empty where none was asked for
 };
 
 }  // namespace vvr

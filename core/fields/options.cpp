@@ -7,6 +7,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
+#include "core/fields/norm.h"
 #include "core/fields/reference.h"
 #include "core/fields/region.h"
 #include "core/fields/seeds.h"
@@ -54,6 +55,8 @@ void validate(const FrameSpan& span) {
 
 void validate(const FieldOptions& options) {
     find_filter(options.filter);
+    if (!options.second.empty()) find_filter(options.second);
+    choose(setting::norm.name, options.norm, norms());
     choose(setting::illumination.name, options.illumination, illuminations());
     choose(setting::shadows.name, options.shadows, shadow_kinds());
     choose(setting::stabilize.name, options.stabilize, stabilizers());

@@ -10,6 +10,7 @@ inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
 inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{
     "threshold", "GREY", "differences below this, in grey levels, count as none", {0, 255}, "the filter's"};
+inline constexpr Setting norm{"norm", "NAME", "by what frames are said to differ"};
 inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
 inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};

@@ -85,6 +85,19 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     EXPECT_EQ(bright, 1);
 }
 
+TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
+    // Covered from frame 5 to frame 10.
+    Volume volume({1, 1}, 100, 4);
+    volume.set_values(Values::band);
+    for (int i = 0; i < 16; ++i) {
+        volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
+    }
+    const Band expected[] = {Band::background, Band::newly_covered, Band::uncovered, Band::background};
+    for (std::int64_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(static_cast<Band>(volume.layer(i).scalar.at(0, 0)), expected[i]) << i;
+    }
+}
+
 TEST(Volume, ThinsSeedsAsItGrows) {
     Volume volume({2, 2}, 8, 1, 2);
     for (int i = 0; i < 1000; ++i) {
