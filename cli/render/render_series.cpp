@@ -29,6 +29,7 @@ class Series {
            RenderReport begun, const PictureSink& sink)
         : job_(job),
           pixel_data_(products.pixel_data),
+          pictures_of_brick_(products.pictures),
           window_(sliding_window(job.bricks, source)),
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
                   needs_of(job, source, window_.frames()).every),
@@ -187,17 +188,26 @@ class Series {
         Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_, standing(), bricks_, oldest()},
                                   *drawing.layout, drawing.framing, ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
-        ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, drawing, bricks_, window_.layers(), scene);
         drawing.renderer->set_scene(std::move(scene));
         const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks, glance);
         report_.lettering = lettering;
-        Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering);
-        report_.stages.end("draw");
-        sink_(report_, static_cast<int>(newest_), std::move(picture));
-        report_.stages.end("write");
+        for (int i = 0; i < pictures_of_brick_; ++i) {
+            Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering, phase());
+            report_.stages.end("draw");
+            ++report_.pictures;
+            sink_(report_, static_cast<int>(newest_), std::move(picture));
+            report_.stages.end("write");
+        }
+    }
+
+    /// Of the tracelines' texture: stripes run on from picture to picture (§6.2.1), faster in stills, which are few.
+    double phase() const {
+        constexpr std::int64_t stills = 8;  // over which the texture moves on by one stripe
+        if (!job_.output.slide) return static_cast<double>(newest_ % stills) / stills;
+        return static_cast<double>(report_.pictures % default_animation) / default_animation;
     }
 
     /// What is known of the objects in the window by now: as if the clip ended here.
@@ -228,6 +238,7 @@ class Series {
 
     const RenderJob& job_;
     bool pixel_data_;
+    int pictures_of_brick_;
     SlidingWindow window_;
     Volume volume_;
     RenderThread& thread_;

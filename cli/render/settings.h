@@ -75,6 +75,8 @@ inline constexpr Setting device{
     "device", "NUMBER", "EGL device as `vvr doctor` numbers them; -1 = the first that works", {-1, 255}};
 
 inline constexpr Setting animate{"animate", "COUNT", "pictures in which stripes run along the tracelines", {2, 10'000}};
+inline constexpr Setting slide{
+    "slide", "COUNT", "a film of the window that slides over the clip: so many pictures per brick", {1, 1000}};
 inline constexpr Setting tolerance{"tolerance", "LEVEL", "a pixel is off if a channel differs by more", {0, 1}};
 inline constexpr Setting tolerance_percent{
     "tolerance-percent", "PERCENT", "share of the pixels that may be off", {0, 100}};

@@ -37,6 +37,7 @@ PICTURES = {
     "speed": ("--size", "480x300", "--show", "volume,outline,legend", "--color", "speed"),
     "time": ("--size", "480x300", "--show", "volume,outline,legend", "--color", "time"),
     "second": ("--size", "480x300", "--show", "volume,outline,legend", "--filter", "hull", "--color", "temporal"),
+    "paper": ("--preset", "paper", "--glyph-scale", "2"),
     "video": ("--show", "volume,outline", "--color", "video"),
 }
 
