@@ -251,6 +251,26 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
     }
 }
 
+TEST(Filters, ASecondOneGivesWhatItGivesAlone) {
+    for (const FilterRow& row : filters()) {
+        for (const char* const first : {"difference", "luminance", "mog2"}) {
+            FieldOptions options = exact(std::string(row.name));
+            options.flow.method = "horn-schunck";
+            const std::vector<Field> alone = fields_of(options, 6, with_colour);
+            options.filter = first;
+            const std::vector<Field> without = fields_of(options, 6, with_colour);
+            options.second = row.name;
+            const std::vector<Field> both = fields_of(options, 6, with_colour);
+            for (std::size_t f = 0; f < both.size(); ++f) {
+                ASSERT_TRUE(std::ranges::equal(both[f].second.pixels(), alone[f].scalar.pixels()))
+                    << first << " " << row.name << " " << f;
+                ASSERT_TRUE(std::ranges::equal(both[f].scalar.pixels(), without[f].scalar.pixels()))
+                    << first << " " << row.name << " " << f;
+            }
+        }
+    }
+}
+
 TEST(Filters, EachIsTheSameForAnyNumberOfThreads) {
     for (const FilterRow& row : filters()) {
         FieldOptions options = exact(std::string(row.name));
