@@ -102,22 +102,20 @@ void Annotations::draw_frame_pixel_data(const StandingFrame& frame, const Layout
     check_gl(*gl_, "drawing a standing frame's pixel data");
 }
 
-void Annotations::draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera) {
+void Annotations::draw_frame(const StandingFrame& frame, std::size_t number, const Layout& layout,
+                             const Camera& camera) {
     const GladGLContext& gl = *gl_;
     picture_program_.use();
     picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     picture_program_.set("picture", 0);
+    picture_program_.set("opacity", frame.opacity);
     gl.ActiveTexture(GL_TEXTURE0);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const StandingFrame& frame = frames[i];
-        picture_program_.set("opacity", frame.opacity);
-        gl.BindTexture(GL_TEXTURE_2D, frame_textures_[i].id());
-        blend_over(gl, frame.opacity >= 1);
-        upload_frame(frame, layout);
-        gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
+    gl.BindTexture(GL_TEXTURE_2D, frame_textures_[number].id());
+    blend_over(gl, frame.opacity >= 1);
+    upload_frame(frame, layout);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl.BindVertexArray(0);
-    check_gl(gl, "drawing standing frames");
+    check_gl(gl, "drawing a standing frame");
 }
 
 void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera) {

@@ -22,9 +22,8 @@ class Annotations {
     /// \param width in pixels of a picture of size `picture`
     void draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture);
 
-    /// Frames standing at their times; opaque ones write depth.
-    /// \param frames those that were uploaded
-    void draw_frames(std::span<const StandingFrame> frames, const Layout& layout, const Camera& camera);
+    /// One of the frames that were uploaded, standing at its time; an opaque one writes depth.
+    void draw_frame(const StandingFrame& frame, std::size_t number, const Layout& layout, const Camera& camera);
 
     /// Draws one of the frames into a target of pixel data.
     void draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,

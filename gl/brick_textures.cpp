@@ -75,8 +75,9 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     if (!fits) slot.texture = GlTexture(gl);
     gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
     if (!fits) {
-        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        const GLint sampling = layers.interpolated() ? GL_LINEAR : GL_NEAREST;
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, sampling);
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, sampling);
         for (const GLenum axis : std::array<GLenum, 3>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
             gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
         }

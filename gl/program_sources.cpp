@@ -51,7 +51,7 @@ ProgramSource resolve_program() {
 
 ProgramSource volume_program(const Layout& layout, VolumeColour colour, VolumeShading shading, Channels channels) {
     const std::string_view map = layout.shader();
-    const std::string_view optical = std::ranges::find(volume_colours(), colour, &VolumeColourRow::colour)->shader;
+    const std::string_view optical = row_of(colour).shader;
     if (channels == Channels::pixel_data) {
         return source("the volume's pixel data", {map, "volume.vert"},
                       {map, "volume_sample.glsl", optical, "pixel_data_over.glsl", "pixel_data_volume.frag"});

@@ -89,10 +89,10 @@ Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox&
     traceline_strips_.draw_pixel_data(camera, tile.size(), options_.traces, options_.glyphs);
     const Plane<glm::vec4> opaque = pixel_data_->read(tile.size());
     pixel_data_->begin_before_geometry();
-    slicer_.draw_pixel_data(window, camera, slices(window, camera_), frames_per_layer, *pixel_data_);
-    for (const StandingFrame& frame : scene_.frames) {
-        annotations_.draw_frame_pixel_data(frame, *layout_, camera, *pixel_data_);
-    }
+    const StandingPictures frames{
+        frame_times(),
+        [&](std::size_t i) { annotations_.draw_frame_pixel_data(scene_.frames[i], *layout_, camera, *pixel_data_); }};
+    slicer_.draw_pixel_data(window, camera, slices(window, camera_), frames_per_layer, *pixel_data_, frames);
     TileData tile_data{pixel_data_->read(tile.size()), pixel_data_->read_objects(tile.size())};
     check_gl(*gl_, "drawing the pixel data");
     for (std::size_t i = 0; i < opaque.pixels().size(); ++i) {
@@ -103,6 +103,12 @@ Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox&
         tile_data.objects.pixels()[i] = glm::vec4(0);
     }
     return tile_data;
+}
+
+std::vector<double> Renderer::frame_times() const {
+    std::vector<double> times;
+    for (const StandingFrame& frame : scene_.frames) times.push_back(frame.t);
+    return times;
 }
 
 void Renderer::rehearse(BrickWindow& window) {
@@ -125,8 +131,9 @@ void Renderer::draw_tile(BrickWindow& window, const PixelBox& tile, double phase
     annotations_.draw_floor(scene_.floor, *layout_, camera);
     flow_geometry_.draw(camera, options_.glyphs);
     traceline_strips_.draw(camera, tile.size(), options_.traces, options_.glyphs, phase);
-    slicer_.draw(window, camera, slices(window, camera_));
-    annotations_.draw_frames(scene_.frames, *layout_, camera);
+    const StandingPictures frames{
+        frame_times(), [&](std::size_t i) { annotations_.draw_frame(scene_.frames[i], i, *layout_, camera); }};
+    slicer_.draw(window, camera, slices(window, camera_), frames);
     check_gl(gl, "drawing the picture");
 }
 

@@ -26,7 +26,8 @@
 namespace vvr {
 
 /// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
-/// (§6.2), so that each hides the other.
+/// (§6.2), so that each hides the other. Frames that stand in the volume are drawn between its bricks: a brick should
+/// end where one stands.
 class Renderer {
   public:
     /// `context` and `layout` outlive the renderer.
@@ -70,6 +71,7 @@ class Renderer {
         Plane<glm::vec4> objects;
     };
 
+    std::vector<double> frame_times() const;
     TileData draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
 
     const GladGLContext* gl_;

@@ -1,5 +1,6 @@
 #include "gl/volume_look.h"
 
+#include <algorithm>
 #include <array>
 
 namespace vvr {
@@ -7,10 +8,10 @@ namespace vvr {
 namespace {
 
 constexpr std::array colours{
-    VolumeColourRow{VolumeColour::transfer, "transfer", "the transfer function's", "optical_transfer.glsl"},
-    VolumeColourRow{VolumeColour::video, "video", "the video's own", "optical_video.glsl"},
-    VolumeColourRow{VolumeColour::object, "object", "each object its own; what is no object's is grey and faint",
-                    "optical_object.glsl"},
+    VolumeColourRow{VolumeColour::transfer, "optical_transfer.glsl", false},
+    VolumeColourRow{VolumeColour::own, "optical_own.glsl", false},
+    VolumeColourRow{VolumeColour::object, "optical_object.glsl", true},
+    VolumeColourRow{VolumeColour::time, "optical_time.glsl", true},
 };
 
 constexpr std::array shadings{
@@ -23,6 +24,10 @@ constexpr std::array shadings{
 
 std::span<const VolumeColourRow> volume_colours() {
     return colours;
+}
+
+const VolumeColourRow& row_of(VolumeColour colour) {
+    return *std::ranges::find(colours, colour, &VolumeColourRow::colour);
 }
 
 std::span<const VolumeShadingRow> volume_shadings() {

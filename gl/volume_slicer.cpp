@@ -8,6 +8,7 @@
 
 #include "gl/attribute.h"
 #include "gl/check.h"
+#include "gl/drawing_order.h"
 #include "gl/fence.h"
 #include "gl/light.h"
 #include "gl/program_sources.h"
@@ -65,18 +66,20 @@ void VolumeSlicer::set_looks(std::span<const glm::vec4> looks) {
     check_gl(*gl_, "uploading the looks of objects");
 }
 
-void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceStack& stack) {
-    gl_->Enable(GL_DEPTH_TEST);
-    gl_->DepthMask(GL_FALSE);
-    gl_->Enable(GL_BLEND);
-    gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for_each_brick(program_, window, camera, stack, [&](std::size_t, const SliceMesh& mesh) {
+void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+                        const StandingPictures& standing) {
+    for_each_brick(program_, window, camera, stack, standing, [&](std::size_t, const SliceMesh& mesh) {
+        gl_->Enable(GL_DEPTH_TEST);
+        gl_->DepthMask(GL_FALSE);
+        gl_->Enable(GL_BLEND);
+        gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
     });
 }
 
 void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
-                                   std::int64_t frames_per_layer, const PixelDataTarget& target) {
+                                   std::int64_t frames_per_layer, const PixelDataTarget& target,
+                                   const StandingPictures& standing) {
     if (!pixel_data_program_) {
         pixel_data_program_ =
             Program(*gl_, volume_program(*layout_, colour_, VolumeShading::none, Channels::pixel_data));
@@ -85,7 +88,7 @@ void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, co
     for (std::size_t i = 0; i < window.cells().size(); ++i) {
         first_layers.push_back(first_layers.back() + window.layers(i).brick().count);
     }
-    for_each_brick(*pixel_data_program_, window, camera, stack, [&](std::size_t i, const SliceMesh& mesh) {
+    for_each_brick(*pixel_data_program_, window, camera, stack, standing, [&](std::size_t i, const SliceMesh& mesh) {
         pixel_data_program_->set("texel_layers", static_cast<float>(window.layers(i).count()));
         pixel_data_program_->set("first_layer", static_cast<float>(first_layers[i]));
         pixel_data_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
@@ -101,13 +104,8 @@ void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, co
     });
 }
 
-void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const Camera& camera,
-                                  const SliceStack& stack,
-                                  const std::function<void(std::size_t, const SliceMesh&)>& draw) {
-    const std::span<const PlacedCells> bricks = window.cells();
-    if (bricks.empty()) return;
+void VolumeSlicer::use(const Program& program, const Camera& camera, const SliceStack& stack) const {
     const GladGLContext& gl = *gl_;
-
     program.use();
     set_layout(program, *layout_);
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -119,9 +117,8 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
     program.set("to_light", to_light(camera));
     program.set("brick", 0);
     program.set("transfer", 1);
-    if (colour_ == VolumeColour::object) program.set("looks", looks_unit);
-
-    if (colour_ == VolumeColour::object) {
+    if (row_of(colour_).takes_looks) {
+        program.set("looks", looks_unit);
         gl.ActiveTexture(GL_TEXTURE0 + looks_unit);
         gl.BindTexture(GL_TEXTURE_2D, looks_texture_.id());
     }
@@ -130,17 +127,28 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindVertexArray(vertex_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+}
 
-    std::vector<double> borders = {bricks.front().t_begin};
-    for (const PlacedCells& brick : bricks) borders.push_back(brick.t_end);
+void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const Camera& camera,
+                                  const SliceStack& stack, const StandingPictures& standing,
+                                  const std::function<void(std::size_t, const SliceMesh&)>& draw) {
+    const std::span<const PlacedCells> bricks = window.cells();
+    const GladGLContext& gl = *gl_;
     Fence last;
     Fence before_last;
+    bool in_use = false;
     // Parallel rays come from infinitely far behind the eye.
     const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
-    for (const int number : layout_->back_to_front(from, borders)) {
-        const auto i = static_cast<std::size_t>(number);
+    for (const DrawnPart& part : drawing_order(*layout_, from, bricks, standing.times)) {
+        if (part.stands) {
+            standing.draw(part.number);
+            in_use = false;
+            continue;
+        }
+        const std::size_t i = part.number;
         const SliceMesh mesh = cut_slices(bricks, i, *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
+        if (!std::exchange(in_use, true)) use(program, camera, stack);
         const TextureMap map = window.texture_map(i);
         program.set("brick_scale", map.scale);
         program.set("brick_offset", map.offset);

@@ -17,28 +17,41 @@
 
 namespace vvr {
 
+/// Pictures that stand in the volume, which are drawn between its bricks.
+struct StandingPictures {
+    std::vector<double> times{};                     ///< t_C of each
+    std::function<void(std::size_t number)> draw{};  ///< may change all state of OpenGL but the framebuffer
+};
+
 /// Draws the window's bricks as view-aligned slices, back to front, with the layout's backward map in the fragment
 /// shader (§5.1, §6.1): one draw call per brick, in visibility order.
 class VolumeSlicer {
   public:
-    /// \param colour for VolumeColour::video the bricks have colours, for VolumeColour::object identities
+    /// \param colour for VolumeColour::own the bricks have colours, for VolumeColour::object identities
     VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading);
 
     void set_transfer(const TransferFunction& transfer);
 
-    /// What the identities' looks are: colour, and a factor on the extinction. For VolumeColour::object.
+    /// What the identities' looks are: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
+    /// sources of colour that take looks.
     void set_looks(std::span<const glm::vec4> looks);
 
-    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack);
+    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack, const StandingPictures& standing);
 
     /// Draws into a target of pixel data. Frames are counted from the window's first.
     /// \param frames_per_layer of the volume
     void draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
-                         std::int64_t frames_per_layer, const PixelDataTarget& target);
+                         std::int64_t frames_per_layer, const PixelDataTarget& target,
+                         const StandingPictures& standing);
 
   private:
-    /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh.
+    /// What all bricks are drawn with, but for the textures of their own.
+    void use(const Program& program, const Camera& camera, const SliceStack& stack) const;
+
+    /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh; between
+    /// them the standing pictures.
     void for_each_brick(const Program& program, BrickWindow& window, const Camera& camera, const SliceStack& stack,
+                        const StandingPictures& standing,
                         const std::function<void(std::size_t, const SliceMesh&)>& draw);
 
     const GladGLContext* gl_;

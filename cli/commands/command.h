@@ -41,6 +41,7 @@ ExitStatus run_command(Arguments arguments, const Environment& environment);
 std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_watch();
 std::unique_ptr<Command> make_extract();
+std::unique_ptr<Command> make_seeds_command();
 std::unique_ptr<Command> make_inspect();
 std::unique_ptr<Command> make_cut();
 std::unique_ptr<Command> make_archive();

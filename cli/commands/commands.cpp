@@ -18,6 +18,7 @@ constexpr std::array table{
     CommandRow{"render", "draw a video as one picture", make_render},
     CommandRow{"watch", "draw a live stream as a picture that is replaced after each brick", make_watch},
     CommandRow{"extract", "write the data files of a video: scalar fields, flow, seeds", make_extract},
+    CommandRow{"seeds", "choose seeds anew on a flow that is stored, as lists", make_seeds_command},
     CommandRow{"inspect", "show one frame's object, flow and seeds side by side, or draw regions on it", make_inspect},
     CommandRow{"cut", "cut an event, or any piece, out of a clip", make_cut},
     CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},

@@ -7,6 +7,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
+#include "core/fields/norm.h"
 #include "core/fields/reference.h"
 #include "core/fields/seeds.h"
 #include "core/fields/shadows.h"
@@ -42,6 +43,7 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
         options.length = length;
     });
     line.number(Group::bricks, options.window, setting::window);
+    line.number(Group::bricks, options.max_layers, setting::layers);
     line.number(Group::bricks, options.skip_idle, setting::skip_idle);
 }
 
@@ -67,6 +69,7 @@ void add_field_options(CommandLine& line, FieldOptions& options) {
     line.explain(setting::reference, reference_kinds());
     line.text(fields, options.reference, setting::reference,
               {.help = list_of(reference_kinds()) + ", or a picture file"});
+    line.choice(fields, norms(), options.norm, setting::norm);
     line.number(fields, options.threshold, setting::threshold);
     line.number(fields, options.smooth, setting::smooth);
     line.number(fields, options.min_area, setting::min_area);
@@ -85,10 +88,15 @@ void add_field_options(CommandLine& line, FieldOptions& options) {
     line.number(fields, flow.iterations, setting::iterations);
     line.number(fields, flow.pre_smooth, setting::pre_smooth);
 
-    line.number(fields, options.seeds.grid, setting::grid);
-    line.number(fields, options.seeds.min_magnitude, setting::min_magnitude);
-    line.choice(fields, seed_orders(), options.seeds.order, setting::seed_order);
-    line.text(fields, options.seeds.select, setting::seed_select);
+    add_seed_options(line, options.seeds);
+}
+
+void add_seed_options(CommandLine& line, SeedOptions& options) {
+    line.number(Group::fields, options.grid, setting::grid);
+    line.number(Group::fields, options.min_magnitude, setting::min_magnitude);
+    line.choice(Group::fields, seed_areas(), options.area, setting::seed_area);
+    line.choice(Group::fields, seed_orders(), options.order, setting::seed_order);
+    line.text(Group::fields, options.select, setting::seed_select);
 }
 
 void add_thread_options(CommandLine& line, int& threads) {
@@ -100,6 +108,13 @@ void add_picture_options(CommandLine& line, RenderJob& job) {
     line.number(Group::input, job.bricks.step, setting::step);
     add_field_options(line, job.fields);
     line.text(Group::fields, job.seeds, setting::seeds);
+    line.value(Group::fields, setting::seed_flags, std::string(setting::seed_flags.otherwise),
+               [&job](const std::string& given) {
+                   job.seed_flags = SeedFlags::parse(given);
+                   if (job.seed_flags) return;
+                   throw Error(ErrorKind::usage, fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick",
+                                                             given, SeedFlags::most));
+               });
     add_brick_options(line, job.bricks);
     add_view_options(line, job);
     add_look_options(line, job);
@@ -125,7 +140,8 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
     job.given = shown(line.given({Group::input, Group::fields}));
     // These are about the render, not about the fields that an extraction holds.
     std::erase_if(job.given, [](const auto& given) {
-        return given.first == setting::step.name || given.first == setting::seeds.name;
+        return given.first == setting::step.name || given.first == setting::seeds.name ||
+               given.first == setting::seed_flags.name;
     });
 }
 

@@ -22,6 +22,9 @@ void add_span_options(CommandLine& line, FrameSpan& span);
 /// Filter, flow and seeds.
 void add_field_options(CommandLine& line, FieldOptions& options);
 
+/// Where seeds lie, in which order, and how many.
+void add_seed_options(CommandLine& line, SeedOptions& options);
+
 void add_thread_options(CommandLine& line, int& threads);
 
 /// What one picture or a series is made of, but neither INPUT nor where it goes.

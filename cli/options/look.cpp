@@ -5,6 +5,7 @@
 
 #include "cli/options/job_options.h"
 #include "cli/render/settings.h"
+#include "cli/render/volume_paint.h"
 #include "core/error.h"
 #include "core/scene/transfer_file.h"
 
@@ -36,24 +37,6 @@ glm::vec4 parse_colour(const std::string& text) {
     if (!hex) throw Error(ErrorKind::usage, fmt::format("'{}': a colour is #rrggbb, or none", text));
     return {static_cast<float>(value >> 16 & 255U) / 255, static_cast<float>(value >> 8 & 255U) / 255,
             static_cast<float>(value & 255U) / 255, 1};
-}
-
-constexpr std::string_view open_choice = "auto";
-
-/// A row of the table of colours, and the one that leaves it open.
-struct ColourChoice {
-    std::string_view name;
-    std::string_view help;
-    std::optional<VolumeColour> colour;
-};
-
-std::vector<ColourChoice> colour_choices() {
-    std::vector<ColourChoice> choices{
-        {open_choice,
-         "object where the legend is shown, the filter marks objects, and --transfer is not given; else transfer",
-         {}}};
-    for (const VolumeColourRow& row : volume_colours()) choices.push_back({row.name, row.help, row.colour});
-    return choices;
 }
 
 StartTime parse_start(const std::string& text) {
@@ -90,18 +73,15 @@ void add_look_options(CommandLine& line, RenderJob& job) {
     line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
                [&look](const std::string& given) { look.transfer = find_transfer(given); },
                {.help = list_of(transfer_functions()) + ", or a file of points"});
-    line.explain(setting::colour, colour_choices());
-    line.value(group, setting::colour, std::string(open_choice),
-               [&look](const std::string& given) {
-                   look.colour = choose(setting::colour.name, given, colour_choices()).colour;
-               },
-               {.help = list_of(colour_choices())});
+    line.choice(group, colour_rows(), look.colour, setting::colour);
     line.choice(group, volume_shadings(), volume_shadings().front().name, setting::shading,
                 [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });
     line.number(group, look.opacity, setting::opacity);
     line.number(group, look.glyph_scale, setting::glyph_scale);
+    line.number(group, look.glyph_cap, setting::glyph_cap);
     line.number(group, look.traces.steps, setting::trace_steps);
     line.number(group, look.traces.dt, setting::trace_dt);
+    line.number(group, look.traces.rest, setting::trace_rest);
     line.number(group, look.traces.time_velocity, setting::time_velocity);
 }
 

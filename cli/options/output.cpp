@@ -184,6 +184,8 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
     line.number(output, options.animate, setting::animate,
                 {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
                                      default_animation)});
+    line.number(output, options.slide, setting::slide,
+                {.help = fmt::format("; FILE is animated: {}", fmt::join(animation_endings(), " "))});
     line.path(output, options.page, text::page);
     line.path(output, options.page_index, text::page_index);
     line.path(output, options.thumbnail, text::thumbnail);
@@ -206,6 +208,18 @@ void check(const OutputOptions& options) {
     check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
         throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    }
+    if (options.slide && options.animate) {
+        throw Error(ErrorKind::usage,
+                    "--slide moves the window and --animate the stripes of one picture; leave one of them out: with "
+                    "--slide stripes run too");
+    }
+    if (options.slide && !is_animation(options.path)) {
+        throw Error(ErrorKind::usage, fmt::format("--slide makes a film, but '{}' is none; name one: {}",
+                                                  options.path.string(), fmt::join(animation_endings(), " ")));
+    }
+    if (!options.golden.path.empty() && options.slide) {
+        throw Error(ErrorKind::usage, "--golden compares one picture, and --slide makes a film; leave one of them out");
     }
     if (options.path.empty() && options.animate) {
         throw Error(ErrorKind::usage, "--animate: say where the pictures go with -o FILE");
@@ -250,7 +264,7 @@ void check(const OutputOptions& options) {
 void check_outputs(const RenderJob& job) {
     const OutputOptions& output = job.output;
     check_inputs_stay(job);
-    if (pictures_of(output) > 1 && !job.look.show.has(Part::tracelines)) {
+    if (pictures_of(output) > 1 && !is_series(output) && !job.look.show.has(Part::tracelines)) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "
                     "--show volume,tracelines,outline,frames");

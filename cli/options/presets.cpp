@@ -15,8 +15,31 @@ constexpr std::array<std::string_view, 6> day{"--skip-idle",
                                               "volume,portraits,map,strip,numbers,directions,outline,ribs,frames,ends,"
                                               "floor,ruler,legend,title,explanation,bricks"};
 
+// What the paper says of its method, and what its figures show; where it says nothing, the default.
+constexpr std::array<std::string_view, 38> paper{
+    "--illumination",  "none",          // colour and light as they come
+    "--shadows",       "keep",          //
+    "--stabilize",     "off",           //
+    "--flow",          "horn-schunck",  // §4.1: 60 steps with λ = 100, which is α²; the derivatives of [BFB94]
+    "--solver",        "jacobi",        //
+    "--iterations",    "60",            //
+    "--alpha",         "10",            //
+    "--derivatives",   "barron",        //
+    "--flow-area",     "all",           //
+    "--seed-area",     "object",        // §4.2: by the flow and the difference object, the fastest first
+    "--seed-order",    "magnitude",     //
+    "--layout",        "horseshoe",     // §5.1
+    "--time-velocity", "0",             // §5.2
+    "--theme",         "light",         // the figures: dark objects on white, arrows from yellow to red, no text
+    "--color",         "transfer",      //
+    "--transfer",      "grey",          //
+    "--shading",       "none",          //
+    "--show",          "volume,arrows",
+    "--background",    "#ffffff"};
+
 constexpr std::array table{
     Preset{"day", "a recording of many hours: what moves, cut by the hour", day},
+    Preset{"paper", "the method and the look of the paper (docs/paper.md)", paper},
 };
 
 constexpr std::string_view option = "--preset";

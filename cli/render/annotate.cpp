@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "cli/render/volume_paint.h"
 #include "core/events/colouring.h"
 #include "core/fields/filter.h"
 #include "core/glance/portraits.h"
 #include "core/glance/scene_map.h"
 #include "core/glance/time_strip.h"
 #include "core/labels/legend.h"
+#include "core/scene/hues.h"
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_file.h"
@@ -56,12 +60,64 @@ std::vector<Rgba> colours_of_objects(const Theme& theme) {
     return colours;
 }
 
+/// Each band in its colour, and what that means.
+std::vector<LegendEntry> legend_of_bands(const TransferFunction& transfer) {
+    constexpr std::array<std::pair<Band, std::string_view>, 3> bands{{{Band::newly_covered, "newly covered"},
+                                                                      {Band::still_covered, "still covered"},
+                                                                      {Band::uncovered, "uncovered"}}};
+    std::vector<LegendEntry> entries;
+    for (const auto& [band, name] : bands) {
+        const glm::dvec4 at = transfer.at(static_cast<int>(band));
+        if (at.w > 0) entries.push_back({{rgba(glm::vec3(at))}, std::string(name), std::string(name)});
+    }
+    return entries;
+}
+
+/// The colours of a volume that are not the transfer function's, and what they mean.
+std::vector<LegendEntry> legend_of_colour(const RenderJob& job) {
+    const ColourRow& row = find_colour(job.look.colour);
+    if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
+    if (row.drawn == VolumeColour::time) {
+        std::vector<Rgba> colours;
+        for (const glm::vec4& colour : time_colours()) colours.push_back(rgba(glm::vec3(colour)));
+        return {{std::move(colours), "time, from the first moment to the last", "time"}};
+    }
+    if (row.name == "direction") {
+        constexpr int spokes = 48;
+        std::vector<Rgba> colours;
+        for (int i = 0; i < spokes; ++i) {
+            const double angle = 2 * std::numbers::pi * i / spokes;
+            colours.push_back(rgba(direction_colour({std::cos(angle), -std::sin(angle)})));
+        }
+        return {{std::move(colours), "which way it moves in the view of the camera", "direction", true},
+                {{rgba(job.look.theme.nobody)}, "at rest", "at rest"}};
+    }
+    if (row.needs_flow) {
+        return {
+            {gradient(job.look.theme.slow, job.look.theme.fast), "how fast it moves: slow to fast", "slow to fast"}};
+    }
+    const TransferFunction transfer = second_transfer_of(job);
+    const FilterRow& second = find_filter(row.filter);
+    if (second.traits.values == Values::band) return legend_of_bands(transfer);
+    std::vector<Rgba> colours;
+    for (int value = second.traits.values == Values::sign ? 1 : 0; value < 256; ++value) {
+        colours.push_back(rgba(glm::vec3(transfer.at(value))));
+    }
+    return {{std::move(colours), fmt::format("colour: {}, little to much", second.help), std::string(second.name)}};
+}
+
 std::vector<LegendEntry> legend_of(const RenderJob& job) {
     std::vector<LegendEntry> entries;
-    if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::transfer) {
+    const FilterRow& filter = find_filter(job.fields.filter);
+    const bool by_transfer = job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::transfer;
+    if (by_transfer && filter.traits.values == Values::band) entries = legend_of_bands(drawn_transfer_of(job.look));
+    if (by_transfer && filter.traits.values == Values::sign) {
+        entries.push_back({transfer_gradient(drawn_transfer_of(job.look), 1, background_of(job.look)),
+                           "darker to brighter than the empty scene", "darker to brighter"});
+    }
+    if (by_transfer && filter.traits.values == Values::strength) {
         const TransferFunction transfer = transfer_of(job.look);
         const int low = first_visible(transfer);
-        const FilterRow& filter = find_filter(job.fields.filter);
         entries.push_back({transfer_gradient(drawn_transfer_of(job.look), low, background_of(job.look)),
                            fmt::format("{}: little to much", filter.help), std::string(filter.name)});
     }
@@ -70,6 +126,8 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
             {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
         entries.push_back({{rgba(job.look.theme.nobody)}, "a change that is none", "none"});
     }
+    const bool of_another = job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::time;
+    if (job.look.show.has(Part::volume) && of_another) entries = legend_of_colour(job);
     const GlyphStyle style = glyph_style_of(job);
     const auto flow = [&](const std::string& what) {
         return LegendEntry{gradient(style.slow_colour, style.fast_colour), fmt::format("{}: slow to fast", what),

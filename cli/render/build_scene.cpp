@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/render/volume_paint.h"
+#include "core/bricks/used_seeds.h"
 #include "core/glance/directions.h"
 #include "core/scene/overlay.h"
 
@@ -23,7 +25,10 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
     needs.flow = job.look.show.any(&PartRow::needs_flow);
     needs.seeds = job.look.show.any(&PartRow::needs_seeds);
     // Objects are told apart by their colours where these are there.
-    needs.colour = job.picture.colour == VolumeColour::video ||
+    const ColourRow& colour = find_colour(job.look.colour);
+    needs.flow_of_each = colour.needs_flow;
+    const bool stand = job.look.show.has(Part::frames) && job.look.keyframes > 0;
+    needs.colour = colour.needs_pictures || (stand && source.has_pictures()) ||
                    (job.picture.colour == VolumeColour::object && source.has_pictures());
     needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
     return needs;
@@ -33,22 +38,28 @@ std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
     return make_layout(job.layout, shape_for(field_size, job.shape));
 }
 
-const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame) {
-    static const Plane<Bgr> none;
-    return job.picture.colour == VolumeColour::video ? frame.colour : none;
+std::int64_t layer_of(const KeyFrame& key, const Volume& volume) {
+    return key.number / volume.step();
+}
+
+std::vector<Brick> pieces_of(std::span<const Brick> bricks, std::span<const KeyFrame> between, const Volume& volume) {
+    std::vector<std::int64_t> layers;
+    for (const KeyFrame& key : between) layers.push_back(layer_of(key, volume));
+    return cut_into_pieces(cut_at(bricks, layers));
 }
 
 Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
                   const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects,
                   const Identify& identify) {
     Scene scene;
-    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, layout, glyph_options_of(job.look));
+    const std::vector<FrameSeed> seeds = used_seeds(volume, frames.bricks, frames.first_brick, job.seed_flags);
+    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, seeds, layout, glyph_options_of(job.look));
     if (job.look.show.has(Part::directions)) {
         const double length = 1.5 * glyph_options_of(job.look).cap;
         const std::vector<Glyph> along = direction_arrows(objects, volume, layout, length);
         scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }
-    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, layout, job.look.traces);
+    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, seeds, layout, job.look.traces);
     const glm::vec4 line_colour(job.look.theme.lines, 1);
     if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
     const auto add_lines = [&scene](const std::vector<Segment>& lines) {
@@ -79,7 +90,8 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
         };
         stand(0, frames.first, 0, at_the_ends);
         for (const KeyFrame& key : frames.between) {
-            stand(volume.t_of_frame(static_cast<double>(key.number)), *key.frame, key.number, between);
+            // Where its layer begins: there a piece of the volume ends, so that one of them hides the other.
+            stand(volume.t_of_layer(layer_of(key, volume)), *key.frame, key.number, between);
         }
         stand(volume.t_end(), frames.last, volume.frames() - 1, at_the_ends);
     }

@@ -22,12 +22,20 @@ struct KeyFrame {
     std::int64_t number = 0;
 };
 
-/// The frames at the ends of a volume and between them; one without a picture is not drawn.
+/// The frames at the ends of a volume and between them; one without a picture is not drawn. And its bricks.
 struct WindowFrames {
     const Frame& first;
     const Frame& last;
     std::span<const KeyFrame> between{};
+    std::span<const Brick> bricks{};
+    std::int64_t first_brick = 0;  ///< its number, counted from the clip's first
 };
+
+/// The layer at whose beginning a key frame stands.
+std::int64_t layer_of(const KeyFrame& key, const Volume& volume);
+
+/// The pieces that bricks are drawn in: they end where a key frame stands.
+std::vector<Brick> pieces_of(std::span<const Brick> bricks, std::span<const KeyFrame> between, const Volume& volume);
 
 /// Reports the source and the context.
 void describe(const FieldSource& source, const Context& context, RenderReport& report);
@@ -36,9 +44,6 @@ void describe(const FieldSource& source, const Context& context, RenderReport& r
 FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames);
 
 std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size);
-
-/// The frame's colours if the volume shows them, else none.
-const Plane<Bgr>& volume_colour(const RenderJob& job, const Frame& frame);
 
 /// All geometry that depends on the fields alone.
 /// \param ticks of the ruler

@@ -1,6 +1,7 @@
 #include "cli/render/drawing.h"
 
 #include "cli/render/build_scene.h"
+#include "core/scene/hues.h"
 #include "core/scene/object_looks.h"
 #include "gl/framebuffer.h"
 
@@ -15,7 +16,7 @@ constexpr int rehearsed_frames = 5;
 Volume rehearsed_volume(VolumeColour colour) {
     Volume volume(rehearsed_size, rehearsed_frames);
     if (colour == VolumeColour::object) volume.keep_owners();
-    const Plane<Bgr> picture = colour == VolumeColour::video ? Plane<Bgr>(rehearsed_size) : Plane<Bgr>();
+    const Plane<Bgr> picture = colour == VolumeColour::own ? Plane<Bgr>(rehearsed_size) : Plane<Bgr>();
     for (int i = 0; i < rehearsed_frames; ++i) {
         Field field{i, i / 25.0, Plane<std::uint8_t>(rehearsed_size), {}, {{2, 2, 1, 1}}};
         field.scalar.at(2, 2) = 255;
@@ -42,6 +43,7 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
     drawing.renderer = std::make_unique<Renderer>(*drawing.context, *drawing.layout, options);
     drawing.renderer->set_transfer(drawn_transfer_of(job.look));
     if (job.picture.colour == VolumeColour::object) drawing.renderer->set_looks(looks_of(job.look.theme));
+    if (job.picture.colour == VolumeColour::time) drawing.renderer->set_looks(time_colours());
 }
 
 void rehearse(const RenderJob& job, const Drawing& drawing) {

@@ -6,8 +6,10 @@
 
 #include "cli/render/record.h"
 #include "cli/render/settings.h"
+#include "cli/render/volume_paint.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
+#include "core/fields/flow.h"
 #include "core/fields/pipeline.h"
 #include "core/fields/reference.h"
 #include "core/image/animation_file.h"
@@ -21,12 +23,15 @@ namespace {
 void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::step, bricks.step);
     check(setting::window, bricks.window);
+    check(setting::layers, bricks.max_layers);
     check(setting::skip_idle, bricks.skip_idle);
     check(setting::keyframes, look.keyframes);
     check(setting::opacity, look.opacity);
     check(setting::glyph_scale, look.glyph_scale);
+    check(setting::glyph_cap, look.glyph_cap);
     check(setting::trace_steps, look.traces.steps);
     check(setting::trace_dt, look.traces.dt);
+    check(setting::trace_rest, look.traces.rest);
     check(setting::time_velocity, look.traces.time_velocity);
 }
 
@@ -54,11 +59,6 @@ void validate_series(const RenderJob& job) {
         throw Error(ErrorKind::usage,
                     "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
                     {setting::skip_idle.name});
-    }
-    if (job.look.keyframes > 0) {
-        throw Error(ErrorKind::usage,
-                    "keyframes is for one picture of a clip; the pictures of a series show their first and last frame",
-                    {setting::keyframes.name});
     }
 }
 
@@ -104,10 +104,22 @@ RenderJob with_possible_parts(RenderJob job) {
     return job;
 }
 
+RenderJob with_fields_of_colour(RenderJob job) {
+    job.fields.second = find_colour(job.look.colour).filter;
+    return job;
+}
+
+RenderJob with_transfer(RenderJob job) {
+    const std::string_view own = find_filter(job.fields.filter).transfer;
+    if (!job.look.transfer && !own.empty()) job.look.transfer = find_transfer(std::string(own));
+    return job;
+}
+
 RenderJob with_colour(RenderJob job) {
     const bool marks_objects = find_filter(job.fields.filter).traits.shows_object;
     const LookOptions& look = job.look;
-    if (look.colour == VolumeColour::object && !marks_objects) {
+    const ColourRow& asked = find_colour(look.colour);
+    if (asked.drawn == VolumeColour::object && !marks_objects) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
@@ -116,9 +128,16 @@ RenderJob with_colour(RenderJob job) {
     }
     const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
     const bool objects = tells_objects && marks_objects && !look.transfer;
-    job.picture.colour = look.colour.value_or(objects ? VolumeColour::object : VolumeColour::transfer);
-    const auto row = std::ranges::find(volume_colours(), job.picture.colour, &VolumeColourRow::colour);
-    put(job.settings, setting::colour.name, std::string(row->name));
+    const bool second_flow = !asked.filter.empty() && find_filter(asked.filter).traits.flow;
+    if ((asked.needs_flow || second_flow) && !has_flow(job.fields.flow)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
+                                asked.name, job.fields.flow.method),
+                    {setting::colour.name, setting::flow.name});
+    }
+    if (&asked == &colour_rows().front()) job.look.colour = objects ? "object" : "transfer";
+    job.picture.colour = find_colour(job.look.colour).drawn;
+    put(job.settings, setting::colour.name, job.look.colour);
     return job;
 }
 
@@ -129,7 +148,8 @@ bool finds_objects(const RenderJob& job, const Products& products) {
 bool wants_colour(const RenderJob& job) {
     // Objects are found by colour too, not only if the picture happens to show some.
     return find_filter(job.fields.filter).traits.colour || needs_reference(job.fields) ||
-           job.look.show.any(&PartRow::needs_pictures) || job.picture.colour == VolumeColour::video;
+           job.look.show.any(&PartRow::needs_pictures) || find_colour(job.look.colour).needs_pictures ||
+           (!job.fields.second.empty() && find_filter(job.fields.second).traits.colour);
 }
 
 TransferFunction transfer_of(const LookOptions& look) {
@@ -148,7 +168,7 @@ GlyphOptions glyph_options_of(const LookOptions& look) {
     GlyphOptions options;
     options.time_velocity = look.traces.time_velocity;
     options.frames *= look.glyph_scale;
-    options.cap *= look.glyph_scale;
+    options.cap = look.glyph_cap * look.glyph_scale;
     return options;
 }
 

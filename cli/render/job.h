@@ -51,11 +51,12 @@ struct LookOptions {
     Theme theme = themes().front();
     std::optional<glm::vec4> background{};       ///< multiplied by its opacity; none = the theme's
     std::optional<TransferFunction> transfer{};  ///< none = the theme's
-    std::optional<VolumeColour> colour{};        ///< none = as `with_colour` chooses
+    std::string colour = "auto";                 ///< a name in the table of colours (cli/render/volume_paint.h)
     std::string title;                           ///< empty = the clip's name
     StartTime start_time;
-    double opacity = 1;      ///< factor on the extinction
-    double glyph_scale = 1;  ///< factor on the arrows' size
+    double opacity = 1;                     ///< factor on the extinction
+    double glyph_scale = 1;                 ///< factor on the arrows' size
+    double glyph_cap = GlyphOptions{}.cap;  ///< of arrows at factor 1
     TraceOptions traces;
     std::optional<View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
 };
@@ -70,7 +71,8 @@ struct BackendOptions {
 struct RenderJob {
     InputOptions input;
     FieldOptions fields;
-    std::string seeds;  ///< a folder of lists that replace the computed seeds; empty = none
+    std::string seeds;                      ///< lists that replace the computed seeds, as ListedSeeds; empty = none
+    std::optional<SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
     BrickOptions bricks;
     std::string layout = layouts().front().name;
     LayoutOptions shape;
@@ -110,9 +112,17 @@ RenderJob with_extracted(RenderJob job, const Metadata& extracted);
 /// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
 /// arrows along trails would.
 RenderJob with_possible_parts(RenderJob job);
+/// The same job, in whose fields is what its colours need.
+/// \throws Error usage for a colour that is in no table
+RenderJob with_fields_of_colour(RenderJob job);
+
+/// The same job with the transfer function that its filter's values are seen with, where none was asked for.
+RenderJob with_transfer(RenderJob job);
+
 /// The same job with the colour in which its volume is drawn. Where none was asked for, objects have their own if there
 /// is a part that tells of them, the filter marks objects, and no transfer function was asked for.
-/// \throws Error usage where objects are to have colours, and the filter marks none
+/// \throws Error usage where objects are to have colours, and the filter marks none; where colours need flow, and there
+///         is none
 RenderJob with_colour(RenderJob job);
 
 /// Whether the run follows objects.

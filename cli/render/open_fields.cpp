@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/render/settings.h"
+#include "core/choice.h"
 #include "core/error.h"
 #include "core/fields/busy_fields.h"
+#include "core/fields/filter.h"
 #include "core/fields/listed_seeds.h"
+#include "core/fields/seeds.h"
 #include "core/store/stored_fields.h"
 
 namespace vvr {
@@ -15,6 +19,14 @@ namespace vvr {
 namespace {
 
 OpenedFields open_extracted(const RenderJob& job) {
+    if (!job.fields.second.empty()) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
+                        "colour",
+                        job.fields.second, job.input.names.front()),
+            {setting::colour.name});
+    }
     const std::vector<std::string>& folders = job.input.names;
     auto source = std::make_unique<StoredFields>(folders);
     for (const auto& [name, value] : job.given) {
@@ -59,9 +71,19 @@ std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour,
     return open_source(only_input(options), source);
 }
 
+std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
+                                               std::string_view filter) {
+    if (job.seeds.empty()) return fields;
+    const SeedOptions& seeds = job.fields.seeds;
+    const bool on_object = find_filter(filter).traits.shows_object &&
+                           choose(setting::seed_area.name, seeds.area, seed_areas()).object_alone;
+    return std::make_unique<ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
+}
+
 OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
-    if (!job.seeds.empty()) opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), job.seeds);
+    const std::string filter = with_extracted(job, opened.extracted).fields.filter;
+    opened.source = with_listed_seeds(std::move(opened.source), job, filter);
     if (job.bricks.skip_idle > 0) {
         opened.source = std::make_unique<BusyFields>(std::move(opened.source), job.bricks.skip_idle);
     }

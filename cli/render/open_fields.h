@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "cli/render/job.h"
 #include "core/fields/field_source.h"
@@ -19,6 +20,11 @@ const std::string& only_input(const InputOptions& options);
 
 /// Opens the whole of a clip.
 std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads);
+
+/// The same fields with the seeds that the job lists, if it does.
+/// \param filter of the fields
+std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
+                                               std::string_view filter);
 
 /// Opens a clip, the directory of an extraction, or several with consecutive parts.
 /// \throws Error usage as well where settings contradict those of the extraction

@@ -12,7 +12,7 @@ NamePattern name_of(const OutputOptions& options) {
 }
 
 bool is_series(const OutputOptions& options) {
-    return !options.animate && name_of(options).has_field();
+    return options.slide || (!options.animate && name_of(options).has_field());
 }
 
 bool is_page(const std::filesystem::path& path) {
@@ -26,6 +26,7 @@ const std::filesystem::path& page_of(const OutputOptions& options) {
 
 int pictures_of(const OutputOptions& options) {
     if (options.path.empty() && options.golden.path.empty()) return 0;
+    if (options.slide) return *options.slide;
     return options.animate.value_or(is_animation(options.path) ? default_animation : 1);
 }
 

@@ -31,6 +31,7 @@ struct OutputOptions {
     std::filesystem::path still;       ///< a frame of the clip; empty = none
     bool plain_name = false;           ///< nothing in `path` is a field
     std::optional<int> animate;        ///< pictures of the moving texture
+    std::optional<int> slide;          ///< a film of the window that slides over the clip: pictures per brick
     std::filesystem::path report;      ///< empty = nowhere
     EventChoice events;                ///< which of them the report and the page list
     GoldenOptions golden;
@@ -43,7 +44,7 @@ inline constexpr int default_animation = 24;
 /// \throws Error usage
 NamePattern name_of(const OutputOptions& options);
 
-/// Whether the name is that of a series: a picture for each brick.
+/// Whether a window slides over the clip: a picture for each brick, or a film of them.
 bool is_series(const OutputOptions& options);
 
 /// Whether a file of that name is a page.
@@ -52,7 +53,7 @@ bool is_page(const std::filesystem::path& path);
 /// Where a page goes: to the output itself or beside it; empty = nowhere.
 const std::filesystem::path& page_of(const OutputOptions& options);
 
-/// The number of pictures that the options ask for: none where only a report is wanted.
+/// The number of pictures that the options ask for, of a film per brick: none where only a report is wanted.
 int pictures_of(const OutputOptions& options);
 
 }  // namespace vvr

@@ -32,7 +32,8 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
     constexpr std::int64_t source_bytes = 2;  // per pixel of a decoded picture
     const std::int64_t picture_bytes = products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
     // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
-    const std::int64_t voxel_bytes = job.picture.colour == VolumeColour::transfer ? 1 : 4;
+    const std::int64_t voxel_bytes =
+        job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::object ? 4 : 1;
     const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
     // The flow of about a hundred frames, in half floats.
@@ -53,9 +54,9 @@ void check_memory(const Plan& plan) {
     throw Error(
         ErrorKind::limit,
         fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
-                    "picture or smaller fields",
+                    "picture, smaller fields or fewer layers",
                     static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9),
-        {setting::size.name, setting::field_size.name});
+        {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
 Plan make_plan(const RenderJob& job, const Products& products, const FieldSource& source) {

@@ -36,7 +36,7 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
         observer.warn(
             fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
     }
-    if (report.keyframes < static_cast<std::size_t>(job.look.keyframes)) {
+    if (!is_series(job.output) && report.keyframes < static_cast<std::size_t>(job.look.keyframes)) {
         observer.warn(
             fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
                         "is shorter",
@@ -82,12 +82,13 @@ std::span<const Event> events_of(const RenderReport& report) {
 
 }  // namespace
 
-RenderReport render(const RenderJob& asked, Observer& observer) {
-    validate(asked);
+RenderReport render(const RenderJob& given, Observer& observer) {
+    validate(given);
+    const RenderJob asked = with_fields_of_colour(given);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
     OpenedFields fields = open_fields(asked);
-    const RenderJob job = with_colour(with_possible_parts(with_extracted(asked, fields.extracted)));
+    const RenderJob job = with_colour(with_transfer(with_possible_parts(with_extracted(asked, fields.extracted))));
     const Products products = products_of(job);
     const std::filesystem::path& page = page_of(job.output);
     WatchedFields* const watched = watch(job.output, fields);

@@ -15,7 +15,9 @@
 #include "cli/render/objects.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
+#include "cli/render/volume_paint.h"
 #include "core/events/event_finder.h"
+#include "core/fields/filter.h"
 #include "core/machine_memory.h"
 #include "core/scene/object_looks.h"
 
@@ -45,9 +47,11 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
 
     Fields result{Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
+    result.volume.set_values(find_filter(job.fields.filter).traits.values);
     const int keyframes = job.look.keyframes;
     std::optional<EventFinder> events;
     FrameLabels labels;
+    VolumePaint paint(job);
     const Frame* now = nullptr;
     if (finds_objects(job, products)) events.emplace(source.field_size(), event_options(job));
     if (events && (products.portraits || job.look.show.has(Part::portraits))) {
@@ -62,7 +66,7 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        result.volume.add(field, volume_colour(job, *frame), labels.runs);
+        result.volume.add(field, paint(*frame, field), labels.runs);
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
         const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
@@ -165,13 +169,14 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
         picture_of(*fields.last),
         volume.size()};
     const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
-    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes}, layout, drawing.framing,
-                              ticks, glance.objects, identify);
+    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes, bricks}, layout,
+                              drawing.framing, ticks, glance.objects, identify);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
 
-    const std::vector<Brick> pieces = job.look.show.has(Part::volume) ? cut_into_pieces(bricks) : std::vector<Brick>{};
+    const std::vector<Brick> pieces =
+        job.look.show.has(Part::volume) ? pieces_of(bricks, fields.keyframes, volume) : std::vector<Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
     drawing.window->show(volume, pieces, 0, identify);

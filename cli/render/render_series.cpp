@@ -14,7 +14,9 @@
 #include "cli/render/objects.h"
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
+#include "cli/render/volume_paint.h"
 #include "core/events/event_finder.h"
+#include "core/fields/filter.h"
 
 namespace vvr {
 
@@ -28,17 +30,21 @@ class Series {
            RenderReport begun, const PictureSink& sink)
         : job_(job),
           pixel_data_(products.pixel_data),
+          pictures_of_brick_(products.pictures),
           window_(sliding_window(job.bricks, source)),
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
                   needs_of(job, source, window_.frames()).every),
           thread_(thread),
-          pieces_of_brick_(std::ssize(cut_into_pieces(std::array{Brick{0, window_.brick_layers}}))),
+          pieces_of_brick_(
+              std::ssize(cut_into_pieces(cut_at(std::array{Brick{0, window_.brick_layers}}, key_layers())))),
           transfer_(drawn_transfer_of(job.look)),
+          paint_(job),
           sink_(sink),
           report_(std::move(begun)) {
         caption_.title = title_of(job.look.title, report_.info);
         caption_.clock = clock_of(job.look.start_time, report_.info);
         volume_.set_span(window_.layers());
+        volume_.set_values(find_filter(job.fields.filter).traits.values);
         if (job.look.show.any(&PartRow::needs_flow)) volume_.keep_flow();
         thread_.run([&, this](Drawing& drawing) {
             const int textures = textures_of(products, window_.bricks * static_cast<int>(pieces_of_brick_));
@@ -70,8 +76,9 @@ class Series {
         if (volume_.frames() == window_.frames()) drop_oldest();
         frame_ = frame.get();
         if (events_) events_->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        volume_.add(field, volume_colour(job_, *frame), labels_.runs);
+        volume_.add(field, paint_(*frame, field), labels_.runs);
         if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
+        keep_key_frame(frame);
         last_ = frame;
         if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::yes);
     }
@@ -95,9 +102,28 @@ class Series {
     }
 
   private:
+    /// Layers of a brick at whose beginning key frames stand: they part it evenly.
+    std::vector<std::int64_t> key_layers() const {
+        std::vector<std::int64_t> layers;
+        for (std::int64_t j = 0; j < job_.look.keyframes; ++j) {
+            layers.push_back(j * window_.brick_layers / job_.look.keyframes);
+        }
+        return layers;
+    }
+
+    /// Keeps the newest frame if one stands there. None does at the volume's beginning, where its first frame stands.
+    void keep_key_frame(const SharedFrame& frame) {
+        if (frames_of_newest_ % window_.step != 0) return;
+        const std::vector<std::int64_t> layers = key_layers();
+        if (std::ranges::find(layers, frames_of_newest_ / window_.step) == layers.end()) return;
+        keyframes_.push_back({frame, volume_.frames() - 1});
+    }
+
     void drop_oldest() {
         volume_.drop_front(window_.brick_layers);
         first_of_bricks_.pop_front();
+        for (KeyFrame& key : keyframes_) key.number -= window_.brick_frames();
+        std::erase_if(keyframes_, [](const KeyFrame& key) { return key.number < 0; });
     }
 
     /// A stream's numbers skip the frames that never came. A brick that ends in such a gap gets no picture. Of a gap
@@ -144,10 +170,18 @@ class Series {
         report_.still = caption_.still;
     }
 
+    /// The key frames but the one at the volume's beginning: its first frame stands there.
+    std::span<const KeyFrame> standing() const {
+        const std::span<const KeyFrame> all = keyframes_;
+        return !all.empty() && all.front().number == 0 ? all.subspan(1) : all;
+    }
+
+    /// Number of the first brick in the window.
+    std::int64_t oldest() const { return newest_ - std::ssize(bricks_) + 1; }
+
     /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
     void show_pieces(BrickWindow& window) const {
-        const std::int64_t oldest = newest_ - std::ssize(bricks_) + 1;
-        window.show(volume_, cut_into_pieces(bricks_), oldest * pieces_of_brick_, identify_);
+        window.show(volume_, pieces_of(bricks_, keyframes_, volume_), oldest() * pieces_of_brick_, identify_);
     }
 
     void draw(Drawing& drawing) {
@@ -156,20 +190,29 @@ class Series {
         report_.stages.end("draw");
         const std::vector<TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);
-        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_}, *drawing.layout, drawing.framing,
-                                  ticks, glance.objects, identify_);
+        Scene scene = build_scene(job_, volume_, {*first_of_bricks_.front(), *last_, standing(), bricks_, oldest()},
+                                  *drawing.layout, drawing.framing, ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
-        ++report_.pictures;
         report_.stages.end("scene");
         report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
         add_overlays(job_, drawing, bricks_, window_.layers(), scene);
         drawing.renderer->set_scene(std::move(scene));
         const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks, glance);
         report_.lettering = lettering;
-        Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering);
-        report_.stages.end("draw");
-        sink_(report_, static_cast<int>(newest_), std::move(picture));
-        report_.stages.end("write");
+        for (int i = 0; i < pictures_of_brick_; ++i) {
+            Picture picture = draw_picture(pixel_data_, drawing, volume_, lettering, phase());
+            report_.stages.end("draw");
+            ++report_.pictures;
+            sink_(report_, static_cast<int>(newest_), std::move(picture));
+            report_.stages.end("write");
+        }
+    }
+
+    /// Of the tracelines' texture: stripes run on from picture to picture (§6.2.1), faster in stills, which are few.
+    double phase() const {
+        constexpr std::int64_t stills = 8;  // over which the texture moves on by one stripe
+        if (!job_.output.slide) return static_cast<double>(newest_ % stills) / stills;
+        return static_cast<double>(report_.pictures % default_animation) / default_animation;
     }
 
     /// What is known of the objects in the window by now: as if the clip ended here.
@@ -205,11 +248,13 @@ class Series {
 
     const RenderJob& job_;
     bool pixel_data_;
+    int pictures_of_brick_;
     SlidingWindow window_;
     Volume volume_;
     RenderThread& thread_;
     std::int64_t pieces_of_brick_;  ///< fewer of the clip's last one, if it is shorter
     TransferFunction transfer_;
+    VolumePaint paint_;
     const PictureSink& sink_;
     std::vector<Brick> bricks_;  ///< in the window
     Caption caption_;            ///< of the window
@@ -226,6 +271,7 @@ class Series {
     std::optional<Moment> begin_;                 ///< of the clip
     bool all_still_ = true;                       ///< nothing was visible in any window
     std::deque<SharedFrame> first_of_bricks_;     ///< of the bricks in the window
+    std::vector<KeyFrame> keyframes_;             ///< in the window
     SharedFrame last_;
     std::int64_t newest_ = 0;  ///< number of the brick that is being filled
     std::int64_t frames_of_newest_ = 0;

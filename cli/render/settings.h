@@ -9,6 +9,12 @@ namespace vvr::setting {
 inline constexpr Setting step{
     "step", "FRAMES", "frames per layer of the volume; 0 = as few as the window allows", {0, 1'000'000}};
 
+inline constexpr Setting layers{
+    "layers",
+    "COUNT",
+    "layers of the window at most; frames of a longer clip share layers; memory grows with it",
+    {2, 100'000}};
+
 inline constexpr Setting brick{
     "brick", "TIME", "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"};
 inline constexpr Setting window{"window",
@@ -35,7 +41,8 @@ inline constexpr Setting samples{
     "samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
 
 inline constexpr Setting show{"show", "LIST", "what is drawn"};
-inline constexpr Setting keyframes{"keyframes", "COUNT", "frames shown between the first and the last", {0, 32}};
+inline constexpr Setting keyframes{
+    "keyframes", "COUNT", "frames shown between the first and the last; in a series, in each brick", {0, 32}};
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
 inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
 inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};
@@ -51,8 +58,12 @@ inline constexpr Setting colour{"color", "NAME", "colour of the volume"};
 inline constexpr Setting shading{"shading", "NAME", "light on the volume"};
 inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};
 inline constexpr Setting glyph_scale{"glyph-scale", "FACTOR", "factor on the arrows' size", {0.01, 100}};
+inline constexpr Setting glyph_cap{
+    "glyph-cap", "UNITS", "longest arrow; the outer radius is 1. A faster one is as long and redder", {0.001, 10}};
 inline constexpr Setting trace_steps{"trace-steps", "COUNT", "steps of a traceline", {1, 100'000}};
 inline constexpr Setting trace_dt{"trace-dt", "FRAMES", "length of a traceline's step in time", {1e-3, 1000}};
+inline constexpr Setting trace_rest{
+    "trace-rest", "PIXELS", "a traceline ends where flow is slower, in pixels per frame; 0 = it goes on", {0, 10'000}};
 inline constexpr Setting time_velocity{
     "time-velocity",
     "NUMBER",
@@ -64,6 +75,8 @@ inline constexpr Setting device{
     "device", "NUMBER", "EGL device as `vvr doctor` numbers them; -1 = the first that works", {-1, 255}};
 
 inline constexpr Setting animate{"animate", "COUNT", "pictures in which stripes run along the tracelines", {2, 10'000}};
+inline constexpr Setting slide{
+    "slide", "COUNT", "a film of the window that slides over the clip: so many pictures per brick", {1, 1000}};
 inline constexpr Setting tolerance{"tolerance", "LEVEL", "a pixel is off if a channel differs by more", {0, 1}};
 inline constexpr Setting tolerance_percent{
     "tolerance-percent", "PERCENT", "share of the pixels that may be off", {0, 100}};

@@ -125,7 +125,7 @@ std::string summary_of(const LiveSource& stream, const RenderReport& report, con
 }  // namespace
 
 StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
-    : job_(with_colour(with_possible_parts(job))), observer_(observer) {
+    : job_(with_colour(with_transfer(with_possible_parts(with_fields_of_colour(job))))), observer_(observer) {
     validate(job);
     validate_series(job);
     auto connected = connect(job, options, observer);
@@ -133,7 +133,8 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     const VideoInfo& info = stream_->info();
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
     if (!job_.look.start_time.clock) job_.look.start_time.clock = wall_clock_now();
-    auto fields = std::make_unique<ClipFields>(std::move(connected), job_.fields);
+    auto fields =
+        with_listed_seeds(std::make_unique<ClipFields>(std::move(connected), job_.fields), job_, job_.fields.filter);
     const std::int64_t window = sliding_window(job_.bricks, *fields).frames();
     fields_ = std::make_unique<RecentMoments>(std::move(fields), window);
 }

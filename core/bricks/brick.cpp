@@ -22,6 +22,19 @@ std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length) {
     return cut;
 }
 
+std::vector<Brick> cut_at(std::span<const Brick> bricks, std::span<const std::int64_t> layers) {
+    std::vector<Brick> cut;
+    for (Brick rest : bricks) {
+        for (const std::int64_t layer : layers) {
+            if (layer <= rest.first || layer >= rest.first + rest.count) continue;
+            cut.push_back({rest.first, layer - rest.first});
+            rest = {layer, rest.count - cut.back().count};
+        }
+        cut.push_back(rest);
+    }
+    return cut;
+}
+
 std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks) {
     std::vector<Brick> pieces;
     for (const Brick& brick : bricks) {

@@ -28,4 +28,7 @@ inline constexpr std::int64_t piece_layers = 32;
 /// Those of one brick differ by at most one layer.
 std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks);
 
+/// Cuts bricks where certain layers begin, ascending.
+std::vector<Brick> cut_at(std::span<const Brick> bricks, std::span<const std::int64_t> layers);
+
 }  // namespace vvr

@@ -37,6 +37,9 @@ class BrickLayers {
     Beside beside() const { return beside_; }
     bool coloured() const { return beside_ != Beside::nothing; }  ///< texels are ColouredTexels
 
+    /// Whether there is something between two texels; else the nearest one is meant.
+    bool interpolated() const { return interpolates(volume_->values()); }
+
     /// Of the layers' texels, columns of x_C and rows of y_C; never empty.
     const PixelBox& box() const { return box_; }
     std::size_t area() const;  ///< of the box

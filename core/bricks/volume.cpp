@@ -12,8 +12,23 @@ namespace vvr {
 
 namespace {
 
-/// Joins two layers' values; each voxel keeps the colour and the owner of the stronger one, the first of two alike.
-void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour, const OwnerPlane& owner) {
+/// Pixel by pixel, where either has something.
+SparsePlane joined_planes(Values values, const SparsePlane& before, const SparsePlane& after) {
+    SparsePlane result(before.size());
+    const auto visit = [&](const SparsePlane& plane) {
+        plane.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
+            for (std::size_t i = 0; i < run.size(); ++i, ++column) {
+                result.set(column, row, joined(values, before.at(column, row), after.at(column, row)));
+            }
+        });
+    };
+    visit(before);
+    visit(after);
+    return result;
+}
+
+/// Joins two layers' values; each voxel keeps the colour and the owner of the greater one, the first of two alike.
+void join(Values kind, Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour, const OwnerPlane& owner) {
     if (!colour.empty() || !owner.empty()) {
         scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
@@ -25,7 +40,11 @@ void keep_stronger(Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& col
             }
         });
     }
-    kept.scalar.keep_greater(scalar);
+    if (kind == Values::strength) {
+        kept.scalar.keep_greater(scalar);
+    } else {
+        kept.scalar = joined_planes(kind, kept.scalar, scalar);
+    }
 }
 
 void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
@@ -68,7 +87,7 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const L
                            std::move(scalar), colour, std::move(owner)});
     } else {
         Layer& layer = layers_.back();
-        keep_stronger(layer, scalar, colour, owner);
+        join(values_, layer, scalar, colour, owner);
         layer.last_frame = field.index;
         layer.last_pts = field.pts;
         pass_over(layer, passed.length(), passed);
@@ -212,7 +231,7 @@ void Volume::join_pairs() {
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
         if (i + 1 < layers_.size()) {
-            keep_stronger(layer, layers_[i + 1].scalar, layers_[i + 1].colour, layers_[i + 1].owner);
+            join(values_, layer, layers_[i + 1].scalar, layers_[i + 1].colour, layers_[i + 1].owner);
             layer.frames += layers_[i + 1].frames;
             layer.missing += layers_[i + 1].missing;
             layer.last_frame = layers_[i + 1].last_frame;

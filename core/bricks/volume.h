@@ -13,6 +13,7 @@
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
 #include "core/fields/label_run.h"
+#include "core/fields/values.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -25,7 +26,8 @@ struct LeftOut {
     double length() const { return end - begin; }
 };
 
-/// One layer of the volume: the strongest value that each pixel took in `frames` consecutive frames.
+/// One layer of the volume: of each pixel what its values in `frames` consecutive frames join to, the strongest one
+/// where they are strengths.
 struct Layer {
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;
@@ -47,8 +49,9 @@ struct FrameSeed {
 };
 
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
-/// neighbours are joined in pairs, keeping the stronger value, and from then on a layer takes twice as many frames: so
-/// nothing that moved is lost, the clip's length needn't be known, and memory never grows beyond the capacity.
+/// neighbours are joined in pairs, keeping the stronger value (`joined` in core/fields/values.h), and from then on a
+/// layer takes twice as many frames: so nothing that moved is lost, the clip's length needn't be known, and memory
+/// never grows beyond the capacity.
 ///
 /// Frames whose numbers follow each other are next to each other in time; where numbers are skipped, the clip was, and
 /// the layers tell for how long.
@@ -66,6 +69,9 @@ class Volume {
 
     /// From now on keeps whose each voxel is. Before the first frame.
     void keep_owners() { keeps_owners_ = true; }
+
+    /// What the values of the fields are, which says how frames share a layer. Before the first frame.
+    void set_values(Values values) { values_ = values; }
 
     /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
     void set_span(std::int64_t layers) { span_ = layers; }
@@ -97,6 +103,7 @@ class Volume {
     double left_out() const;       ///< seconds of the clip that were passed over
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
+    Values values() const { return values_; }
     bool keeps_owners() const { return keeps_owners_; }
 
     /// The track that a number of a layer's `owner` stands for; the number isn't 0.
@@ -109,6 +116,9 @@ class Volume {
 
     /// t_C where the last layer ends.
     double t_end() const { return static_cast<double>(layers()) / static_cast<double>(span()); }
+
+    /// t_C where a layer begins.
+    double t_of_layer(std::int64_t layer) const { return static_cast<double>(layer) / static_cast<double>(span()); }
 
     /// t_C of a (fractional) frame number counted from the first frame of the volume.
     double t_of_frame(double frame) const;
@@ -145,6 +155,7 @@ class Volume {
     std::int64_t frames_ = 0;
     std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
+    Values values_ = Values::strength;
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
     std::vector<SeededFrame> seeded_;  ///< whose seeds and flow are kept, in order

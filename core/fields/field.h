@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/fields/seed_flags.h"
 #include "core/plane.h"
 
 namespace vvr {
@@ -19,18 +20,19 @@ struct Seed {
     float y = 0;  ///< row in field pixels, from the top
     float u = 0;  ///< flow at the point, pixels per frame
     float v = 0;
-    bool used = true;  ///< whether the brick that the frame falls in makes geometry of it (§6)
+    SeedFlags flags{};  ///< whether the brick that the frame falls in makes geometry of it (§6)
 
     friend bool operator==(const Seed&, const Seed&) = default;
 };
 
 /// What the video sub-system gives for one frame.
 struct Field {
-    std::int64_t index = 0;      ///< of the frame in the clip
-    double pts = 0;              ///< seconds
-    Plane<std::uint8_t> scalar;  ///< 0 = uninteresting
-    Flow flow;                   ///< empty where no flow was asked for; else 0 far from any object, unless asked for
-    std::vector<Seed> seeds;     ///< empty where no flow was asked for
+    std::int64_t index = 0;        ///< of the frame in the clip
+    double pts = 0;                ///< seconds
+    Plane<std::uint8_t> scalar;    ///< 0 = uninteresting
+    Flow flow;                     ///< empty where no flow was asked for; else 0 far from any object, unless asked for
+    std::vector<Seed> seeds;       ///< empty where no flow was asked for
+    Plane<std::uint8_t> second{};  ///< what a second filter gives; empty where none was asked for
 };
 
 }  // namespace vvr

@@ -12,8 +12,9 @@ namespace vvr {
 struct FieldNeeds {
     bool seeds = true;
     bool flow = true;
-    bool colour = false;     ///< every frame's own picture too; else that of the first and the last will do
-    std::int64_t every = 1;  ///< seeds and flow at frames whose index is a multiple of it
+    bool flow_of_each = false;  ///< flow at all frames
+    bool colour = false;        ///< every frame's own picture too; else that of the first and the last will do
+    std::int64_t every = 1;     ///< seeds and flow at frames whose index is a multiple of it
 };
 
 /// Where a clip's fields come from: computed out of its frames, or read back from data files (Fig. 3's yellow boxes).

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 #include "core/choice.h"
@@ -17,17 +16,6 @@ namespace {
 // Grey levels by which an object differs from the empty scene, for filters that have no threshold of their own for
 // that.
 constexpr int object_threshold = 24;
-
-/// One more where there is an object, 0 elsewhere.
-Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object) {
-    auto age = Plane<std::uint16_t>::for_overwrite(object.size());
-    for (std::size_t i = 0; i < age.pixels().size(); ++i) {
-        const int then = before.empty() ? 0 : before.pixels()[i];
-        const int most = std::numeric_limits<std::uint16_t>::max();
-        age.pixels()[i] = static_cast<std::uint16_t>(object.pixels()[i] == 0 ? 0 : std::min(then + 1, most));
-    }
-    return age;
-}
 
 void paste(const Flow& part, const Rect& where, Flow& whole) {
     for (int j = 0; j < where.size.height; ++j) {
@@ -58,24 +46,29 @@ Neighbourhood continuous_part(Neighbourhood about, int reach) {
 
 bool needs_reference(const FieldOptions& options) {
     const FilterTraits& traits = find_filter(options.filter).traits;
-    return traits.object || (has_flow(options.flow) && !traits.shows_object);
+    const bool second = !options.second.empty() && find_filter(options.second).traits.object;
+    return second || traits.object || (has_flow(options.flow) && !traits.shows_object);
 }
 
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     : options_(options),
-      row_(find_filter(options.filter)),
+      first_(running(options.filter, options, options.threshold)),
+      row_(*first_.row),
       region_(scene.region),
-      filter_(row_.make(options)),
       flow_(make_flow(options.flow)),
-      whole_frame_flow_(is_whole_frame(options.flow, scene.frames)) {
+      whole_frame_flow_(is_whole_frame(options.flow, scene.frames) ||
+                        !choose(setting::seed_area.name, options.seeds.area, seed_areas()).object_alone) {
+    if (!options.second.empty()) second_.emplace(running(options.second, options, std::nullopt));
+    const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
-        object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_);
+        object_ = std::make_unique<ObjectFinder>(options, threshold, scene.reference, region_,
+                                                 row_.traits.darker || beside.darker);
     }
     if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
     needs_age_ = flow_ != nullptr && choose(setting::seed_order.name, options.seeds.order, seed_orders()).needs_age;
-    remembers_ = row_.traits.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
-    reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous ? 1 : 0);
+    remembers_ = row_.traits.in_order || beside.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
+    reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || beside.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
@@ -84,21 +77,22 @@ std::shared_ptr<Shot> FieldStages::begin(Frame frame) const {
     if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
     shot->frame = std::make_shared<const Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
-    if (object_ && !object_->adapts()) {
-        shot->object = object_->find(shot->smooth);
-        if (shot->visible) clear_beside(*shot->visible, shot->object);
-    }
+    if (object_ && !object_->adapts()) take_object(*shot, object_->find(shot->smooth));
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
     return shot;
 }
 
+void FieldStages::take_object(Shot& shot, FoundObject&& found) const {
+    shot.object = std::move(found.values);
+    shot.darker = std::move(found.darker);
+    if (shot.visible) clear_beside(*shot.visible, shot.object);
+}
+
 Neighbourhood FieldStages::gather(std::shared_ptr<Shot> shot) {
     if (shot) {
-        if (object_ && object_->adapts()) {
-            shot->object = object_->find_and_adapt(shot->smooth);
-            if (shot->visible) clear_beside(*shot->visible, shot->object);
-        }
-        if (row_.traits.in_order) shot->foreground = filtered(*shot, nullptr, {});
+        if (object_ && object_->adapts()) take_object(*shot, object_->find_and_adapt(shot->smooth));
+        if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
+        if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
             const Shot* const before = last_.back().get();
             shot->age = aged(before ? before->age : Plane<std::uint16_t>{},
@@ -118,35 +112,42 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     Field field;
     field.index = here.frame->index;
     field.pts = here.frame->pts;
-    if (traits.in_order) {
-        field.scalar = here.foreground;
-    } else {
-        field.scalar = filtered(here, before, {});
-    }
+    field.scalar = traits.in_order ? here.foreground : filtered(first_, here, before, {});
+    const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
+    if (second_) field.second = beside.in_order ? here.second : filtered(*second_, here, before, {});
     const bool asked = here.frame->index % options_.flow.every == 0;
-    if (!flow_ || (!asked && !traits.flow)) return field;
+    if (!flow_ || (!asked && !traits.flow && !beside.flow && !options_.flow.of_each)) return field;
 
     const Neighbourhood alike = continuous_part(about, reach_);
-    const Plane<std::uint8_t> moves = moving(alike, traits.shows_object ? field.scalar : here.object);
+    // Where the filter works on the difference object, its values may say more: what was uncovered is none.
+    const Plane<std::uint8_t> moves = moving(alike, object_ ? here.object : field.scalar);
     field.flow = flow_of(alike, moves);
     if (asked) field.seeds = make_seeds({here.frame->index, field.flow, moves, here.age}, options_.seeds);
-    if (traits.flow) field.scalar = filtered(here, before, field.flow);
+    if (traits.flow) field.scalar = filtered(first_, here, before, field.flow);
+    if (beside.flow) field.second = filtered(*second_, here, before, field.flow);
     return field;
 }
 
-Plane<std::uint8_t> FieldStages::filtered(const Shot& shot, const Shot* before, const Flow& flow) const {
-    Plane<std::uint8_t> scalar = (*filter_)({.frame = *shot.frame,
-                                             .smooth = shot.smooth,
-                                             .previous = before ? &before->smooth : nullptr,
-                                             .object = shot.object,
-                                             .previous_object = before ? &before->object : nullptr,
-                                             .flow = flow});
+FieldStages::Running FieldStages::running(std::string_view name, const FieldOptions& options,
+                                          std::optional<int> threshold) {
+    const FilterRow& row = find_filter(name);
+    return {&row, row.make(options), threshold.value_or(row.traits.threshold)};
+}
+
+Plane<std::uint8_t> FieldStages::filtered(const Running& filter, const Shot& shot, const Shot* before,
+                                          const Flow& flow) const {
+    const FilterTraits& traits = filter.row->traits;
+    Plane<std::uint8_t> scalar = (*filter.filter)({.frame = *shot.frame,
+                                                   .smooth = shot.smooth,
+                                                   .previous = before ? &before->smooth : nullptr,
+                                                   .object = shot.object,
+                                                   .previous_object = before ? &before->object : nullptr,
+                                                   .darker = shot.darker,
+                                                   .flow = flow});
     // The difference object is clean already, and what is made of it as well.
-    if (!row_.traits.object) {
+    if (!traits.object) {
         clean(scalar,
-              {.threshold = options_.threshold.value_or(row_.traits.threshold),
-               .gain = row_.traits.gain,
-               .min_area = row_.traits.min_area ? options_.min_area : 0},
+              {.threshold = filter.threshold, .gain = traits.gain, .min_area = traits.min_area ? options_.min_area : 0},
               region_);
     }
     return scalar;
@@ -158,7 +159,7 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
     const Shot& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
-    const bool everywhere = whole_frame_flow_ || row_.traits.flow;
+    const bool everywhere = whole_frame_flow_ || row_.traits.flow || (second_ && second_->row->traits.flow);
     const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();

@@ -23,8 +23,10 @@ struct Shot {
     std::optional<Visible> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
+    Plane<std::uint8_t> darker;      ///< as FoundObject's
     Quantiles levels{};              ///< of the frame's grey, to tell when the light jumps
     Plane<std::uint8_t> foreground;  ///< result of a filter that needs the frames in order
+    Plane<std::uint8_t> second;      ///< the same of the second filter
     Plane<std::uint16_t> age;        ///< frames for which each pixel has been part of the object
     FlowFrame flow_frame;            ///< made by the first neighbour that asks for it
     std::once_flag flow_frame_made;
@@ -60,15 +62,25 @@ class FieldStages {
     Field finish(const Neighbourhood& about) const;
 
   private:
-    Plane<std::uint8_t> filtered(const Shot& shot, const Shot* before, const Flow& flow) const;
+    void take_object(Shot& shot, FoundObject&& found) const;
+    /// A filter with what it is run with.
+    struct Running {
+        const FilterRow* row;
+        std::unique_ptr<Filter> filter;
+        int threshold;
+    };
+
+    static Running running(std::string_view name, const FieldOptions& options, std::optional<int> threshold);
+    Plane<std::uint8_t> filtered(const Running& filter, const Shot& shot, const Shot* before, const Flow& flow) const;
     Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;
     const FlowFrame& prepared(Shot& shot) const;
     Plane<std::uint8_t> moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const;
 
     FieldOptions options_;
-    const FilterRow& row_;
+    Running first_;
+    std::optional<Running> second_;
+    const FilterRow& row_;  ///< of the first
     Plane<std::uint8_t> region_;
-    std::unique_ptr<Filter> filter_;
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
     std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object

@@ -9,6 +9,7 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
+#include "core/fields/values.h"
 #include "core/video/frame.h"
 
 namespace vvr {
@@ -20,6 +21,7 @@ struct FilterInput {
     const Planes* previous;                      ///< the same of the frame before; null at the first
     const Plane<std::uint8_t>& object;           ///< the difference object
     const Plane<std::uint8_t>* previous_object;  ///< of the frame before; null at the first
+    const Plane<std::uint8_t>& darker;           ///< not 0 where the frame is darker than the empty scene
     const Flow& flow;                            ///< empty where none was computed
 };
 
@@ -42,8 +44,10 @@ struct FilterTraits {
     bool in_order = false;      ///< must see every frame once and in order
     bool min_area = true;       ///< whether small blobs are removed
     bool shows_object = false;  ///< what isn't 0 is an object, and seeds may lie on it
-    int threshold = 0;          ///< default of --threshold
-    int gain = 1;               ///< by which values are multiplied after the threshold
+    bool darker = false;        ///< needs to know where the frame is darker than the empty scene
+    Values values = Values::strength;
+    int threshold = 0;  ///< default of --threshold
+    int gain = 1;       ///< by which values are multiplied after the threshold
 };
 
 /// One row of the filter table.
@@ -52,6 +56,8 @@ struct FilterRow {
     std::string_view help;
     FilterTraits traits;
     std::unique_ptr<Filter> (*make)(const FieldOptions& options);
+    std::string_view
+        transfer{};  ///< the transfer function that its values are seen with; empty = as the picture's theme
 };
 
 /// Every filter.
@@ -61,14 +67,11 @@ std::span<const FilterRow> filters();
 /// \throws Error usage when there is none
 const FilterRow& find_filter(std::string_view name);
 
-/// Values of the `bands` filter, the 4-band difference volume of Daniel and Chen (IEEE Visualization 2003): what became
-/// of a pixel from one frame to the next. Nothing else is between them, so a transfer function can colour each.
-enum class Band : std::uint8_t { background = 0, uncovered = 85, still_covered = 170, newly_covered = 255 };
-
 std::unique_ptr<Filter> make_difference(const FieldOptions& options);
 std::unique_ptr<Filter> make_temporal(const FieldOptions& options);
 std::unique_ptr<Filter> make_hull(const FieldOptions& options);
 std::unique_ptr<Filter> make_bands(const FieldOptions& options);
+std::unique_ptr<Filter> make_signed(const FieldOptions& options);
 std::unique_ptr<Filter> make_edges(const FieldOptions& options);
 std::unique_ptr<Filter> make_flow_magnitude(const FieldOptions& options);
 std::unique_ptr<Filter> make_luminance(const FieldOptions& options);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/fields/field_source.h"
@@ -10,13 +11,17 @@
 
 namespace vvr {
 
-/// Fields whose seeds stand in a folder of lists (the external list of §4.2), whatever else they come from.
+/// Fields whose seeds stand in lists (the external list of §4.2), whatever else they come from.
 class ListedSeeds final : public FieldSource {
   public:
-    /// Reads every `.txt` of the folder; a frame without a list has no seeds.
+    /// \param path a folder: every `.txt` in it is the list of one frame, and a frame without one has no seeds. Or a
+    ///        file: a list that all frames share (§6), of which each takes the points where its own flow is fast enough
+    /// \param options of which the least magnitude holds for shared points
+    /// \param on_object shared points are seeds of the frames alone whose scalar isn't 0 there
     /// \throws Error io for a folder or file that can't be read, for what isn't a list of seeds, for two lists of one
     ///         frame, and for a list for fields of another size
-    ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& folder);
+    ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
+                bool on_object);
 
     const VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
@@ -26,11 +31,18 @@ class ListedSeeds final : public FieldSource {
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return fields_->has_pictures(); }
 
+    /// \throws Error usage where a shared list needs flow, and none is computed
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
   private:
+    void check_size(const SeedList& list, const std::string& file) const;
+    std::vector<Seed> shared_seeds(const Field& field) const;
+
     std::unique_ptr<FieldSource> fields_;
     std::map<std::int64_t, SeedList> lists_;
+    std::optional<SeedList> shared_;
+    double min_magnitude_;
+    bool on_object_;
 };
 
 }  // namespace vvr

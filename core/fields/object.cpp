@@ -68,6 +68,14 @@ Plane<std::uint8_t> values_of(const Plane<std::uint8_t>& differences, const Plan
     return result;
 }
 
+Plane<std::uint8_t> darker_in(const Plane<std::uint8_t>& frame, const Plane<std::uint8_t>& empty) {
+    auto result = Plane<std::uint8_t>::for_overwrite(frame.size());
+    std::ranges::transform(
+        frame.pixels(), empty.pixels(), result.pixels().begin(),
+        [](std::uint8_t now, std::uint8_t then) { return static_cast<std::uint8_t>(now < then ? 1 : 0); });
+    return result;
+}
+
 void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane) {
     if (region.empty()) return;
     std::uint8_t* const pixels = plane.pixels().data();
@@ -81,12 +89,14 @@ void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane
 }  // namespace
 
 ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
-                           const Plane<std::uint8_t>& region)
+                           const Plane<std::uint8_t>& region, bool tells_darker)
     : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
+      norm_(find_norm(options.norm, reference)),
       min_area_(options.min_area),
       least_strong_(std::clamp(options.min_area / 5, 1, 4)),
       threshold_value_(value_of(threshold)),
       removes_shadows_(choose(setting::shadows.name, options.shadows, shadow_kinds()).removes),
+      tells_darker_(tells_darker),
       region_(region) {
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
     reference_.noise = reference.noise;
@@ -108,16 +118,16 @@ Light ObjectFinder::light_of(const Planes& frame, const Planes& reference) const
     return illumination_.compensates ? light_between(reference, frame) : Light{};
 }
 
-Plane<std::uint8_t> ObjectFinder::compare(const Planes& frame, const Planes& reference, const Light& light) const {
+FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, const Light& light) const {
     const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
-    const Plane<std::uint8_t> differences = largest_difference(frame, empty);
+    const Plane<std::uint8_t> differences = norm_.difference(frame, empty);
     Plane<std::uint8_t> object = values_of(differences, weak_);
     clear_outside(region_, object);
     remove_faint_blobs(object, strong_, least_strong_, min_area_);
     if (removes_shadows_) object = without_shadows(std::move(object), frame, empty);
     if (holes_.max_area > 0) fill_holes(object, differences, holes_);
-    return object;
+    return {std::move(object), tells_darker_ ? darker_in(frame.grey, empty.grey) : Plane<std::uint8_t>{}};
 }
 
 Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
@@ -132,15 +142,15 @@ Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, co
     return object;
 }
 
-Plane<std::uint8_t> ObjectFinder::find(const Planes& frame) const {
+FoundObject ObjectFinder::find(const Planes& frame) const {
     return compare(frame, reference_, light_of(frame, reference_));
 }
 
-Plane<std::uint8_t> ObjectFinder::find_and_adapt(const Planes& frame) {
+FoundObject ObjectFinder::find_and_adapt(const Planes& frame) {
     const Light light = light_of(frame, running_->now());
-    Plane<std::uint8_t> object = compare(frame, running_->now(), light);
-    running_->adapt(frame, object, light);
-    return object;
+    FoundObject found = compare(frame, running_->now(), light);
+    running_->adapt(frame, found.values, light);
+    return found;
 }
 
 }  // namespace vvr

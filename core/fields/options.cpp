@@ -7,6 +7,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"
+#include "core/fields/norm.h"
 #include "core/fields/reference.h"
 #include "core/fields/region.h"
 #include "core/fields/seeds.h"
@@ -32,6 +33,7 @@ void validate(const FlowOptions& flow) {
 void validate(const SeedOptions& seeds) {
     check(setting::grid, seeds.grid);
     check(setting::min_magnitude, seeds.min_magnitude);
+    choose(setting::seed_area.name, seeds.area, seed_areas());
     choose(setting::seed_order.name, seeds.order, seed_orders());
     parse_seed_selection(seeds.select);
 }
@@ -53,6 +55,8 @@ void validate(const FrameSpan& span) {
 
 void validate(const FieldOptions& options) {
     find_filter(options.filter);
+    if (!options.second.empty()) find_filter(options.second);
+    choose(setting::norm.name, options.norm, norms());
     choose(setting::illumination.name, options.illumination, illuminations());
     choose(setting::shadows.name, options.shadows, shadow_kinds());
     choose(setting::stabilize.name, options.stabilize, stabilizers());

@@ -17,6 +17,7 @@ struct FlowOptions {
     std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
     std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
     std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
+    bool of_each = false;                ///< flow, not seeds, at all frames
     std::string area = "auto";           ///< a name in the table of flow areas
 };
 
@@ -24,13 +25,16 @@ struct FlowOptions {
 struct SeedOptions {
     int grid = 14;                    ///< grid interval in field pixels
     double min_magnitude = 0.3;       ///< pixels per frame
+    std::string area = "object";      ///< a name in the table of seed areas
     std::string order = "magnitude";  ///< a name in the table of seed orders
     std::string select = "all";       ///< "all", "first:N", or "random:N" or "random:N:NUMBER" with a seed number
 };
 
 struct FieldOptions {
     std::string filter = "difference";    ///< a name in the filter table
+    std::string second{};                 ///< another one, with its own default threshold; empty = none
     std::string reference = "median";     ///< a name in the reference table, or a picture file
+    std::string norm = "channel";         ///< a name in the table of norms
     std::optional<int> threshold{};       ///< grey levels; values below it become 0; else the filter's own
     double smooth = 0.7;                  ///< σ in field pixels of the smoothing before a comparison, 0 = none
     int min_area = 20;                    ///< field pixels; blobs of fewer become 0

@@ -99,8 +99,12 @@ Seed parse_point(const Lines& lines, Size size) {
             fmt::format("the point {}, {} lies outside the field of {}x{}", seed.x, seed.y, size.width, size.height));
     }
     const std::string_view flag = lines.words()[4];
-    if (flag != "0" && flag != "1") lines.fail(fmt::format("the flag of a point is 0 or 1, found '{}'", flag));
-    seed.used = flag == "1";
+    const std::optional<SeedFlags> flags = SeedFlags::parse(flag);
+    if (!flags) {
+        lines.fail(fmt::format("the flag of a point is 0 or 1, or a digit per brick, at most {}, found '{}'",
+                               SeedFlags::most, flag));
+    }
+    seed.flags = *flags;
     return seed;
 }
 
@@ -110,7 +114,7 @@ std::string format_seeds(const SeedList& list) {
     std::string text = fmt::format("{}\nframe {}\nsize {} {}\npoints {}\n# x y u v flag\n", first_line, list.frame,
                                    list.size.width, list.size.height, list.seeds.size());
     for (const Seed& s : list.seeds) {
-        fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", s.x, s.y, s.u, s.v, s.used ? 1 : 0);
+        fmt::format_to(std::back_inserter(text), "{} {} {} {} {}\n", s.x, s.y, s.u, s.v, s.flags.text());
     }
     return text;
 }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +29,11 @@ constexpr std::array orders{
                  [](const SeedInput& input, int i, int j) { return static_cast<float>(input.age.at(i, j)); }},
 };
 
+constexpr std::array areas{
+    SeedAreaRow{"object", "on what differs from the empty scene, and moves", true},
+    SeedAreaRow{"field", "anywhere in the frame where the flow is fast enough, as the paper has it", false},
+};
+
 /// A seed with what it is sorted by.
 struct Candidate {
     Seed seed;
@@ -36,10 +42,12 @@ struct Candidate {
 
 std::vector<Candidate> eligible(const SeedInput& input, const SeedOptions& options) {
     const SeedOrderRow& order = choose(setting::seed_order.name, options.order, orders);
+    const bool object_alone = choose(setting::seed_area.name, options.area, areas).object_alone;
     std::vector<Candidate> result;
     for (int j = options.grid / 2; j < input.object.height(); j += options.grid) {
         for (int i = options.grid / 2; i < input.object.width(); i += options.grid) {
-            if (input.object.at(i, j) == 0 || magnitude(input, i, j) < options.min_magnitude) continue;
+            if (object_alone && input.object.at(i, j) == 0) continue;
+            if (!(magnitude(input, i, j) >= options.min_magnitude)) continue;
             const Seed seed{static_cast<float>(i), static_cast<float>(j), input.flow.u.at(i, j), input.flow.v.at(i, j)};
             result.push_back({seed, order.weight(input, i, j)});
         }
@@ -85,6 +93,20 @@ bool parse_whole(std::string_view text, Number& number) {
 
 std::span<const SeedOrderRow> seed_orders() {
     return orders;
+}
+
+std::span<const SeedAreaRow> seed_areas() {
+    return areas;
+}
+
+Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object) {
+    auto age = Plane<std::uint16_t>::for_overwrite(object.size());
+    for (std::size_t i = 0; i < age.pixels().size(); ++i) {
+        const int then = before.empty() ? 0 : before.pixels()[i];
+        const int most = std::numeric_limits<std::uint16_t>::max();
+        age.pixels()[i] = static_cast<std::uint16_t>(object.pixels()[i] == 0 ? 0 : std::min(then + 1, most));
+    }
+    return age;
 }
 
 SeedSelection parse_seed_selection(const std::string& text) {

@@ -10,6 +10,7 @@ inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
 inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{
     "threshold", "GREY", "differences below this, in grey levels, count as none", {0, 255}, "the filter's"};
+inline constexpr Setting norm{"norm", "NAME", "by what frames are said to differ"};
 inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
 inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};
@@ -42,13 +43,21 @@ inline constexpr Setting pre_smooth{
 inline constexpr Setting grid{"grid", "PIXELS", "distance between neighbouring seeds", {1, 10'000}};
 inline constexpr Setting min_magnitude{
     "min-magnitude", "PIXELS", "no seeds where flow is slower than this, in pixels per frame", {0, 10'000}};
+inline constexpr Setting seed_area{"seed-area", "NAME", "where seeds may lie"};
 inline constexpr Setting seed_order{"seed-order", "NAME", "which seeds come first"};
 inline constexpr Setting seed_select{"seed-select", "HOW",
                                      "which seeds of a frame are kept: all, first:N or random:N[:NUMBER]"};
 inline constexpr Setting seeds{.name = "seeds",
-                               .unit = "DIR",
-                               .help = "read seeds from lists that `vvr extract` wrote, instead of computing them",
+                               .unit = "PATH",
+                               .help =
+                                   "read seeds instead of computing them: a folder with a list for each frame, as "
+                                   "`vvr extract` writes it, or one list that all frames share",
                                .may_be_file = true};
+inline constexpr Setting seed_flags{
+    .name = "seed-flags",
+    .unit = "DIGITS",
+    .help = "bricks whose seeds are drawn: a digit 0 or 1 per brick, in turn; 100 = each third brick",
+    .otherwise = "the seeds' own"};
 
 inline constexpr Setting threads{"threads", "COUNT", "threads; 0 = one per core", {0, 1024}};
 

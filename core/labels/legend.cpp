@@ -1,6 +1,8 @@
 #include "core/labels/legend.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace vvr {
 
@@ -18,13 +20,31 @@ int width_of(const std::string& text, int size) {
 
 // In sizes of the text.
 constexpr int bar_width = 5;
+constexpr int wheel_width = 2;
 constexpr int space_between = 2;
+
+/// Of its colours, and the gap behind them.
+int before_text(const LegendEntry& entry, int text) {
+    if (entry.colours.empty()) return 0;
+    return (entry.wheel ? wheel_width : bar_width) * text + text / 2;
+}
+
+/// A wheel of spokes that touch each other at the rim.
+void draw_wheel(const std::vector<Rgba>& colours, const glm::dvec2& middle, double radius, Lettering& lettering) {
+    const double turn = 2 * std::numbers::pi / static_cast<double>(colours.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const double angle = turn * static_cast<double>(i);
+        const glm::dvec2 out(std::cos(angle), -std::sin(angle));
+        lettering.strokes.push_back(
+            {middle + 0.4 * radius * out, middle + radius * out, 1.4 * turn * radius, colours[i]});
+    }
+}
 
 /// Of all entries, each with the space after it.
 int width_of(const std::vector<LegendEntry>& entries, std::string LegendEntry::*words, int text) {
     int sum = 0;
     for (const LegendEntry& entry : entries) {
-        sum += bar_width * text + text / 2 + width_of(entry.*words, text) + space_between * text;
+        sum += before_text(entry, text) + width_of(entry.*words, text) + space_between * text;
     }
     return sum;
 }
@@ -39,7 +59,6 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
                    Lettering& lettering) {
     const int text = sheet.small;
     if (sheet.text == 0 || sheet.legend.width() <= 0) return;
-    const int bar = bar_width * text;
     const int gap = text / 2;
     const int between = space_between * text;
     // Beside the title: what that has left over.
@@ -52,9 +71,15 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     int x = sheet.legend == sheet.title ? std::max(room.left, room.right - width(words)) : room.left;
     const int base = base_line(sheet.legend, text);
     for (const LegendEntry& entry : entries) {
-        const Label label = make_label(entry.*words, text, x + bar + gap, base, colour);
+        const int before = before_text(entry, text);
+        const Label label = make_label(entry.*words, text, x + before, base, colour);
         if (!room.holds(label.box) || !lettering.add(label, sheet.legend, gap / 2)) return;
-        lettering.bars.push_back({{x, base - text * 3 / 4, x + bar, base}, entry.colours});
+        if (entry.wheel) {
+            const double radius = wheel_width * text / 2.0;
+            draw_wheel(entry.colours, {x + radius, base - text * 3 / 8.0}, radius, lettering);
+        } else if (!entry.colours.empty()) {
+            lettering.bars.push_back({{x, base - text * 3 / 4, x + before - gap, base}, entry.colours});
+        }
         x = label.box.right + between;
     }
 }

@@ -10,9 +10,10 @@ namespace vvr {
 
 /// What a scale of colours means.
 struct LegendEntry {
-    std::vector<Rgba> colours;  ///< from left to right
+    std::vector<Rgba> colours;  ///< from left to right; none = only the text
     std::string text;           ///< beside it
     std::string brief;          ///< where there isn't room for that
+    bool wheel = false;         ///< the colours are those of directions: to the right, then against the clock
 };
 
 /// Writes the entries into the sheet's legend, all with their whole text or all brief; the last are left out where

@@ -34,7 +34,9 @@ FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour) {
         const auto into = shadow.darkness.row(row);
         volume.layer(row).scalar.each_run([&](int column, int, std::span<const std::uint8_t> values) {
             const auto under = into.subspan(static_cast<std::size_t>(column), values.size());
-            std::ranges::transform(under, values, under.begin(), std::ranges::max);
+            std::ranges::transform(under, values, under.begin(), [&](std::uint8_t dark, std::uint8_t value) {
+                return std::max(dark, value != 0 && !interpolates(volume.values()) ? std::uint8_t{255} : value);
+            });
         });
         std::ranges::transform(into, into.begin(), [](std::uint8_t value) {
             return static_cast<std::uint8_t>(std::min<int>(value, strong) * 255 / strong);

@@ -54,10 +54,11 @@ GlyphMesh arrow_mesh(int sides) {
     return mesh;
 }
 
-std::vector<Glyph> arrows(const Volume& volume, const Layout& layout, const GlyphOptions& options) {
+std::vector<Glyph> arrows(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
+                          const GlyphOptions& options) {
     std::vector<Glyph> glyphs;
-    glyphs.reserve(volume.seeds().size());
-    for (const FrameSeed& at : volume.seeds()) {
+    glyphs.reserve(seeds.size());
+    for (const FrameSeed& at : seeds) {
         const glm::dvec3 c = volume.c_of({at.seed.x, at.seed.y, static_cast<double>(at.frame)});
         const glm::dvec3 v_c = volume.c_vector({at.seed.u, at.seed.v, options.time_velocity});
         glm::dvec3 v_p = layout.basis(c).transform(v_c) * options.frames;

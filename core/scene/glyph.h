@@ -41,6 +41,8 @@ struct GlyphOptions {
 GlyphMesh arrow_mesh(int sides = 10);
 
 /// An arrow for each seed, oriented by the transformed vector (e_x, e_y, e_t) at the seed.
-std::vector<Glyph> arrows(const Volume& volume, const Layout& layout, const GlyphOptions& options);
+/// \param seeds of the volume, those of which geometry is made
+std::vector<Glyph> arrows(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
+                          const GlyphOptions& options);
 
 }  // namespace vvr

@@ -51,8 +51,8 @@ std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, con
     for (int i = 0; i < options.steps; ++i) {
         const glm::dvec3 from = points.back();
         const glm::dvec2 flow = volume.flow().at(from);
-        if (!(glm::length(flow) > options.rest)) break;
         const glm::dvec3 step = glm::dvec3(flow, options.time_velocity) * options.dt;
+        if (glm::length(flow) < options.rest || !(glm::length(step) > 0)) break;
         const double share = inside_share(from, from + step, low, high);
         points.push_back(glm::clamp(from + share * step, low, high));
         if (share < 1) break;
@@ -60,10 +60,11 @@ std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, con
     return points;
 }
 
-Tracelines tracelines(const Volume& volume, const Layout& layout, const TraceOptions& options) {
+Tracelines tracelines(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
+                      const TraceOptions& options) {
     Tracelines lines;
     std::vector<TraceVertex> points;
-    for (const FrameSeed& at : volume.seeds()) {
+    for (const FrameSeed& at : seeds) {
         points.clear();
         const glm::dvec3 start = {at.seed.x, at.seed.y, static_cast<double>(at.frame)};
         for (const glm::dvec3& point : trace(volume, start, options)) {

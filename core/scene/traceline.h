@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -25,8 +26,9 @@ struct TraceOptions {
     double dt = 1;             ///< Δt of Eq. (2), frames
     int steps = 60;            ///< Euler steps at most
     double time_velocity = 0;  ///< v_t, frames moved along time per frame: 0 keeps a trace within its frame (§5.2)
-    double rest = 0.1;         ///< pixels per frame; slower flow ends the trace: its particle has left what moves
-    double spacing = 0.004;    ///< P-space units; nearer points are not stored
+    double rest = 0.1;  ///< pixels per frame; slower flow ends the trace: its particle has left what moves. 0: only
+                        ///< a particle that stands still in time, too, ends there
+    double spacing = 0.004;  ///< P-space units; nearer points are not stored
 };
 
 /// The way of a particle from `start` by Euler's method, Eq. (2): p_{i+1} = p_i + Δt v(p_i), v = (u, v, v_t). It ends
@@ -36,6 +38,8 @@ struct TraceOptions {
 std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, const TraceOptions& options);
 
 /// A traceline from each seed, mapped to P-space. Lines without length are left out.
-Tracelines tracelines(const Volume& volume, const Layout& layout, const TraceOptions& options);
+/// \param seeds of the volume, those of which geometry is made
+Tracelines tracelines(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
+                      const TraceOptions& options);
 
 }  // namespace vvr

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
+#include "core/fields/settings.h"
 #include "core/read_file.h"
 #include "core/store/grey_file.h"
 
@@ -111,14 +112,14 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
     field.index = frame.index;
     field.pts = frame.pts;
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
-    if (frame.index % needs.every != 0) return field;
+    const bool asked = frame.index % needs.every == 0;
     const auto fail = [](const fs::path& file, const std::string& what) {
         throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
     };
-    if (needs.seeds || needs.flow) {
+    if (needs.flow_of_each || (asked && (needs.seeds || needs.flow))) {
         if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
     }
-    if (needs.seeds) {
+    if (asked && needs.seeds) {
         const fs::path file = part.folder / stored::seed_file(frame.index);
         SeedList list = read_seeds(file.string());
         if (list.frame != frame.index)
@@ -132,7 +133,7 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
         }
         field.seeds = std::move(list.seeds);
     }
-    if (needs.flow) {
+    if (needs.flow_of_each || (asked && needs.flow)) {
         const fs::path file = part.folder / stored::flow_file(frame.index);
         field.flow = read_flo(file.string());
         if (field.flow.u.size() != field_size()) {
@@ -144,6 +145,13 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
 }
 
 FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) {
+    if (needs.flow_of_each && parts_.front().manifest.flow_every != 1) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
+                                "it again, or render the clip itself",
+                                info_.name),
+                    {setting::flow_every.name});
+    }
     if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "

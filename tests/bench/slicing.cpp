@@ -225,7 +225,7 @@ class Ways {
         gl_->Finish();
     }
 
-    void slicer() { slicer_.draw(bricks_.drawing.window(), bricks_.camera, bricks_.stack); }
+    void slicer() { slicer_.draw(bricks_.drawing.window(), bricks_.camera, bricks_.stack, {}); }
 
     /// The slicer's own program on polygons that are ready: its state of depth test and blending is still set.
     void shader() {

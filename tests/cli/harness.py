@@ -115,6 +115,14 @@ class Bench:
         probe = self.run(["ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0", name])
         return tuple(int(number) for number in re.findall(r"\d+", probe.out))
 
+    def rgb(self, name):
+        """The rows of a picture, each of its pixels' red, green and blue, 0 to 255."""
+        width, _ = self.picture_size(name)
+        raw = subprocess.run(["ffmpeg", "-v", "error", "-i", name, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                             cwd=self.folder, stdout=subprocess.PIPE, check=True).stdout
+        rows = (raw[at:at + 3 * width] for at in range(0, len(raw), 3 * width))
+        return [[tuple(row[i:i + 3]) for i in range(0, len(row), 3)] for row in rows]
+
     def expect_picture(self, name="out.png", size=(160, 100)):
         check(os.path.exists(self.path(name)), f"there is no {name}")
         check(self.picture_size(name) == size, f"{name} is {self.picture_size(name)}, not {size}")

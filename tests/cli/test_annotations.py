@@ -1,5 +1,6 @@
 """What is written on a picture: read back from the report, and options that are refused."""
 
+import collections
 import json
 
 from harness import check
@@ -86,7 +87,30 @@ def test_keyframes_need_the_clips_length(t):
     # A stream that was written without a way back does not tell its length.
     t.ffmpeg("-i", "walkers.y4m", "-c:v", "ffv1", "-live", "1", "-f", "matroska", "unfinished.mkv")
     t.render("unfinished.mkv", "--keyframes", "3", "--show", "frames").expect(0, "only 0 of 3 key frames are shown")
-    t.render("walkers.y4m", "--keyframes", "2", output="out.{brick:4}.png").expect(1, "--keyframes is for one picture")
+
+
+def test_keyframes_of_a_series_stand_in_each_brick(t):
+    # A grey scene that gets lighter: each frame has a level of its own.
+    t.ffmpeg("-f", "lavfi", "-i", "color=black:size=64x48:rate=10:duration=4", "-vf", "geq=lum='80+4*N':cb=128:cr=128",
+             "-c:v", "ffv1", "levels.mkv")
+    look = ("--backend", "software", "--layout", "box", "--camera", "-60,20", "--size", "640x300", "--show", "frames",
+            "--brick", "10", "--window", "2", "--filter", "edges")
+
+    def levels(name):
+        pixels = [pixel[0] for row in t.rgb(name) for pixel in row if pixel != (255, 255, 255)]
+        return {level for level, count in collections.Counter(pixels).items() if count > 1500}
+    t.render("levels.mkv", *look, output="ends.{brick}.png").expect(0, "4 pictures")
+    for count in (1, 2):
+        t.render("levels.mkv", *look, "--keyframes", str(count), output=f"k{count}.{{brick}}.png").expect(0, "4 pictures")
+        check("key frame" not in t.render("levels.mkv", *look, "--keyframes", str(count), output="w.{brick}.png").err,
+              "a warning about key frames")
+        for brick in (1, 2, 3):
+            more = len(levels(f"k{count}.{brick}.png")) - len(levels(f"ends.{brick}.png"))
+            check(more >= 2 * count - 1, f"window {brick} with {count} key frames per brick has {more} more levels")
+    moved = levels("k1.3.png")
+    t.vvr("extract", "levels.mkv", "-o", "end", "--start", "20", "--with-color", "--filter", "edges").expect(0)
+    t.render("end", *look, "--keyframes", "1", output="f.{brick}.png").expect(0)
+    check(levels("f.1.png") == moved, "a window that moved shows other key frames than a fresh one")
 
 
 def test_annotations_that_are_refused(t):

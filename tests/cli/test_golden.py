@@ -30,6 +30,14 @@ PICTURES = {
     "transparent": ("--show", "volume,outline", "--background", "none"),
     "keyframes": ("--show", "volume,frames,outline", "--keyframes", "2"),
     "relief": ("--show", "volume,outline", "--transfer", "solid", "--shading", "relief"),
+    "bands": ("--size", "480x300", "--show", "volume,outline,legend", "--filter", "bands"),
+    "hull": ("--show", "volume,outline", "--filter", "hull", "--transfer", "solid", "--shading", "relief", "--layout", "box"),
+    "signed": ("--size", "480x300", "--show", "volume,outline,legend", "--filter", "signed"),
+    "direction": ("--size", "480x300", "--show", "volume,outline,legend", "--color", "direction"),
+    "speed": ("--size", "480x300", "--show", "volume,outline,legend", "--color", "speed"),
+    "time": ("--size", "480x300", "--show", "volume,outline,legend", "--color", "time"),
+    "second": ("--size", "480x300", "--show", "volume,outline,legend", "--filter", "hull", "--color", "temporal"),
+    "paper": ("--preset", "paper", "--glyph-scale", "2"),
     "video": ("--show", "volume,outline", "--color", "video"),
 }
 

@@ -17,6 +17,19 @@ def test_a_long_clip_takes_the_memory_of_a_short_one(t):
     check(many < 1.05 * few, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")
 
 
+def test_the_number_of_layers(t):
+    moving_clip(t, frames=900, step=0.08)
+    t.render("clip.mkv", output="default.png").expect(0, "900 frames in 450 layers", "2 frames share a layer")
+    told = t.render("clip.mkv", "--layers", "900", output="all.png").expect(0, "900 frames in 900 layers")
+    check("share" not in told.err, str(told))
+    t.render("clip.mkv", "--layers", "100", output="few.png").expect(0, "900 frames in 100 layers", "9 frames share a layer")
+    t.render("clip.mkv", "--layers", "1").expect(1, "--layers: '1' is not a whole number from 2 to 100000")
+    # Planned against memory before a frame is read.
+    t.render("clip.mkv", "--layers", "900", "--field-size", "9000x9000", output="no.png").expect(
+        5, "this would take about ", "smaller fields or fewer layers", "--layers")
+    check(not t.path("no.png").exists(), "a picture was written")
+
+
 @pytest.mark.slow
 def test_a_clip_of_more_than_100_000_frames(t):
     """Of which the renderer is made at the end, not while they are read."""

@@ -36,9 +36,12 @@ def test_a_window_that_moved_is_a_window_rendered_afresh(t):
         start = ("--start", f"{begin / 10}s") if moved else ()
         t.vvr("extract", "clip.mkv", "-o", f"part{moved}", *start, "--end", str(end), "--flow-every", "1").expect(
             0, "160 frames")
-        t.render(f"part{moved}", "--brick", "40", *ALL, output=f"fresh.{moved}.png").expect(0, "160 layers and 4 bricks")
-        check(pixels(t, f"fresh.{moved}.png") == pixels(t, f"moved.{moved + 3}.png"), f"moved by {moved} bricks")
-    check(pixels(t, "fresh.0.png") != pixels(t, "fresh.1.png"), "moving makes no difference")
+        # Stripes run on by an eighth from picture to picture.
+        t.render(f"part{moved}", "--brick", "40", *ALL, "--animate", "8", output=f"fresh{moved}.{{frame}}.png").expect(0, "160 layers and 4 bricks")
+        fresh = pixels(t, f"fresh{moved}.{(moved + 3) % 8}.png")
+        check(fresh == pixels(t, f"moved.{moved + 3}.png"), f"moved by {moved} bricks")
+    check(pixels(t, "moved.3.png") != pixels(t, "moved.4.png"), "moving makes no difference")
+    check(len({pixels(t, f"fresh0.{i}.png") for i in range(8)}) == 8, "the stripes stand still")
 
 
 def test_a_window_whose_last_brick_is_shorter(t):
@@ -56,8 +59,38 @@ def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
     t.render("clip.mkv", "--brick", "9", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
     t.vvr("extract", "clip.mkv", "-o", "part", "--start", "1.8s", "--end", "45", "--flow-every", "1").expect(0, "27 frames")
-    t.render("part", "--brick", "9", "--step", "3", *ALL, output="fresh.png").expect(0, "9 layers and 3 bricks")
-    check(pixels(t, "fresh.png") == pixels(t, "moved.4.png"), "three frames a layer")
+    t.render("part", "--brick", "9", "--step", "3", *ALL, "--animate", "8", output="fresh.{frame}.png").expect(0, "9 layers and 3 bricks")
+    check(pixels(t, "fresh.4.png") == pixels(t, "moved.4.png"), "three frames a layer")
+
+
+def pictures_in(t, name):
+    probe = t.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0", name])
+    return int(probe.out.strip().rstrip(","))
+
+
+def test_a_film_of_the_window(t):
+    moving_clip(t)
+    look = ("--brick", "10", "--window", "2", "--show", "tracelines,outline", "--backend", "software", "--grid", "8",
+            "--size", "480x300")
+    t.render("clip.mkv", *look, "--slide", "3", output="window.mp4").expect(0, "'window.mp4': 12 pictures of 40 frames")
+    check(pictures_in(t, "window.mp4") == 12, f"{pictures_in(t, 'window.mp4')} pictures")
+    t.ffmpeg("-i", "window.mp4", "f%02d.png")
+
+    def changed(a, b):
+        pairs = zip(t.rgb(f"f{a:02}.png"), t.rgb(f"f{b:02}.png"))
+        return sum(max(abs(x - y) for x, y in zip(one, other)) > 30 for rows in pairs for one, other in zip(*rows))
+    check(changed(7, 9) > 50, f"in a brick the stripes don't run: {changed(7, 9)} pixels change")
+    check(changed(9, 10) > 2 * changed(7, 9), f"the window does not move: {changed(9, 10)} pixels change")
+    t.render("clip.mkv", *look, "--slide", "1", output="window.gif").expect(0, "'window.gif': 4 pictures")
+    for arguments, output, *texts in [
+        (("--slide", "3"), "a.png", "--slide makes a film, but 'a.png' is none; name one: "),
+        (("--slide", "3"), "a.{brick}.png", "--slide makes a film"),
+        (("--slide", "3", "--animate", "3"), "a.mp4", "--slide moves the window and --animate the stripes"),
+        (("--slide", "3", "--golden", "g.png"), "a.mp4", "--golden compares one picture, and --slide makes a film"),
+        (("--slide", "0"), "a.mp4", "--slide: '0' is not a whole number from 1 to 1000"),
+        (("--slide", "3", "--skip-idle", "2"), "a.mp4", "--skip-idle is for one picture of a clip"),
+    ]:
+        t.render("clip.mkv", *look, *arguments, output=output).expect(1, *texts)
 
 
 def test_a_series_in_the_colours_of_the_video(t):

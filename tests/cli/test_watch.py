@@ -268,7 +268,7 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "out.png", "--end", "3s"), 1, "--end: --duration ends a stream"),
         (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "--reference median: it takes the whole clip"),
         (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "a stream is not recorded"),
-        (("clip.avi", "-o", "out.png", "--keyframes", "3"), 1, "--keyframes is for one picture"),
+        (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "--seeds: a list for each frame is for a clip whose frames are known; give one"),
         (("clip.avi", "-o", "out.png", "--duration", "30x"), 1, "--duration: '30x' is not a length of time like 90s"),
         (("clip.avi", "-o", "out.png", "--lag", "0"), 1, "--lag"),
         (("missing.ts", "-o", "out.png"), 2, "cannot read 'missing.ts': No such file", "give a URL such as rtsp://camera/stream"),

@@ -50,7 +50,7 @@ TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     shot.layout = layout_name;
     shot.options.glyphs.thickness = 1;  // as blunt as it gets
     const auto layout = make_layout(layout_name, shape_for(field_size));
-    shot.scene.arrows = arrows(volume, *layout, {.frames = 16, .cap = 1});
+    shot.scene.arrows = arrows(volume, volume.seeds(), *layout, {.frames = 16, .cap = 1});
     const Drawn drawn = draw_volume(volume, shot);
 
     // Where the particle is after so many frames, by the map alone: the frame's plane is not bent.

@@ -213,7 +213,8 @@ TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
     Scene scene;
     scene.frames.push_back({0.5, Plane<Bgr>({32, 24}, {40, 50, 60}), 0.5F, 17});
     options_.view = {-90, 0, 0, 0.04};  // along time
-    EXPECT_EQ(draw(volume, thick, scene).frame.at(50, 38), 17) << "it is drawn over the volume";
+    EXPECT_EQ(draw(volume, thick, scene).frame.at(50, 38), 0) << "the half of the volume before it hides it";
+    EXPECT_EQ(draw(volume, thin, scene).frame.at(50, 38), 17) << "no slice of it counts as much";
     EXPECT_EQ(draw(volume, nothing, scene).frame.at(50, 38), 17);
     EXPECT_EQ(draw(volume, nothing, scene).frame.at(2, 38), -1) << "beside it";
 }

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "gl/drawing_order.h"
 #include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"
@@ -229,7 +230,7 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     }
     Shot shot = small_shot();
     shot.layout = "box";
-    shot.options.colour = VolumeColour::video;
+    shot.options.colour = VolumeColour::own;
     shot.transfer = TransferFunction({{0, {1, 0, 1}, 400}});
     shot.options.view = {-90, 0, 0, 0.04};  // from the volume's beginning
     const Drawn drawn = draw_volume(volume, shot);
@@ -308,6 +309,52 @@ TEST_P(OpaqueGeometry, HidesAndIsHidden) {
     EXPECT_NEAR(behind.z, 1 - std::exp(-4 * 0.55), 0.02);
     EXPECT_GT(inside.x, behind.x);
     EXPECT_GT(behind.x, 0.03) << "it shines through a little";
+}
+
+/// A slab of volume that fills the first or the last half of a box, and a frame that stands in its middle.
+TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
+    constexpr Size size{32, 24};
+    constexpr int layers = 40;
+    for (const std::string layout : {"box", "horseshoe"}) {
+        for (const bool slab_is_first : {true, false}) {
+            Volume volume(size, layers);
+            for (int i = 0; i < layers; ++i) {
+                // Interpolation reaches half a layer beyond a slab: a layer is free on each side of the frame.
+                const bool beside = i == layers / 2 - 1 || i == layers / 2;
+                const bool lit = !beside && (i < layers / 2) == slab_is_first;
+                volume.add({i, i / 25.0, Plane<std::uint8_t>(size, static_cast<std::uint8_t>(lit ? 255 : 0)), {}, {}});
+            }
+            for (const bool from_beginning : {true, false}) {
+                Shot shot = small_shot();
+                shot.layout = layout;
+                shot.bricks = 4;
+                shot.transfer = TransferFunction({{0, {0, 0, 1}, 0}, {255, {0, 0, 1}, 40}});
+                shot.scene.frames = {{0.5, Plane<Bgr>(size, Bgr{0, 255, 0}), 1, 20}};
+                // Along time in the box; the horseshoe is seen from beside its turn.
+                const bool box = layout == "box";
+                shot.options.view = {(box ? 90.0 : 60.0) * (from_beginning ? -1 : 1), box ? 0.0 : 8.0, 0, 0.04};
+                const Drawn drawn = draw_volume(volume, shot);
+                const auto map = make_layout(layout, shape_for(size));
+                const glm::dvec2 at = drawn.camera.pixel(map->p_from_c({0.5, 0.5, 0.5}), small);
+                const glm::vec4 pixel = drawn.picture.at(static_cast<int>(at.x), static_cast<int>(at.y));
+                const bool hidden = slab_is_first == from_beginning;
+                EXPECT_NEAR(pixel.y, hidden ? 0 : 1, 0.02) << layout << slab_is_first << from_beginning;
+                EXPECT_NEAR(pixel.z, hidden ? 1 : 0, 0.02) << layout << slab_is_first << from_beginning;
+            }
+        }
+    }
+}
+
+TEST(StandingFrames, LieBetweenTheirNeighboursInTheOrder) {
+    const auto box = make_box(shape_for({32, 24}));
+    const std::vector<PlacedCells> bricks = {{nullptr, 0, 0.5}, {nullptr, 0.5, 1}};
+    const std::vector<double> standing = {1, 0, 0.5};
+    const std::vector<DrawnPart> forward = {{true, 1}, {false, 0}, {true, 2}, {false, 1}, {true, 0}};
+    EXPECT_EQ(drawing_order(*box, {100, 0, 0}, bricks, standing), forward) << "from beyond the end";
+    EXPECT_EQ(drawing_order(*box, {-100, 0, 0}, bricks, standing), std::vector(forward.rbegin(), forward.rend()));
+    const std::vector<DrawnPart> alone = {{true, 1}, {true, 2}, {true, 0}};
+    EXPECT_EQ(drawing_order(*box, {100, 0, 0}, {}, standing), alone);
+    EXPECT_TRUE(drawing_order(*box, {100, 0, 0}, {}, {}).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Slabs, OpaqueGeometry,

@@ -9,8 +9,9 @@
 namespace vvr::scene {
 namespace {
 
-// The story's own frames and pixels: 1600 frames of 384x288. Other options scale both.
-constexpr double story_frames = 1600;
+// The stories' own frames and pixels: 1600 or 800 frames of 384x288. Other options scale both.
+constexpr double bag_frames = 1600;
+constexpr double box_frames = 800;
 constexpr double story_height = 288;
 constexpr double speed = 1.3;  // pixels per frame
 constexpr double place = 205;  // where the person stops
@@ -20,11 +21,19 @@ constexpr double stops = enters + (place + outside) / speed;
 constexpr double puts_down = stops + 15;
 constexpr double goes = stops + 30;
 constexpr double comes_back = 1130;
+// Whoever leaves the box for good walks around it first: so far to the right, then to the left of it.
+constexpr double beyond = 60;
+constexpr double before = 80;
+constexpr double turns_back = goes + beyond / speed;
+constexpr double turns_away = turns_back + (beyond + before) / speed;
+
+enum class Ending { taken_up, left };
 
 class LeftBagStory final : public Story {
   public:
-    explicit LeftBagStory(const Options& options)
-        : time_scale_(story_frames / options.frames),
+    LeftBagStory(const Options& options, Ending ending)
+        : ending_(ending),
+          time_scale_((ending == Ending::left ? box_frames : bag_frames) / options.frames),
           scale_(options.size.height / story_height),
           width_(options.size.width / scale_),
           hall_(paint_hall(options.size, options.seed, options.detail)),
@@ -93,7 +102,7 @@ class LeftBagStory final : public Story {
     double arrives() const { return comes_back + (width_ + outside - place) / speed; }
     double takes_up() const { return arrives() + 15; }
 
-    bool stands(double now) const { return now >= puts_down && now < takes_up(); }
+    bool stands(double now) const { return now >= puts_down && (ending_ == Ending::left || now < takes_up()); }
     bool is_carried(double now) const { return !stands(now) && figure_at(now).has_value(); }
     bool is_there(double now) const { return stands(now) || is_carried(now); }
 
@@ -102,12 +111,20 @@ class LeftBagStory final : public Story {
         const double turns = arrives() + 30;
         if (now >= enters && now < stops) return walking(-outside + (now - enters) * speed, 1);
         if (now >= stops && now < goes) return standing(1, (now - stops) / (goes - stops));
+        if (now >= goes && ending_ == Ending::left) return around(now);
         if (now >= goes && now < goes + (width_ + outside - place) / speed)
             return walking(place + (now - goes) * speed, 1);
         if (now >= comes_back && now < arrives()) return walking(width_ + outside - (now - comes_back) * speed, -1);
         if (now >= arrives() && now < turns) return standing(-1, (now - arrives()) / (turns - arrives()));
         if (now >= turns && now < turns + (place + outside) / speed) return walking(place - (now - turns) * speed, -1);
         return std::nullopt;
+    }
+
+    std::optional<Figure> around(double now) const {
+        if (now < turns_back) return walking(place + (now - goes) * speed, 1);
+        if (now < turns_away) return walking(place + beyond - (now - turns_back) * speed, -1);
+        const double x = place - before + (now - turns_away) * speed;
+        return x < width_ + outside ? std::optional(walking(x, 1)) : std::nullopt;
     }
 
     Figure walking(double x, double facing) const {
@@ -140,6 +157,7 @@ class LeftBagStory final : public Story {
         paint_bag(canvas, handle, height());
     }
 
+    Ending ending_;
     double time_scale_;
     double scale_;
     double width_;
@@ -147,7 +165,7 @@ class LeftBagStory final : public Story {
     std::uint64_t seed_;
 };
 
-Options with_frames(Options options) {
+Options with_frames(Options options, double story_frames) {
     if (options.frames <= 0) options.frames = static_cast<int>(story_frames);
     return options;
 }
@@ -155,12 +173,17 @@ Options with_frames(Options options) {
 }  // namespace
 
 Scene make_left_bag(const Options& options) {
-    const auto all = with_frames(options);
-    return {all, std::make_shared<LeftBagStory>(all)};
+    const auto all = with_frames(options, bag_frames);
+    return {all, std::make_shared<LeftBagStory>(all, Ending::taken_up)};
+}
+
+Scene make_left_box(const Options& options) {
+    const auto all = with_frames(options, box_frames);
+    return {all, std::make_shared<LeftBagStory>(all, Ending::left)};
 }
 
 LeftBag left_bag_facts(const Options& options) {
-    return LeftBagStory(with_frames(options)).facts();
+    return LeftBagStory(with_frames(options, bag_frames), Ending::taken_up).facts();
 }
 
 }  // namespace vvr::scene

@@ -21,7 +21,7 @@ constexpr const char* usage =
     "usage: vvr-scene NAME OUT.y4m|-|OUT_%05d.png [--size WxH] [--frames N] [--rate R] [--seed N]\n"
     "                 [--detail SIGMA] [--noise SIGMA] [--drift LEVELS] [--jump LEVELS --jump-at FRAME]\n"
     "                 [--velocity U,V] [--omega RADIANS]\n"
-    "NAME: left_bag, fall_on_floor, walkers, two_walkers_cross, spinning_sphere, shifted_texture, still,\n"
+    "NAME: left_bag, left_box, fall_on_floor, walkers, two_walkers_cross, spinning_sphere, shifted_texture, still,\n"
     "      one_object_a_second\n";
 
 void write_picture(const std::string& name, const Plane<Bgr>& picture) {

@@ -15,6 +15,7 @@ struct Entry {
     Scene (*make)(const Options&);
 };
 constexpr std::array table{Entry{"left_bag", make_left_bag},
+                           Entry{"left_box", make_left_box},
                            Entry{"fall_on_floor", make_fall_on_floor},
                            Entry{"walkers", make_walkers},
                            Entry{"two_walkers_cross", make_two_walkers_cross},

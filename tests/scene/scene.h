@@ -76,6 +76,10 @@ class Scene {
 /// Objects "person" and "bag". 1600 frames.
 Scene make_left_bag(const Options& options = {});
 
+/// As in the paper's LeftBox: a person walks in with a box, puts it down, walks around it, and leaves; the box stays.
+/// Objects "person" and "bag". 800 frames.
+Scene make_left_box(const Options& options = {});
+
 /// When and where `make_left_bag` puts the bag down and takes it up again.
 struct LeftBag {
     int put_down = 0;  ///< the first frame on which the bag stands by itself

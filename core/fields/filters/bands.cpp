@@ -12,14 +12,10 @@ class Bands final : public Filter {
         const Plane<std::uint8_t> nothing(input.previous_object == nullptr ? input.object.size() : Size{});
         const Plane<std::uint8_t>& before = input.previous_object == nullptr ? nothing : *input.previous_object;
         std::ranges::transform(input.object.pixels(), before.pixels(), result.pixels().begin(),
-                               [](std::uint8_t now, std::uint8_t then) { return band(now != 0, then != 0); });
+                               [](std::uint8_t now, std::uint8_t then) {
+                                   return static_cast<std::uint8_t>(band_of(then != 0, now != 0));
+                               });
         return result;
-    }
-
-    static std::uint8_t band(bool now, bool then) {
-        const Band covered = then ? Band::still_covered : Band::newly_covered;
-        const Band bare = then ? Band::uncovered : Band::background;
-        return static_cast<std::uint8_t>(now ? covered : bare);
     }
 };
 

@@ -1,8 +1,10 @@
 #include <optional>
+#include <string>
 
 #include "core/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
+#include "core/fields/norm.h"
 #include "core/fields/settings.h"
 
 namespace vvr {
@@ -11,17 +13,19 @@ namespace {
 class Temporal final : public Filter {
   public:
     explicit Temporal(const FieldOptions& options)
-        : illumination_(choose(setting::illumination.name, options.illumination, illuminations())) {}
+        : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
+          norm_(options.norm) {}
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
         const Light light = illumination_.compensates ? light_between(*input.previous, input.smooth) : Light{};
         const std::optional<Planes> lit = illumination_.relit(*input.previous, input.smooth, light);
-        return largest_difference(input.smooth, lit ? *lit : *input.previous);
+        return find_norm(norm_, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
     }
 
   private:
     const IlluminationRow& illumination_;
+    std::string norm_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/bricks/cells.h"
+#include "core/bricks/used_seeds.h"
 #include "core/bricks/volume.h"
 #include "core/error.h"
 
@@ -84,6 +85,19 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     EXPECT_EQ(bright, 1);
 }
 
+TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
+    // Covered from frame 5 to frame 10.
+    Volume volume({1, 1}, 100, 4);
+    volume.set_values(Values::band);
+    for (int i = 0; i < 16; ++i) {
+        volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
+    }
+    const Band expected[] = {Band::background, Band::newly_covered, Band::uncovered, Band::background};
+    for (std::int64_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(static_cast<Band>(volume.layer(i).scalar.at(0, 0)), expected[i]) << i;
+    }
+}
+
 TEST(Volume, ThinsSeedsAsItGrows) {
     Volume volume({2, 2}, 8, 1, 2);
     for (int i = 0; i < 1000; ++i) {
@@ -97,6 +111,31 @@ TEST(Volume, ThinsSeedsAsItGrows) {
 
 Flow uniform_flow(Size size, float u, float v) {
     return {Plane<float>(size, u), Plane<float>(size, v)};
+}
+
+TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
+    // Two frames a layer, bricks of three layers: seeds at frames 0, 5, 6 and 13 are those of bricks 0, 0, 1 and 2.
+    Volume volume({4, 4}, 100, 2);
+    for (int i = 0; i < 16; ++i) {
+        Field field{i, 0.1 * i, Plane<std::uint8_t>({4, 4}), {}, {}};
+        if (i == 0 || i == 5 || i == 6 || i == 13)
+            field.seeds = {{1, 2, 3, 4, *SeedFlags::parse(i == 5 ? "0" : "101")}};
+        volume.add(field);
+    }
+    const std::vector<Brick> bricks = cut_by(volume.layers(), 3);
+    const auto frames = [&](std::int64_t first, const std::optional<SeedFlags>& flags) {
+        std::vector<std::int64_t> found;
+        for (const FrameSeed& seed : used_seeds(volume, bricks, first, flags)) found.push_back(seed.frame);
+        return found;
+    };
+    using Frames = std::vector<std::int64_t>;
+    EXPECT_EQ(frames(0, {}), (Frames{0, 13}));
+    EXPECT_EQ(frames(1, {}), (Frames{6, 13})) << "digits 0, 1 and, from the beginning, 1";
+    EXPECT_EQ(frames(0, SeedFlags::parse("1")), (Frames{0, 5, 6, 13}));
+    EXPECT_EQ(frames(0, SeedFlags::parse("010")), (Frames{6}));
+    EXPECT_EQ(SeedFlags::parse("0010")->text(), "0010");
+    for (const char* const wrong : {"", "2", "1 ", "111111111111111111111111111111110"})
+        EXPECT_FALSE(SeedFlags::parse(wrong)) << wrong;
 }
 
 TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {

@@ -15,7 +15,7 @@ constexpr int pixels = size.width * size.height;
 Plane<std::uint8_t> object_in(const Frame& frame, const Frame& empty, const FieldOptions& options,
                               const Plane<std::uint8_t>& region = {}) {
     const ObjectFinder finder(options, 24, Planes{empty.grey, empty.colour}, region);
-    return finder.find(smoothed(frame.grey, frame.colour, options.smooth));
+    return finder.find(smoothed(frame.grey, frame.colour, options.smooth)).values;
 }
 
 /// Every pixel counts, in whatever light.

@@ -25,14 +25,14 @@ std::string seeds_error(const std::string& text) {
 const std::string good_head = "vvr-seeds 1\nframe 3\nsize 40 30\n";
 
 TEST(SeedFile, ReadsWhatItWrote) {
-    const SeedList list{17, {384, 288}, {{6, 18, 1.25F, -0.1F, true}, {30.5F, 0, 1e-7F, 3.4e5F, false}}};
+    const SeedList list{17, {384, 288}, {{6, 18, 1.25F, -0.1F}, {30.5F, 0, 1e-7F, 3.4e5F, *SeedFlags::parse("0110")}}};
     EXPECT_EQ(parse_seeds(format_seeds(list), ""), list);
     const SeedList none{0, {1, 1}, {}};
     EXPECT_EQ(parse_seeds(format_seeds(none), ""), none);
 }
 
 TEST(SeedFile, LooksAsDocumented) {
-    EXPECT_EQ(format_seeds({3, {40, 30}, {{6, 18, 1.25F, -0.5F, true}}}),
+    EXPECT_EQ(format_seeds({3, {40, 30}, {{6, 18, 1.25F, -0.5F}}}),
               "vvr-seeds 1\nframe 3\nsize 40 30\npoints 1\n# x y u v flag\n6 18 1.25 -0.5 1\n");
 }
 
@@ -40,7 +40,7 @@ TEST(SeedFile, TakesCommentsEmptyLinesAndOtherLineEnds) {
     const SeedList list =
         parse_seeds("# made by hand\r\nvvr-seeds 1\r\n\r\nframe 3\r\nsize 40 30\r\npoints 1\r\n  1\t2  0 0 0\r\n", "");
     ASSERT_EQ(list.seeds.size(), 1U);
-    EXPECT_FALSE(list.seeds[0].used);
+    EXPECT_FALSE(list.seeds[0].flags.in(0));
 }
 
 TEST(SeedFile, SaysWhatIsWrongAndWhere) {
@@ -61,8 +61,9 @@ TEST(SeedFile, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 1\n1 2 0 0 1\n").find("more lines than the 1 points"),
               std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0\n").find("a point is 'x y u v flag'"), std::string::npos);
-    EXPECT_NE(seeds_error(good_head + "points 1\n1 2 0 0 2\n").find("the flag of a point is 0 or 1, found '2'"),
-              std::string::npos);
+    EXPECT_NE(
+        seeds_error(good_head + "points 1\n1 2 0 0 2\n").find("the flag of a point is 0 or 1, or a digit per brick"),
+        std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 1\n1,5 2 0 0 1\n").find("'1,5' is not a number"), std::string::npos);
     EXPECT_NE(seeds_error(good_head + "points 1\n1 2 nan 0 1\n").find("'nan' is not a finite number"),
               std::string::npos);

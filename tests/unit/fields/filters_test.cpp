@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/fields/filter.h"
+#include "core/fields/norm.h"
 #include "core/fields/pipeline.h"
 #include "tests/unit/fields/pictures.h"
 
@@ -99,6 +101,73 @@ TEST(Filters, BandsTellWhatBecameOfAPixel) {
     EXPECT_EQ(std::ranges::count(scalar.pixels(), static_cast<int>(Band::newly_covered)), 4 * 16);
 }
 
+TEST(Filters, SignedTellsDarkerFromBrighter) {
+    // A dark square and a bright one on grey.
+    const auto make = [](int index) {
+        return Frame{index,
+                     index / 25.0,
+                     test::grey_plane(size, [](int i, int) { return i < 8    ? 60
+                                                                    : i < 16 ? 160
+                                                                             : 100; }),
+                     {}};
+    };
+    const Frame empty{0, 0, Plane<std::uint8_t>(size, 100), {}};
+    const FrameReader read = [&, next = 0]() mutable -> FrameJob {
+        if (next++ == 1) return {};
+        return [&] { return make(0); };
+    };
+    compute_fields(read, scene_of(empty), exact("signed"), [](const SharedFrame&, Field&& field) {
+        EXPECT_EQ(field.scalar.at(3, 20), 128 - 40);
+        EXPECT_EQ(field.scalar.at(12, 20), 128 + 60);
+        EXPECT_EQ(field.scalar.at(30, 20), 0);
+    });
+}
+
+TEST(Values, JoinByTheirKind) {
+    const auto bands = [](Band a, Band b) {
+        return static_cast<Band>(joined(Values::band, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)));
+    };
+    using enum Band;
+    // From before the first frame to the last.
+    EXPECT_EQ(bands(newly_covered, still_covered), newly_covered);
+    EXPECT_EQ(bands(still_covered, still_covered), still_covered);
+    EXPECT_EQ(bands(still_covered, uncovered), uncovered);
+    EXPECT_EQ(bands(uncovered, background), uncovered);
+    EXPECT_EQ(bands(uncovered, newly_covered), still_covered);
+    EXPECT_EQ(bands(background, newly_covered), newly_covered);
+    EXPECT_EQ(bands(background, background), background);
+    EXPECT_EQ(bands(newly_covered, uncovered), newly_covered) << "it came and went, and is not lost";
+    EXPECT_EQ(bands(newly_covered, background), newly_covered);
+    EXPECT_EQ(joined(Values::strength, 20, 90), 90);
+    EXPECT_EQ(joined(Values::sign, 20, 200), 20) << "farther from the middle";
+    EXPECT_EQ(joined(Values::sign, 120, 200), 200);
+    EXPECT_EQ(joined(Values::sign, 0, 127), 127);
+    EXPECT_EQ(joined(Values::sign, 127, 0), 127);
+}
+
+TEST(Norms, SayWhatDiffers) {
+    const auto of = [](const Bgr& colour) {
+        const auto grey = static_cast<std::uint8_t>((colour[0] + colour[1] + colour[2]) / 3);
+        return Planes{Plane<std::uint8_t>({1, 1}, grey), Plane<Bgr>({1, 1}, colour)};
+    };
+    const auto differ = [&](std::string_view norm, const Bgr& a, const Bgr& b) {
+        return static_cast<int>(find_norm(norm, of(a)).difference(of(a), of(b)).at(0, 0));
+    };
+    const Bgr blue{200, 100, 0};
+    const Bgr red{0, 100, 200};
+    EXPECT_EQ(differ("channel", blue, red), 200);
+    EXPECT_EQ(differ("luminance", blue, red), 0) << "as bright";
+    EXPECT_EQ(differ("hue", blue, red), 255) << "346 would be more than there is";
+    EXPECT_EQ(differ("hue", {40, 40, 40}, {200, 200, 200}), 0) << "greys differ in brightness alone";
+    // Of the hues' plane: red 200 0 0 is at (200, 0), green 0 200 0 at (-100, 173).
+    EXPECT_NEAR(differ("hue", {0, 0, 100}, {0, 100, 0}), std::hypot(150, 86.6), 1);
+    EXPECT_NEAR(differ("hue", {0, 0, 100}, {50, 50, 100}), 50, 1) << "less of the same hue";
+    const Planes grey{Plane<std::uint8_t>({1, 1}), {}};
+    EXPECT_THROW(find_norm("hue", grey), Error);
+    EXPECT_NO_THROW(find_norm("luminance", grey));
+    EXPECT_THROW(find_norm("loudness", grey), Error);
+}
+
 TEST(Filters, TemporalShowsWhatChangedSinceTheFrameBefore) {
     const std::vector<Field> fields = fields_of(exact("temporal"), 4);
     EXPECT_EQ(std::ranges::count(fields[0].scalar.pixels(), 0), size.width * size.height);
@@ -176,9 +245,29 @@ TEST(Filters, ThresholdRegionAndAreaHoldForAll) {
         compute_fields(read, scene, options, [&](const SharedFrame&, Field&& field) {
             for (int j = 0; j < 24; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width) << row.name;
             for (const int p : field.scalar.pixels()) {
-                ASSERT_TRUE(p == 0 || p == 255 || row.name == "bands") << row.name << " " << p;
+                ASSERT_TRUE(p == 0 || p == 255 || row.traits.values != Values::strength) << row.name << " " << p;
             }
         });
+    }
+}
+
+TEST(Filters, ASecondOneGivesWhatItGivesAlone) {
+    for (const FilterRow& row : filters()) {
+        for (const char* const first : {"difference", "luminance", "mog2"}) {
+            FieldOptions options = exact(std::string(row.name));
+            options.flow.method = "horn-schunck";
+            const std::vector<Field> alone = fields_of(options, 6, with_colour);
+            options.filter = first;
+            const std::vector<Field> without = fields_of(options, 6, with_colour);
+            options.second = row.name;
+            const std::vector<Field> both = fields_of(options, 6, with_colour);
+            for (std::size_t f = 0; f < both.size(); ++f) {
+                ASSERT_TRUE(std::ranges::equal(both[f].second.pixels(), alone[f].scalar.pixels()))
+                    << first << " " << row.name << " " << f;
+                ASSERT_TRUE(std::ranges::equal(both[f].scalar.pixels(), without[f].scalar.pixels()))
+                    << first << " " << row.name << " " << f;
+            }
+        }
     }
 }
 
@@ -226,7 +315,7 @@ TEST(FilterTable, EveryRowHasANameOfItsOwnAndHelp) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_FALSE(row.help.empty());
     }
-    EXPECT_EQ(names.size(), 9U);
+    EXPECT_EQ(names.size(), 10U);
 }
 
 }  // namespace

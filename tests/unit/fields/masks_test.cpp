@@ -125,11 +125,11 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
     Frame frame = empty;
     paint(frame.grey, 10, 10, 12, 12, 132);
     paint(frame.grey, 60, 10, 12, 12, 132);
-    Plane<std::uint8_t> object = finder.find({frame.grey, {}});
+    Plane<std::uint8_t> object = finder.find({frame.grey, {}}).values;
     EXPECT_EQ(lit(object), 144);
     EXPECT_NE(object.at(65, 15), 0);
     paint(frame.grey, 10, 10, 12, 12, 160);
-    object = finder.find({frame.grey, {}});
+    object = finder.find({frame.grey, {}}).values;
     EXPECT_EQ(lit(object), 288) << "a person before the leaves still shows";
 }
 
@@ -145,7 +145,7 @@ TEST(Noise, WeakPartsOfAThingShowWithIt) {
     paint(frame.grey, 20, 10, 10, 15, 150);
     paint(frame.grey, 20, 25, 10, 15, 120);
     paint(frame.grey, 60, 25, 10, 15, 120);
-    const Plane<std::uint8_t> object = finder.find({frame.grey, {}});
+    const Plane<std::uint8_t> object = finder.find({frame.grey, {}}).values;
     EXPECT_EQ(lit(object), 300);
     EXPECT_EQ(object.at(25, 30), 40);
     EXPECT_EQ(object.at(65, 30), 0);

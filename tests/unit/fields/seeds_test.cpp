@@ -43,7 +43,7 @@ TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
         EXPECT_GE(seed.x, 30) << "to the left it is slower than 3";
         EXPECT_FLOAT_EQ(seed.u, seed.x / 10);
         EXPECT_EQ(seed.v, -1);
-        EXPECT_TRUE(seed.used);
+        EXPECT_EQ(seed.flags, SeedFlags{});
         points.insert({seed.x, seed.y});
     }
     EXPECT_EQ(points.size(), 3U * 3);

@@ -128,15 +128,41 @@ TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
         volume.add(field);
     }
     const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const std::vector<Glyph> glyphs = arrows(volume, *layout, {.frames = 1, .cap = 1});
+    const std::vector<Glyph> glyphs = arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1});
     ASSERT_EQ(glyphs.size(), 1U);
     const glm::dvec3 c = {1 - 20.5 / 100, 1 - 30.5 / 80, 0.5 / 64};
     EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from), layout->p_from_c(c)), 1e-6);
     const glm::dvec3 tip = layout->p_from_c(c + glm::dvec3(-1.5 / 100, 0.5 / 80, 0));
     EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from + glyphs[0].vector), tip), 1e-6)
         << "without motion along time the map is straight, so the arrow ends where the map puts its end";
-    const std::vector<Glyph> capped = arrows(volume, *layout, {.frames = 1000, .cap = 0.09});
+    const std::vector<Glyph> capped = arrows(volume, volume.seeds(), *layout, {.frames = 1000, .cap = 0.09});
     EXPECT_NEAR(glm::length(capped[0].vector), 0.09, 1e-6);
+}
+
+TEST(Arrows, LeanAlongTimeByItsVelocity) {
+    Volume volume({100, 80}, 64);
+    Field field;
+    field.scalar = Plane<std::uint8_t>({100, 80});
+    field.seeds = {{20, 30, 1.5F, -0.5F}};
+    for (int i = 0; i < 64; ++i) {
+        field.index = i;
+        volume.add(field);
+        field.seeds.clear();
+    }
+    for (const auto& row : layouts()) {
+        const auto layout = row.make({0.45, 1, 0.4});
+        const double v_t = 0.8;
+        const std::vector<Glyph> glyphs =
+            arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1, .time_velocity = v_t});
+        ASSERT_EQ(glyphs.size(), 1U);
+        // The derivative of the map along the way of the particle.
+        const auto place = [&](double frames) {
+            return layout->p_from_c(volume.c_of({20 + 1.5 * frames, 30 - 0.5 * frames, v_t * frames}));
+        };
+        constexpr double step = 1e-4;
+        const glm::dvec3 expected = (place(step) - place(-step)) / (2 * step);
+        EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].vector), expected), 1e-6) << row.name;
+    }
 }
 
 TEST(ArrowMesh, ReachesFromZeroToOne) {

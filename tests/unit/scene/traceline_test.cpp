@@ -100,6 +100,14 @@ TEST(Trace, EndsWhereNothingMoves) {
     EXPECT_EQ(points.back(), glm::dvec3(7, 4, 4)) << "time does not carry it on";
 }
 
+TEST(Trace, GoesOnInTimeWhereRestIsNone) {
+    const auto resting =
+        trace(volume_of({20, 20}, 9, still, {}), {3, 4, 0}, {.steps = 4, .time_velocity = 1, .rest = 0});
+    EXPECT_EQ(resting.back(), glm::dvec3(3, 4, 4)) << "a thing at rest has a path along time";
+    EXPECT_EQ(trace(volume_of({20, 20}, 2, still, {}), {3, 4, 0}, {.rest = 0}).size(), 1U) << "nothing moves it";
+    EXPECT_EQ(trace(volume_of({60, 20}, 2, to_the_right, {}), {3, 4, 0}, {.rest = 3}).size(), 1U) << "slower than that";
+}
+
 class BentTraceline : public testing::TestWithParam<std::string> {};
 
 TEST_P(BentTraceline, FollowsTheTransformedField) {
@@ -120,7 +128,7 @@ TEST_P(BentTraceline, FollowsTheTransformedField) {
             const glm::dvec3 expected = layout->basis(volume.c_of(middle)).transform(volume.c_vector(v));
             EXPECT_LT(glm::distance(tangent, expected), 1e-3 * glm::length(expected)) << i << ", v_t " << v_t;
         }
-        const Tracelines lines = tracelines(volume, *layout, options);
+        const Tracelines lines = tracelines(volume, volume.seeds(), *layout, options);
         ASSERT_EQ(lines.size(), points.size());
         for (std::size_t i = 0; i < points.size(); i += 50) {
             EXPECT_LT(glm::distance(glm::dvec3(lines[i].p), layout->p_from_c(volume.c_of(points[i]))), 1e-6);
@@ -137,7 +145,7 @@ TEST(Tracelines, MeasureTheTextureByLength) {
         volume_of({101, 80}, 4, [](double column, double, int) { return glm::dvec2(0.05 * (100 - column), 0); },
                   {2, {10, 40, 4.5F, 0}});
     const auto layout = make_box({0.45, 1, 0.4});
-    const Tracelines lines = tracelines(volume, *layout, {.steps = 20, .spacing = 0});
+    const Tracelines lines = tracelines(volume, volume.seeds(), *layout, {.steps = 20, .spacing = 0});
     ASSERT_EQ(lines.size(), 21U);
     EXPECT_EQ(lines.front().along, 0);
     EXPECT_EQ(lines.back().along, 1);
@@ -150,7 +158,7 @@ TEST(Tracelines, MeasureTheTextureByLength) {
     EXPECT_NEAR(lines.front().speed, 4.5, 0.01);
     EXPECT_LT(lines.back().speed, 3);
 
-    const Tracelines sparse = tracelines(volume, *layout, {.steps = 20, .spacing = 0.1});
+    const Tracelines sparse = tracelines(volume, volume.seeds(), *layout, {.steps = 20, .spacing = 0.1});
     EXPECT_LT(sparse.size(), 8U);
     EXPECT_EQ(sparse.front().p, lines.front().p);
     EXPECT_EQ(sparse.back().p, lines.back().p) << "the end is where it was";
@@ -158,7 +166,7 @@ TEST(Tracelines, MeasureTheTextureByLength) {
 
 TEST(Tracelines, LeaveOutLinesWithoutLength) {
     const Volume volume = volume_of({20, 20}, 4, still, {2, {10, 10, 0, 0}});
-    EXPECT_TRUE(tracelines(volume, *make_box({}), {}).empty());
+    EXPECT_TRUE(tracelines(volume, volume.seeds(), *make_box({}), {}).empty());
 }
 
 TEST(Zebra, IsHalfDarkAndHalfBright) {

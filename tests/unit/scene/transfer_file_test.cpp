@@ -61,7 +61,7 @@ TEST(TransferFile, IsFoundByNameOrPath) {
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
                      "transfer: there is no 'heet' (did you mean 'heat'?); it is one of: blue, grey, heat, "
-                     "viridis, magma, coolwarm, mist, solid, or the name of a file");
+                     "viridis, magma, coolwarm, mist, solid, bands, signed, or the name of a file");
     }
     EXPECT_THROW(find_transfer("/"), Error) << "a folder";
 }

@@ -28,7 +28,7 @@ Field field_of(std::int64_t index) {
         field.scalar.pixels()[i] = static_cast<std::uint8_t>(7 * i + static_cast<std::size_t>(index));
     }
     field.flow = {Plane<float>(size, 0.1F), Plane<float>(size, static_cast<float>(index))};
-    field.seeds = {{1, 2, 0.1F, static_cast<float>(index), true}};
+    field.seeds = {{1, 2, 0.1F, static_cast<float>(index)}};
     return field;
 }
 
@@ -101,13 +101,35 @@ TEST_F(Store, WithoutCloseNothingStays) {
 TEST_F(Store, ListsReplaceSeeds) {
     const std::vector<std::string> whole{write("a", 0, 10)};
     const std::vector<std::string> rest{write("b", 4, 10)};
-    ListedSeeds listed(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    ListedSeeds listed(std::make_unique<StoredFields>(rest), whole.front() + "/seeds", {}, true);
     EXPECT_EQ(listed.interval(4), 2);
     fs::remove(folder_ / "a" / stored::seed_file(6));
-    ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds");
+    ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds", {}, true);
     std::size_t seeds = 0;
     fewer.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) { seeds += field.seeds.size(); });
     EXPECT_EQ(seeds, 2U);
+}
+
+TEST_F(Store, AListIsSharedByAllFrames) {
+    const std::vector<std::string> whole{write("a", 0, 10)};
+    const std::string list = whole.front() + "/seeds/000004.txt";
+    const auto seeds_of = [&](const SeedOptions& options, bool on_object) {
+        std::vector<Seed> seeds;
+        ListedSeeds shared(std::make_unique<StoredFields>(whole), list, options, on_object);
+        shared.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) {
+            for (const Seed& seed : field.seeds) seeds.push_back(seed);
+        });
+        return seeds;
+    };
+    const std::vector<Seed> all = seeds_of({.min_magnitude = 0}, false);
+    ASSERT_EQ(all.size(), 5U) << "each frame that has a flow";
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i].x, 1);
+        EXPECT_EQ(all[i].u, 0.1F);
+        EXPECT_EQ(all[i].v, 2.F * static_cast<float>(i)) << "the flow of its own frame";
+    }
+    EXPECT_EQ(seeds_of({.min_magnitude = 5}, false).size(), 2U) << "of frames 6 and 8";
+    EXPECT_EQ(seeds_of({.min_magnitude = 0}, true).size(), 5U) << "there is something in each frame at this point";
 }
 
 TEST(ManifestText, ReadsWhatItWrote) {

@@ -1,0 +1,44 @@
+#include "cli/commands/command.h"
+#include "cli/console.h"
+#include "cli/options/job_options.h"
+#include "cli/render/stored_flow_seeds.h"
+#include "core/error.h"
+
+namespace vvr {
+
+namespace {
+
+namespace text {
+constexpr Setting output{"output", "DIR", "a new or empty folder for the lists, which `vvr render --seeds DIR` reads"};
+}  // namespace text
+
+class Seeds final : public Command {
+  public:
+    void add_options(CommandLine& line) override {
+        line.arguments(flows_, "FLOW", "a folder that `vvr extract` wrote, or one with .flo files, named by frame");
+        line.path(Group::output, job_.folder, text::output, {.letter = 'o'});
+        add_seed_options(line, job_.seeds);
+    }
+
+    ExitStatus run(const CommandLine&, const Environment& environment) override {
+        if (flows_.size() != 1)
+            throw Error(ErrorKind::usage, "seeds need one FLOW: the folder of an extraction, or of .flo files");
+        if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the lists go with -o DIR");
+        job_.flow = flows_.front();
+        Console console(environment);
+        write_seeds(job_, console);
+        return ExitStatus::done;
+    }
+
+  private:
+    StoredFlowSeedsJob job_;
+    std::vector<std::string> flows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_seeds_command() {
+    return std::make_unique<Seeds>();
+}
+
+}  // namespace vvr

@@ -1,0 +1,120 @@
+"""Filters in the picture: bands without shells between them, the hull, the sign of a difference, norms."""
+
+from harness import check, moving_clip
+
+# Time runs from left to right over the whole width.
+STRAIGHT = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--fov", "0", "--size", "400x120", "--show", "volume")
+BANDS = {"uncovered": 85, "still": 170, "newly": 255}
+
+
+def transfer(t, name, value):
+    """Shows one value, in red, and nothing else."""
+    points = [(0, 0), (value - 1, 0), (value, 1)] + ([(value + 1, 0)] if value < 255 else [])
+    t.write(name, "".join(f"{at} 1 0 0 {opacity}\n" for at, opacity in points))
+    return name
+
+
+def columns(t, name):
+    """The columns in which something red is, from 0 to 1."""
+    rows = t.rgb(name)
+    width = len(rows[0])
+    return sorted({i / width for row in rows for i, (red, green, _) in enumerate(row) if red > green + 40})
+
+
+def lamp(t):
+    """A square that is there from frame 30 of 60 on."""
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x404040:size=96x64:rate=10:duration=6", "-vf",
+             "drawbox=x=30:y=20:w=30:h=24:t=fill:c=white:enable='gte(n,30)'", "-c:v", "ffv1", "lamp.mkv")
+    t.ffmpeg("-i", "lamp.mkv", "-frames:v", "1", "empty.png")
+    return ("--reference", "empty.png", "--filter", "bands")
+
+
+def test_no_shells_between_bands(t):
+    options = lamp(t)
+    shown = {}
+    for band, value in BANDS.items():
+        t.render("lamp.mkv", *options, *STRAIGHT, "--transfer", transfer(t, f"{band}.tf", value), output=f"{band}.png").expect(0)
+        shown[band] = columns(t, f"{band}.png")
+    check(shown["uncovered"] == [], "what is never uncovered shows as such: a shell between two other bands")
+    check(shown["newly"] and 0.47 < shown["newly"][0] and shown["newly"][-1] < 0.54, f"covered anew: {shown['newly']}")
+    check(0.49 < shown["still"][0] < 0.55 and shown["still"][-1] > 0.94, f"still covered: {shown['still'][:1]}")
+
+
+def test_bands_of_layers_that_hold_several_frames(t):
+    options = lamp(t)
+    for step in (4, 7):
+        for band, value in BANDS.items():
+            t.render("lamp.mkv", *options, *STRAIGHT, "--step", str(step), "--transfer", transfer(t, f"{band}.tf", value),
+                     output=f"{band}.png").expect(0)
+        check(columns(t, "uncovered.png") == [], f"{step} frames per layer: uncovered")
+        newly = columns(t, "newly.png")
+        check(newly and newly[-1] - newly[0] < 1.3 * step / 60, f"{step} frames per layer: newly covered for {newly}")
+        check(columns(t, "still.png")[-1] > 0.94, f"{step} frames per layer: no longer covered")
+
+
+def test_bands_have_four_colours_and_a_legend(t):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "200")
+    look = ("--backend", "software", "--size", "960x600", "--filter", "bands")
+    t.render("bag.y4m", *look, "--show", "volume", output="plain.png").expect(0)
+    t.render("bag.y4m", *look, "--show", "volume,legend", output="legend.png").expect(0)
+
+    def near(pixel, colour):
+        return max(abs(a - b) for a, b in zip(pixel, colour)) < 12
+    legend = [pixel for row in t.rgb("legend.png")[-60:] for pixel in row]
+    for name, colour in {"newly": (219, 51, 31), "still": (115, 115, 115), "uncovered": (26, 115, 217)}.items():
+        count = sum(near(pixel, colour) for pixel in legend)
+        check(count > 200, f"the legend's bar of '{name}' has {count} pixels")
+    pixels = [pixel for row in t.rgb("plain.png") for pixel in row]
+    check(sum(r > b + 60 for r, _, b in pixels) > 100, "nothing is newly covered")
+    check(sum(b > r + 60 for r, _, b in pixels) > 100, "nothing is uncovered")
+
+
+def test_no_seeds_on_uncovered_background(t):
+    t.vvr("extract", moving_clip(t, step=3), "-o", "data", "--filter", "bands", "--grid", "2", "--min-magnitude", "0").expect(0)
+    checked = 0
+    for frame in (15, 20, 25):
+        scalar = t.rgb(f"data/scalar/{frame:06}.png")
+        values = {value for row in scalar for value, _, _ in row}
+        check(values == {0, 85, 170, 255}, f"frame {frame} has the values {values}")
+        for line in t.path(f"data/seeds/{frame:06}.txt").read_text().splitlines()[5:]:
+            x, y = (int(float(word)) for word in line.split()[:2])
+            check(scalar[y][x][0] in (170, 255), f"frame {frame}: a seed at {x}, {y}, where the value is {scalar[y][x][0]}")
+            checked += 1
+    check(checked > 50, f"only {checked} seeds")
+
+
+def test_the_sign_of_a_difference(t):
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x808080:size=96x64:rate=10:duration=4", "-vf",
+             "drawbox=x=10:y=20:w=30:h=24:t=fill:c=black:enable='between(n,5,14)',"
+             "drawbox=x=50:y=20:w=30:h=24:t=fill:c=white:enable='between(n,25,34)'", "-c:v", "ffv1", "signs.mkv")
+    t.render("signs.mkv", *STRAIGHT, "--filter", "signed").expect(0)
+    rows = t.rgb("out.png")
+    blue = [i / 400 for row in rows for i, (r, _, b) in enumerate(row) if b > r + 40]
+    red = [i / 400 for row in rows for i, (r, _, b) in enumerate(row) if r > b + 40]
+    check(blue and 0.1 < min(blue) and max(blue) < 0.42, "what is darker is not blue")
+    check(red and 0.58 < min(red) and max(red) < 0.9, "what is brighter is not red")
+
+
+def test_norms(t):
+    # A green square as bright as the grey around it, then a white one.
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x787878:size=96x64:rate=10:duration=4", "-vf",
+             "format=gbrp,drawbox=x=10:y=20:w=30:h=24:t=fill:c=0x409060:enable='between(n,5,14)',"
+             "drawbox=x=50:y=20:w=30:h=24:t=fill:c=white:enable='between(n,25,34)'", "-c:v", "ffv1", "-pix_fmt", "gbrp", "colours.mkv")
+    t.write("red.tf", "0 1 0 0 0\n8 1 0 0 1\n255 1 0 0 1\n")
+    shown = {}
+    for norm in ("channel", "luminance", "hue"):
+        t.render("colours.mkv", *STRAIGHT, "--norm", norm, "--shadows", "keep", "--transfer", "red.tf", output=f"{norm}.png").expect(0)
+        found = columns(t, f"{norm}.png")
+        shown[norm] = (any(x < 0.45 for x in found), any(x > 0.55 for x in found))
+    check(shown == {"channel": (True, True), "luminance": (False, True), "hue": (True, False)},
+          f"the green and the white square: {shown}")
+    t.render("colours.mkv", "--norm", "colour").expect(1, "--norm: there is no 'colour'", "channel, luminance, hue")
+
+
+def test_cast_shadows_can_be_kept(t):
+    t.ffmpeg("-f", "lavfi", "-i", "color=0xa08060:size=96x64:rate=10:duration=4", "-vf",
+             "drawbox=x=10:y=20:w=30:h=24:t=fill:c=0x705a43:enable='between(n,10,29)'", "-c:v", "ffv1", "shadow.mkv")
+    t.write("red.tf", "0 1 0 0 0\n8 1 0 0 1\n255 1 0 0 1\n")
+    for how in ("remove", "keep"):
+        t.render("shadow.mkv", *STRAIGHT, "--shadows", how, "--transfer", "red.tf", output=f"{how}.png").expect(0)
+    check(columns(t, "remove.png") == [] and columns(t, "keep.png") != [], "a shadow is shown although removed, or removed though kept")

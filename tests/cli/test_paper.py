@@ -1,0 +1,194 @@
+"""The paper's settings and quantities, through the program and in the picture."""
+
+import struct
+
+from harness import check, moving_clip
+
+FRAMES = 24
+SPEED = 1.5  # pixels per frame, to the right
+
+# The whole picture moves, which is no shaking of the camera.
+MOVES = ("--flow-area", "all", "--stabilize", "off")
+
+# Looked at along time, from the clip's beginning: columns are those of the video. Nothing is shown but lines and arrows.
+ALONG = ("--backend", "software", "--layout", "box", "--camera", "-90,0", "--fov", "0", "--size", "960x640")
+# Time runs from left to right over the whole width.
+ASIDE = ("--backend", "software", "--layout", "box", "--camera", "0,40", "--fov", "0", "--size", "960x240")
+
+
+def texture(t):
+    """A texture that moves to the right over the whole frame; its flow is known."""
+    return t.scene("shifted_texture", "shift.y4m", "--size", "96x64", "--frames", str(FRAMES), "--velocity", f"{SPEED},0")
+
+
+def one_seed(t, frame=8, x=20, y=32):
+    t.path("one").mkdir(exist_ok=True)
+    t.write(f"one/{frame:06}.txt", f"vvr-seeds 1\nframe {frame}\nsize 96 64\npoints 1\n{x} {y} {SPEED} 0 1\n")
+    return ("--seeds", "one", *MOVES)
+
+
+def extent(t, name="out.png"):
+    """The columns from the first to the last in which there is something."""
+    rows = t.rgb(name)
+    columns = {i for row in rows for i, (red, _, blue) in enumerate(row) if red > blue + 40}
+    check(columns, f"{name} is empty")
+    return max(columns) - min(columns) + 1
+
+
+def check_ten_frames(line, to_the_end):
+    """Of a line that begins in frame 8, and one that goes on to the end of the clip."""
+    check(abs(line / to_the_end - 10 / (FRAMES - 8.5)) < 0.06, f"ten frames are {line} of {to_the_end} pixels")
+
+
+def flow_of(t, file):
+    raw = t.path(file).read_bytes()
+    width, height = struct.unpack("<ii", raw[4:12])
+    values = struct.unpack(f"<{2 * width * height}f", raw[12:])
+    inner = [2 * (j * width + i) for j in range(20, height - 20) for i in range(20, width - 20)]
+    return sum(values[k] for k in inner) / len(inner), sum(values[k + 1] for k in inner) / len(inner)
+
+
+def test_alpha_of_100_gives_almost_no_flow(t):
+    texture(t)
+    u = {}
+    for alpha in ("10", "100"):
+        t.vvr("extract", "shift.y4m", "-o", f"a{alpha}", "--solver", "jacobi", "--iterations", "60", "--alpha", alpha,
+              *MOVES, "--end", "12").expect(0)
+        u[alpha] = flow_of(t, f"a{alpha}/flow/000006.flo")[0]
+    check(u["10"] > 0.5 * SPEED, f"60 steps with λ = α² = 100 find {u['10']:.2f} of {SPEED} pixels")
+    check(u["100"] < 0.25 * SPEED, f"60 steps with α = 100 find {u['100']:.2f} of {SPEED} pixels")
+
+
+def test_solvers(t):
+    texture(t)
+    flows = {}
+    for solver in ("pyramid", "multigrid", "jacobi"):
+        t.vvr("extract", "shift.y4m", "-o", solver, "--solver", solver, *MOVES, "--end", "12").expect(0)
+        flows[solver] = flow_of(t, f"{solver}/flow/000006.flo")
+    for solver in ("pyramid", "multigrid"):
+        u, v = flows[solver]
+        check(abs(u - SPEED) < 0.1 and abs(v) < 0.1, f"{solver}: {u:.2f}, {v:.2f}")
+    check(flows["jacobi"][0] < flows["multigrid"][0] - 0.02, "60 steps are as good as the solution")
+
+
+def test_orders_of_seeds(t):
+    moving_clip(t)
+    rows = {}
+    for order in ("magnitude", "difference", "age"):
+        t.vvr("extract", "clip.mkv", "-o", order, "--seed-order", order, "--grid", "4").expect(0)
+        lines = t.path(f"{order}/seeds/000025.txt").read_text().splitlines()[5:]
+        rows[order] = [tuple(float(word) for word in line.split()[:4]) for line in lines]
+    check(len(rows["age"]) > 20 and {tuple(sorted(found)) for found in rows.values()} == {tuple(sorted(rows["age"]))}, "other seeds")
+    speeds = [(u * u + v * v) ** 0.5 for _, _, u, v in rows["magnitude"]]
+    check(speeds == sorted(speeds, reverse=True), "the fastest are not first")
+    scalar = t.rgb("difference/scalar/000025.png")
+    values = [scalar[int(y)][int(x)][0] for x, y, _, _ in rows["difference"]]
+    check(values == sorted(values, reverse=True) and len(set(values)) > 3, f"the largest differences are not first: {values}")
+    # The square moves to the right, so it has covered its left for longest.
+    ages = [x for x, _, _, _ in rows["age"]]
+    check(sum(ages[:8]) < sum(ages[-8:]), "what was covered for longest is not first")
+
+
+def test_size_and_cap_of_arrows(t):
+    texture(t)
+    look = (*ALONG, *one_seed(t), "--show", "arrows")
+
+    def length(*options):
+        t.render("shift.y4m", *look, *options).expect(0)
+        return extent(t)
+    usual = length()
+    check(abs(length("--glyph-scale", "2") / usual - 2) < 0.1, "--glyph-scale 2 is not twice as long")
+    check(abs(length("--glyph-cap", "0.02") / length("--glyph-cap", "0.04") - 0.5) < 0.05, "the cap is not the length")
+    check(length("--glyph-cap", "1") == usual, "a cap beyond the length changes it")
+
+
+def test_steps_of_tracelines(t):
+    texture(t)
+    look = (*ALONG, *one_seed(t), "--show", "tracelines")
+
+    def length(*options):
+        t.render("shift.y4m", *look, *options).expect(0)
+        return extent(t)
+    ten = length("--trace-steps", "10")
+    check(abs(length("--trace-steps", "20") / ten - 2) < 0.15, "twice the steps are not twice as long")
+    check(abs(length("--trace-steps", "10", "--trace-dt", "2") / ten - 2) < 0.15, "steps twice as long are not twice as long")
+    pixels_per_column = 960 / 96  # at most: the frame does not fill the picture
+    check(ten < 1.1 * 10 * SPEED * pixels_per_column, f"ten steps are {ten} pixels long")
+    t.render("shift.y4m", *look, "--trace-rest", "2").expect(0)
+    nothing = {pixel for row in t.rgb("out.png") for pixel in row}
+    check(nothing == {(255, 255, 255)}, "a line where the flow is slower than --trace-rest")
+
+
+def test_velocity_along_time(t):
+    texture(t)
+    seed = one_seed(t)
+
+    def width(part, *options):
+        t.render("shift.y4m", *ASIDE, *seed, "--show", part, *options).expect(0)
+        return extent(t)
+    for part in ("arrows", "tracelines"):
+        check(width(part) < 60, f"{part} without v_t leave their frame: {width(part)} pixels")
+    check(width("arrows", "--time-velocity", "2") > 2 * width("arrows"), "arrows with v_t don't lean along time")
+    line = width("tracelines", "--time-velocity", "1", "--trace-steps", "10")
+    check_ten_frames(line, width("tracelines", "--time-velocity", "1", "--trace-steps", "100"))
+
+
+def test_a_thing_at_rest_has_a_path_along_time(t):
+    t.scene("still", "still.y4m", "--size", "96x64", "--frames", str(FRAMES))
+    look = (*ASIDE, *one_seed(t), "--show", "tracelines", "--time-velocity", "1", "--trace-steps", "10")
+    t.render("still.y4m", *look).expect(0)
+    check({pixel for row in t.rgb("out.png") for pixel in row} == {(255, 255, 255)}, "by default its line ends at once")
+    t.render("still.y4m", *look, "--trace-rest", "0").expect(0)
+    line = extent(t)
+    t.render("still.y4m", *look, "--trace-rest", "0", "--trace-steps", "100").expect(0)
+    check_ten_frames(line, extent(t))
+
+
+def test_the_preset_is_the_paper(t):
+    moving_clip(t)
+    look = ("--backend", "software", "--size", "480x300")
+    t.render("clip.mkv", *look, "--preset", "paper", output="preset.png").expect(0)
+    t.render("clip.mkv", *look, "--solver", "jacobi", "--iterations", "60", "--alpha", "10", "--flow-area", "all", "--shadows", "keep",
+             "--illumination", "none", "--stabilize", "off", "--color", "transfer", "--transfer", "grey", "--show", "volume,arrows",
+             output="said.png").expect(0)
+    check(t.rgb("preset.png") == t.rgb("said.png"), "the preset is something else than the paper's settings")
+    pixels = [pixel for row in t.rgb("preset.png") for pixel in row]
+    check(pixels.count((255, 255, 255)) > len(pixels) / 2, "not on white")
+    greys = [pixel for pixel in pixels if max(pixel) - min(pixel) < 6 and max(pixel) < 200]
+    check(len(greys) > 100, f"{len(greys)} dark grey pixels")
+    check(sum(red > green > blue + 20 for red, green, blue in pixels) > 50, "no arrows from yellow to red")
+    t.render("clip.mkv", *look, "--preset", "paper", "--show", "volume", output="alone.png").expect(0)
+    check(not any(red > blue + 40 for row in t.rgb("alone.png") for red, _, blue in row), "an option beside the preset does not win")
+
+
+def test_figure_4_shows_object_flow_and_seeds(t):
+    moving_clip(t)
+    t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64", "-frames:v", "1", "empty.png")
+    options = ("--grid", "8", "--reference", "empty.png")
+    t.vvr("extract", "clip.mkv", "-o", "data", *options).expect(0)
+    t.vvr("inspect", "clip.mkv", "--frame", "25", *options, "-o", "out.png").expect(0)
+    rows = t.rgb("out.png")
+    gap, width = 14, (1280 - 4 * 14) // 3  # as cli/render/inspection.cpp places them
+    scale = width / 96
+
+    def panel(number):
+        left = gap + number * (width + gap)
+        return [row[left:left + width] for row in rows[gap:gap + round(64 * scale)]]
+
+    def columns(pixels, is_drawn):
+        found = [i / scale for row in pixels for i, pixel in enumerate(row) if is_drawn(*pixel)]
+        check(len(found) > 50, f"{len(found)} pixels are drawn")
+        return min(found), max(found)
+    # In frame 25 the square reaches from 39.5 to 63.5.
+    low, high = columns(panel(0), lambda r, g, b: r > b + 60)
+    check(36 < low < 44 and 59 < high < 67, f"(a) the object reaches from {low:.1f} to {high:.1f}")
+    low, high = columns(panel(1), lambda r, g, b: g > r + 60 and g > b + 60)
+    check(low < 45 and high > 60, f"(b) lines of flow only from {low:.1f} to {high:.1f}")
+    dots = panel(2)
+    seeds = [line.split() for line in t.path("data/seeds/000025.txt").read_text().splitlines()[5:]]
+    check(len(seeds) > 3, "no seeds")
+    for x, y, *_ in seeds:
+        red, green, blue = dots[round((float(y) + 0.5) * scale)][round((float(x) + 0.5) * scale)]
+        check(red > 150 and blue < 120 and red > green, f"(c) no dot at {x}, {y}: {red}, {green}, {blue}")
+    plain = [pixel for row in panel(0)[:20] for pixel in row]
+    check(all(max(pixel) - min(pixel) < 20 for pixel in plain), "(a) is not dimmed where nothing is")
