@@ -36,7 +36,8 @@ class VolumeSlicer {
     /// sources of colour that take looks.
     void set_looks(std::span<const glm::vec4> looks);
 
-    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack, const StandingPictures& standing);
+    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+              const StandingPictures& standing = {});
 
     /// Draws into a target of pixel data. Frames are counted from the window's first.
     /// \param frames_per_layer of the volume
