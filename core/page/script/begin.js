@@ -20,7 +20,6 @@ drawStrip();
 place();
 drawNow();
 drawButtons();
-choose(null);
 openFilm(0);
 followPlayer();
 followAddress();

@@ -73,6 +73,7 @@ function show(frame, play) {
     now = clamp(frame, firstFrame, lastFrame);
     moved = true;
     playing = play;
+    stillClock = secondsOf(now);
     if (film) {
         video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
         if (play) video.play().catch(() => {});
