@@ -228,7 +228,8 @@ class Page:
 
     def window(self, width, height, mobile=False):
         self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
-        self.cdp("Emulation.setTouchEmulationEnabled", enabled=mobile, maxTouchPoints=2)
+        if mobile:  # taking fingers away again would not bring the mouse back
+            self.cdp("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
 
     def media(self, kind="", scheme="light"):
         """Of what kind: "print", or "" for a screen."""
