@@ -201,6 +201,26 @@ def test_page_is_printed_whole(t):
         check(len(paper) > 20_000, "no paper")
 
 
+def test_index_is_printed_whole(t):
+    for number in range(200):
+        known(t, f"{('gate', 'hall', 'yard', 'street')[number % 4]}/{number}.avi", NOW - number // 2 * 24 * HOUR, events=1)
+    write_index(t)
+    os.environ["TZ"] = "UTC"
+    with Index(t, "out/index.html") as page:
+        check(page.run("return document.querySelectorAll('.card').length") < 200, "all is built at once")
+        page.window(718, 1047)
+        page.cdp("Page.printToPDF", paperWidth=8.27, paperHeight=11.69)
+        check(page.run("return document.querySelectorAll('.card').length") == 200, "only what was near the window is printed")
+        for view, name in (("clips", "days"), ("days", "overview")):
+            page.press(f"#views [value={view}]")
+            page.media("print")
+            check(page.run("return [document.getElementById('tools').checkVisibility(), document.querySelector('nav').checkVisibility()]") == [False, False],
+                  "tools are printed")
+            check(page.run("return document.documentElement.scrollWidth <= innerWidth && [...document.querySelectorAll('.card, table, td')].filter(e => e.checkVisibility()).every(e =>"
+                           f"e.getBoundingClientRect().right <= innerWidth)"), f"{name}: cut at the right")
+            page.media()
+
+
 def test_page_without_scripts(t):
     bag(t)
     rows = len(re.findall("<li>", t.path("out.html").read_text().split("<ol id=\"events\"")[1].split("</ol>")[0]))
