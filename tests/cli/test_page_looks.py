@@ -119,12 +119,15 @@ def cut_off(page):
 
 
 def test_page_fits_every_window(t):
-    bag(t)
+    bag(t, "--start-time", "2026-11-21 07:12:00")
     with Page(t, crowd(t, 60)) as page:
         for width, height, mobile in WINDOWS:
             page.window(width, height, mobile)
             page.wait(f"it fits into {width}", f"return innerWidth === {width} && document.documentElement.scrollWidth <= {width}", 5)
             check(cut_off(page) == [], f"{width}x{height}: cut off: {cut_off(page)}")
+            ticks = page.run("const s = strip.getBoundingClientRect(); return [...document.querySelectorAll('#ticks span')].map(e => e.getBoundingClientRect())"
+                             ".filter(b => b.left < s.left || b.right > s.right).length")
+            check(ticks == 0, f"{width}x{height}: {ticks} times in the strip are cut off")
             high = page.run("return view.getBoundingClientRect().height")
             check(high > 90, f"{width}x{height}: the picture has {high} pixels")
             check((page.run("return document.querySelector('.keys').checkVisibility()")) == (not mobile), f"{width}: hints of keys")

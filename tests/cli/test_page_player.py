@@ -156,3 +156,35 @@ def test_page_of_hundreds_of_events(t):
         check(kinds[:8] == ["left behind"] * 8 and kinds[8] == "moved" and len(kinds) == 800, str(kinds[:10]))
         high = page.run("return document.querySelector('#events li').getBoundingClientRect().height")
         check(high <= 48, f"a row is {high} pixels high")
+
+
+def test_page_has_one_clock(t):
+    """The time of the day first wherever it is known, and the clip's second."""
+    with Page(t, bag(t, "--start-time", "2026-11-21 07:12:00")) as page:
+        check(page.text("summary").startswith("2026-11-21, 07:12:00 to 07:12:16, 400 frames"), page.text("summary"))
+        page.run("show(100, false)")
+        check([page.text("clock"), page.text("cliptime")] == ["07:12:04.0", "0:04.0 of the clip"], page.text("clock") + page.text("cliptime"))
+        rows = page.run("return [...document.querySelectorAll('#events b')].map(b => b.textContent)")
+        check(len(rows) == 3 and all(re.fullmatch(r"\d\.  07:12:\d\d\.\d – 07:12:\d\d\.\d", row) for row in rows), f"{rows}")
+        ticks = page.run("return [...document.querySelectorAll('#ticks span')].map(e => e.textContent)")
+        check(len(ticks) > 4 and all(tick.startswith("07:12:") for tick in ticks), f"{ticks}")
+        check(page.run("return strip.getAttribute('aria-valuetext')") == "07:12:04.0 (0:04.0 of the clip)", "the slider's text")
+
+
+def test_page_names_what_the_pointer_is_on_and_makes_room_when_it_plays(t):
+    with Page(t, bag(t)) as page:
+        left, top, right, bottom, number = page.run("return data.regions[0]")
+        page.point((left + right) / 2, (top + bottom) / 2)
+        page.wait("a tip", "return !document.getElementById('tip').hidden")
+        kind = page.run("return data.events[arguments[0]].kind", number)
+        check(page.text("when").endswith(f" · {number + 1} {kind}"), page.text("when"))
+        check(not page.hidden("peekring"), "no ring in the tip")
+        check(page.run("return document.querySelectorAll('#events .lit').length") == 1, "its row is not lit")
+        page.click((left + right) / 2, (top + bottom) / 2)
+        page.wait("it plays", "return playing")
+        check(page.hidden("tip") and page.run("return chosen") == number, "the tip stays, or another is chosen")
+        # What came out of what leads there.
+        page.run("setPlaying(false); data.events[2].from = 0; listEvents()")
+        page.press("#events .relation")
+        page.wait("the other", "return chosen === 0")
+        check(page.text_of("#events .relation") == "came out of 1", page.text_of("#events .relation"))

@@ -99,7 +99,7 @@ function bringIntoSight() {
 
 function drawNow() {
     at('clock').textContent = clockOf(secondsOf(now));
-    at('cliptime').textContent = data.clock === null ? '' : clipTime(secondsOf(now)) + ' of the clip';
+    at('cliptime').textContent = data.clock === null || data.live ? '' : clipTime(secondsOf(now)) + ' of the clip';
     drawCursor();
     if (!still.hidden) {
         const nearest = stillNear(now);

@@ -91,8 +91,10 @@ function drawTicks() {
     const labels = [];
     for (let seconds = Math.ceil((stripFrom + zero) / step) * step - zero; seconds <= stripFrom + stripLasts * 0.98; seconds += step) {
         const label = element('span', '', clockOf(seconds, false));
-        label.style.left = shareOnStrip(seconds) * 100 + '%';
-        if (shareOnStrip(seconds) < 0.03) label.className = 'atedge';
+        const share = shareOnStrip(seconds);
+        const half = label.textContent.length * 3.5 / Math.max(1, strip.clientWidth);  // of its width, about
+        label.style.left = share * 100 + '%';
+        label.className = share < half ? 'atedge' : share > 1 - half ? 'atend' : '';
         labels.push(label);
     }
     at('ticks').replaceChildren(...labels);
