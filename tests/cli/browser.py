@@ -1,12 +1,59 @@
 """A page in a real browser: Chromium without a window, driven by Selenium, with no network."""
 
+import http.server
 import json
 import os
 import pathlib
+import re
+import threading
 import time
 
 import pytest
 from harness import check
+
+# Contrast as WCAG 2 defines it, of what is on show and not disabled; colours that let others through are laid upon them.
+CONTRAST = """
+const context = new OffscreenCanvas(1, 1).getContext('2d', {willReadFrequently: true});
+const known = new Map();
+function read(colour) {
+    if (!known.has(colour)) {
+        context.clearRect(0, 0, 1, 1);
+        context.fillStyle = colour;
+        context.fillRect(0, 0, 1, 1);
+        known.set(colour, [...context.getImageData(0, 0, 1, 1).data]);
+    }
+    return known.get(colour);
+}
+const over = (above, below) => [0, 1, 2].map(k => below[k] + (above[k] - below[k]) * above[3] / 255);
+function groundOf(element) {
+    if (!element) return read(getComputedStyle(document.documentElement).colorScheme.includes('dark') &&
+                              matchMedia('(prefers-color-scheme: dark)').matches ? '#121212' : '#ffffff');
+    const own = read(getComputedStyle(element).backgroundColor);
+    return own[3] === 255 ? own : over(own, groundOf(element.parentElement));
+}
+function luminance(colour) {
+    const [red, green, blue] = colour.slice(0, 3).map(byte => byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+const found = [];
+let count = 0;
+const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT);
+while (texts.nextNode()) {
+    const element = texts.currentNode;
+    const text = element.matches('select') ? element.selectedOptions[0]?.textContent : element.placeholder ||
+        [...element.childNodes].filter(node => node.nodeType === 3).map(node => node.data).join('').trim();
+    const box = element.getBoundingClientRect();
+    if (!text || element.matches('script, style, noscript, option, :disabled, svg *') || box.width < 2 || box.height < 2) continue;
+    if (!element.checkVisibility({opacityProperty: true, visibilityProperty: true})) continue;
+    const ground = groundOf(element);
+    const ink = over(read(getComputedStyle(element, element.placeholder ? '::placeholder' : null).color), ground);
+    const [light, dark] = [luminance(ink), luminance(ground)].sort((a, b) => b - a);
+    const contrast = (light + 0.05) / (dark + 0.05);
+    ++count;
+    if (contrast < 4.5) found.push(`${element.id || element.className || element.tagName} "${text.slice(0, 30)}": ${contrast.toFixed(2)}`);
+}
+return [found, count];
+"""
 
 PACKAGES = "chromium chromium-driver python3-selenium"
 
@@ -26,10 +73,75 @@ def driver_of(folder, *arguments):
     options.binary_location = "/usr/bin/chromium"
     # Root may not use the sandbox, containers have little shared memory, and no name is to be looked up.
     for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1440,900",
-                     "--host-resolver-rules=MAP * ~NOTFOUND", f"--user-data-dir={folder}", "--no-first-run", *arguments):
+                     # A mouse, which a machine without a screen has not.
+                     "--blink-settings=primaryHoverType=2,availableHoverTypes=2,primaryPointerType=4,availablePointerTypes=4",
+                     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", f"--user-data-dir={folder}", "--no-first-run", *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class Served:
+    """A folder over HTTP on this machine, with or without parts of files (Range); gone at the end of the block."""
+
+    def __init__(self, folder, ranges=True):
+        self.asked = []  # [method, path, bytes that were sent] of each request
+        served = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def __init__(self, *arguments):
+                super().__init__(*arguments, directory=os.fspath(folder))
+
+            def do_GET(self):
+                path = self.translate_path(self.path)
+                part = re.fullmatch(r"bytes=(\d+)-(\d*)", self.headers.get("Range", "")) if ranges else None
+                if not os.path.isfile(path):
+                    return self.send_error(404)
+                with open(path, "rb") as file:
+                    whole = file.read()
+                first = int(part[1]) if part else 0
+                last = min(int(part[2]), len(whole) - 1) if part and part[2] else len(whole) - 1
+                self.send_response(206 if part else 200)
+                if part:
+                    self.send_header("Content-Range", f"bytes {first}-{last}/{len(whole)}")
+                if ranges:
+                    self.send_header("Accept-Ranges", "bytes")
+                self.send_header("Content-Type", self.guess_type(path))
+                self.send_header("Content-Length", str(last + 1 - first))
+                self.send_header("Last-Modified", self.date_time_string(os.path.getmtime(path)))
+                self.end_headers()
+                served.asked.append((self.command, self.path, last + 1 - first))
+                self.wfile.write(whole[first:last + 1])
+
+            def do_HEAD(self):
+                served.asked.append((self.command, self.path, 0))
+                super().do_HEAD()
+
+            def date_time_string(self, timestamp=None):
+                return super().date_time_string(time.time() + served.ahead if timestamp is None else timestamp)
+
+            def handle(self):
+                try:
+                    super().handle()
+                except ConnectionError:
+                    pass  # the browser wants no more of it
+
+            def log_message(self, *_):
+                pass
+
+        self.ahead = 0  # seconds by which the server's clock is wrong
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.server.shutdown()
+        self.server.server_close()
+
+    def url(self, name):
+        return f"http://127.0.0.1:{self.server.server_address[1]}/{name}"
 
 
 class Page:
@@ -38,7 +150,7 @@ class Page:
     def __init__(self, t, name, *arguments):
         self.driver = driver_of(t.path(".profile"), *arguments)
         self.driver.set_script_timeout(30)
-        self.open(t.path(name))
+        self.open(name if str(name).startswith("http:") else t.path(name))
 
     def __enter__(self):
         return self
@@ -47,7 +159,8 @@ class Page:
         self.driver.quit()
 
     def open(self, path):
-        self.driver.get(pathlib.Path(path).as_uri())
+        """A file's path, or an address."""
+        self.driver.get(str(path) if str(path).startswith("http:") else pathlib.Path(path).as_uri())
         self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined"
                                        " && document.getElementById('source').textContent !== ''")
 
@@ -89,6 +202,42 @@ class Page:
 
     def click(self, x, y):
         self._to(x, y).click().perform()
+
+    def press(self, selector):
+        """A real click by mouse on the middle of an element."""
+        from selenium.webdriver.common.by import By
+        self.driver.find_element(By.CSS_SELECTOR, selector).click()
+
+    def drag(self, selector, *places, kind="mouse"):
+        """Presses on an element, moves on and lets go; each place is given by shares of the element's width and height."""
+        from selenium.webdriver.common.actions.action_builder import ActionBuilder
+        from selenium.webdriver.common.actions.pointer_input import PointerInput
+        left, top, wide, high = self.run("const b = document.querySelector(arguments[0]).getBoundingClientRect();"
+                                         "return [b.left, b.top, b.width, b.height]", selector)
+        actions = ActionBuilder(self.driver, mouse=PointerInput(kind, kind), duration=0)
+        for k, (x, y) in enumerate(places):
+            actions.pointer_action.move_to_location(round(left + x * wide), round(top + y * high))
+            if k == 0:
+                actions.pointer_action.pointer_down()
+        actions.pointer_action.pointer_up()
+        actions.perform()
+
+    def cdp(self, command, **values):
+        """A command of the browser's own protocol, for what a window of another kind does."""
+        return self.driver.execute_cdp_cmd(command, values)
+
+    def window(self, width, height, mobile=False):
+        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=mobile)
+        if mobile:  # taking fingers away again would not bring the mouse back
+            self.cdp("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+
+    def media(self, kind="", scheme="light"):
+        """Of what kind: "print", or "" for a screen."""
+        self.cdp("Emulation.setEmulatedMedia", media=kind, features=[{"name": "prefers-color-scheme", "value": scheme}])
+
+    def faint(self):
+        """Every text on show whose contrast is below 4.5, by the formula of WCAG 2; and how many texts there are."""
+        return self.run(CONTRAST)
 
     def hold_still(self):
         """From here on a click goes to its moment and stays there, so that it can be looked at."""

@@ -108,7 +108,7 @@ def test_page_points_at_moments(t):
             page.wait("the frame itself", "return !peeker.hidden && !peeker.seeking")
             clock = page.run("return peeker.currentTime")
             check(-1 < clock * RATE - frame < 2, f"the thumbnail of frame {frame} is of {clock} s")
-        page.point(5, 5)
+        page.point(*page.run("return [contents[0] + 3, contents[1] + 3]"))
         page.wait("no tip where nothing is", "return document.getElementById('tip').hidden")
         check(page.run("return now") == 0 and page.run("return video.currentTime") == 0, "pointing plays")
 
@@ -163,13 +163,13 @@ def test_page_of_stills(t):
           "volume,frames", timeout=110).expect(0)
     check(t.path("out.html").stat().st_size < 2_000_000, "stills are not small")
     with Page(t, "out.html") as page:
-        check(page.source().startswith("a still"), page.source())
+        check(page.source() == "the clip can’t be played here, so this is a still", page.source())
         check(page.hidden("video") and not page.hidden("still"), "stills are not to be seen")
         page.run("show(3000, true)")
         near = page.run("return stillNear(3000).frame")
         check(abs(near - 3000) <= 160, f"the nearest still is {near}")
         check(page.run("return still.src === stillNear(3000).src && still.naturalWidth > 50"), "another still is shown")
-        check(page.text("clock") == "50:00.0", page.text("clock"))
+        check(page.text("clock").startswith("50:0"), page.text("clock"))
 
 
 @pytest.mark.browser
@@ -254,7 +254,7 @@ def test_page_steps_through_events(t):
         check(page.run("return chosen") is None and page.hidden("ring"), "still chosen")
         # Everything can be reached by Tab, and has a name.
         reached = set()
-        for _ in range(12):
+        for _ in range(30):
             page.key(Keys.TAB)
             reached.add(page.run("return document.activeElement.id || document.activeElement.parentNode.tagName"))
         check({"view", "closer", "farther", "whole", "previous", "next", "LI"} <= reached, f"Tab reaches {reached}")
@@ -309,11 +309,11 @@ def test_page_zooms_and_pans(t):
         spot = (column_of((frame + 0.5) / FRAMES), row_of(places[frame][1]))
         where = """const b = picture.getBoundingClientRect();
                    return [b.left + arguments[0] * b.width / width, b.top + arguments[1] * b.height / height, b.width]"""
-        before = page.run(where, *spot)
+        before = [round(value) for value in page.run(where, *spot)]
         page.run("""view.dispatchEvent(new WheelEvent('wheel', {deltaY: -900, clientX: arguments[0], clientY: arguments[1],
                     cancelable: true}))""", before[0], before[1])
         after = page.run(where, *spot)
-        check(after[2] > 3 * before[2] and abs(after[0] - before[0]) < 2, f"zoomed from {before} to {after}")
+        check(after[2] > 3 * before[2] and abs(after[0] - before[0]) < 4, f"zoomed from {before} to {after}")
         page.hold_still()
         clock, _ = page.click_and_look(*spot)
         check(-1 < clock * RATE - frame < 2, f"a click in the zoomed picture goes to {clock} s")
@@ -383,7 +383,7 @@ def test_page_is_whole_and_the_same(t):
         t.render("clip.avi", "--backend", "software", output=name).expect(0, f"'{name}': 30 frames", "event")
     text = t.path("a.html").read_text()
     check(text == t.path("b.HTM").read_text(), "two pages of one clip differ")
-    check(re.search("https?://", text) is None, "the page names an address")
+    check(re.search("https?://(?!www.w3.org/2000/svg)", text) is None, "the page names an address")
     check(str(t.folder) not in text, "the page names a folder")
     check("vvr:" not in text and text.count("{{") == 0, "a place was left open")
     t.write("old.html", "older")

@@ -252,7 +252,8 @@ def test_watch_a_page(t):
     source(t)
     said = watched(t, "tcp://127.0.0.1:{port}{ask}", "--duration", "5s", "--title", "<b>Gate</b>", output="live.html")
     page = t.path("live.html").read_text(encoding="utf-8")
-    check('http-equiv="refresh" content="1"' in page and "&lt;b&gt;Gate&lt;/b&gt;" in page and "<b>Gate" not in page, page[:2000])
+    check('"live":{"state":"learning the empty scene' in page and '"brick":1' in page and "connect-src 'self'" in page, page[:2000])
+    check("&lt;b&gt;Gate&lt;/b&gt;" in page and "<b>Gate" not in page, page[:2000])
     check("'live.html': brick 1" in said and "data:image/png;base64," in page, said)
 
 

@@ -13,10 +13,14 @@ function element(tag, className, text) {
     return made;
 }
 
+/// Marks that turn the direction of writing would let a name show another ending: they are shown as what they are.
+const upright = text => text.replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g,
+                                     mark => `[U+${mark.charCodeAt(0).toString(16).toUpperCase().padStart(4, '0')}]`);
+
 /// The name in an address as people read it; bytes that are no UTF-8 stay as they stand there.
 function readable(url) {
     try {
-        return decodeURIComponent(url);
+        return upright(decodeURIComponent(url));
     } catch {
         return url;
     }
@@ -59,7 +63,7 @@ const clips = data.clips.map(([camera, url, begins, seconds, events, files, badg
     const date = wallOf(begins);
     const path = readable(url).replace(/^\.\//, '');
     const [left, stood, taken] = badges ?? [0, 0, 0];
-    const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason, tries,
+    const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason: reason && upright(reason), tries,
                   name: path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
     clip.gone = (files & hasGone) !== 0;
@@ -68,7 +72,7 @@ const clips = data.clips.map(([camera, url, begins, seconds, events, files, badg
 }).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
 
 const clipOfUrl = new Map(clips.map(clip => [clip.url, clip]));
-const cameraName = camera => data.cameras[camera] === '' ? '(top folder)' : data.cameras[camera];
+const cameraName = camera => data.cameras[camera] === '' ? '(top folder)' : upright(data.cameras[camera]);
 const pageOf = clip => clip.url + (clip.files & hasPage ? '.html' : '.png');
 
 // ---- What has been seen, kept in the browser

@@ -62,13 +62,17 @@ function cardOf(clip) {
 }
 
 const nearby = new IntersectionObserver(entries => {
-    for (const {target, isIntersecting} of entries) {
-        if (!isIntersecting) continue;
-        nearby.unobserve(target);
-        target.style.minHeight = '';
-        target.replaceChildren(...target.clips.map(cardOf));
-    }
+    for (const {target, isIntersecting} of entries) if (isIntersecting) fill(target);
 }, {rootMargin: '1200px'});
+
+function fill(cards) {
+    nearby.unobserve(cards);
+    cards.style.minHeight = '';
+    cards.replaceChildren(...cards.clips.map(cardOf));
+}
+addEventListener('beforeprint', () => {
+    for (const cards of at('days').querySelectorAll('.cards')) if (!cards.firstChild) fill(cards);
+});
 
 const orders = {
     newest: null,

@@ -62,6 +62,6 @@ function showDays(list) {
         row.append(name, ...cameras.map(camera => cellOf(ofDay.filter(clip => clip.camera === camera), most)));
         table.append(row);
     }
-    const hint = element('p', 'hint', 'Each little box is an hour of the day, 0 to 23: the darker, the more events. Click a cell for its clips.');
+    const hint = element('p', 'hint', 'Each little box is an hour of the day, 0 to 23: the stronger its colour, the more events. Click a cell for its clips.');
     at('overview').replaceChildren(list.length ? hint : element('p', 'empty', 'Nothing here is like that.'), table);
 }

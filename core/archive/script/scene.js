@@ -1,8 +1,21 @@
 
 // ---- Scene: what was where over all days of a camera. Events are loaded by day, from files beside the index
 
-const eventsOfDay = new Map();  // day: [{clip, kind, number, still, path}]; a path is [tenths of a second, x, y, ...]
+const eventsOfDay = new Map();  // day: [{clip, kind, number, still, path, bounds}]; a path is [tenths of a second, x, y, ...]
 const waiting = new Map();      // day: what goes on when it is there
+
+/// The box about a path: most paths are nowhere near the place that is asked for.
+function boundsOf(path) {
+    const bounds = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let k = 0; k + 2 < path.length; k += 3) {
+        bounds[0] = Math.min(bounds[0], path[k + 1]);
+        bounds[1] = Math.min(bounds[1], path[k + 2]);
+        bounds[2] = Math.max(bounds[2], path[k + 1]);
+        bounds[3] = Math.max(bounds[3], path[k + 2]);
+    }
+    return bounds;
+}
+const meets = (a, b) => a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
 
 /// Called by the files of days.
 function vvrDay(day, list) {
@@ -10,7 +23,7 @@ function vvrDay(day, list) {
     for (const [url, events] of list) {
         const clip = clipOfUrl.get(url);
         if (!clip) continue;
-        for (const [kind, number, still, ...path] of events) found.push({clip, kind, number, still: still / 10, path});
+        for (const [kind, number, still, ...path] of events) found.push({clip, kind, number, still: still / 10, path, bounds: boundsOf(path)});
     }
     eventsOfDay.set(day, found);
 }
@@ -89,8 +102,9 @@ const arrowOf = (x, y) => '→↘↓↙←↖↑↗'[(Math.round(Math.atan2(y, x
 function answerOf(event) {
     if (!place) return {at: event.path[0] / 10, seconds: (event.path.at(-3) - event.path[0]) / 10, words: ''};
     const {kind, from, to} = place;
+    const box = [Math.min(from[0], to[0]), Math.min(from[1], to[1]), Math.max(from[0], to[0]), Math.max(from[1], to[1])];
+    if (!meets(event.bounds, box)) return null;
     if (kind === 'box') {
-        const box = [Math.min(from[0], to[0]), Math.min(from[1], to[1]), Math.max(from[0], to[0]), Math.max(from[1], to[1])];
         const found = inBox(event.path, box);
         return found && {...found, words: 'here ' + lengthOf(found.seconds)};
     }
@@ -109,10 +123,8 @@ async function showScene(list) {
     at('scenehint').textContent = `${ground ? cameraName(camera) : 'No clips'}: draw on the scene to ask what was there. Warm colours show where most went on.`;
     at('foundheading').textContent = 'Loading…';
     const days = chosenDays().toReversed();
-    for (const day of days) {
-        await loadDay(day);
-        if (mine !== asking) return;
-    }
+    await Promise.all(days.map(loadDay));
+    if (mine !== asking) return;
     const events = days.flatMap(day => eventsOfDay.get(day) ?? []).filter(event => wanted.has(event.clip));
     answer(events);
 }

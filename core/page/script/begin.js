@@ -9,6 +9,8 @@ function summarise() {
         : `${dayOf(begins)}, ${span}, ${spanOf(ends - begins)}; times are of the day${zone}`;
 }
 summarise();
+document.title = upright(document.title);
+document.querySelector('h1').textContent = upright(data.name);
 at('screen').style.aspectRatio = at('peeked').style.aspectRatio = data.size[0] + ' / ' + data.size[1];
 at('screen').style.setProperty('--shape', data.size[0] / data.size[1]);
 at('peeked').style.width = 220 * data.size[0] / Math.max(...data.size) + 'px';
@@ -20,7 +22,6 @@ drawStrip();
 place();
 drawNow();
 drawButtons();
-choose(null);
 openFilm(0);
 followPlayer();
 followAddress();

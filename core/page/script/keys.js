@@ -23,15 +23,17 @@ const keys = {
 let byKeyboard = false;
 addEventListener('keydown', event => { if (event.key === 'Tab') byKeyboard = true; }, true);
 addEventListener('pointerdown', () => { byKeyboard = false; }, true);
+document.addEventListener('change', event => { if (!byKeyboard) event.target.blur(); });
 
 document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest('select, input')) return;
     const arrow = arrows[event.key];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const pressesButton = byKeyboard && event.key === ' ' && event.target.closest('button, a');
     if (pressesButton) return;
     if (arrow && event.shiftKey) pan(80 * arrow[0], 80 * arrow[1]);
     else if (arrow) step(event.key === 'ArrowRight' || event.key === 'ArrowDown' ? 1 : -1);
-    else if (keys[event.key]) keys[event.key]();
+    else if (keys[key]) keys[key]();
     else return;
     event.preventDefault();
 });

@@ -51,7 +51,7 @@ at('copylink').addEventListener('click', () => copy(linkHere(), 'a link'));
 function commandPath() {
     try {
         const path = decodeURIComponent(data.clip ?? '');
-        return /[\u0000-\u001f\u007f]/.test(path) ? '' : path;
+        return /[\u0000-\u001f\u007f]/.test(path) || path !== upright(path) ? '' : path;
     } catch {
         return '';
     }

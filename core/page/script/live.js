@@ -43,6 +43,7 @@ function takeOver(text) {
     listEvents();
     showOnStrip(begins, lasts);
     drawNow();
+    tellAge();
     readPicture().then(() => { labelEnds(); drawVeil(); });
 }
 

@@ -73,6 +73,7 @@ function show(frame, play) {
     now = clamp(frame, firstFrame, lastFrame);
     moved = true;
     playing = play;
+    stillClock = secondsOf(now);
     if (film) {
         video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
         if (play) video.play().catch(() => {});
@@ -98,7 +99,7 @@ function bringIntoSight() {
 
 function drawNow() {
     at('clock').textContent = clockOf(secondsOf(now));
-    at('cliptime').textContent = data.clock === null ? '' : clipTime(secondsOf(now)) + ' of the clip';
+    at('cliptime').textContent = data.clock === null || data.live ? '' : clipTime(secondsOf(now)) + ' of the clip';
     drawCursor();
     if (!still.hidden) {
         const nearest = stillNear(now);

@@ -4,7 +4,7 @@
 const strip = at('strip');
 let stripFrom = begins;   // what the strip shows, in seconds
 let stripLasts = lasts;
-let rubbing = false;      // whether the pointer drags along
+let rubbing = null;       // where the pointer went down, and whether it was dragged from there
 
 const shareOnStrip = seconds => (seconds - stripFrom) / stripLasts;
 
@@ -18,16 +18,18 @@ const eventOnStrip = event => event.target.dataset?.event === undefined ? null :
 
 strip.addEventListener('pointerdown', event => {
     if (event.button !== 0) return;
-    rubbing = true;
+    rubbing = {x: event.clientX, far: false, down: true};
     strip.setPointerCapture(event.pointerId);
 });
 strip.addEventListener('pointermove', event => {
-    if (rubbing) goTo(frameOnStrip(event));
-    pointAt(frameOnStrip(event), event.clientX, strip.getBoundingClientRect().top - 100, rubbing ? null : eventOnStrip(event));
+    const drags = rubbing?.down && (rubbing.far ||= Math.abs(event.clientX - rubbing.x) > 4);
+    if (drags) goTo(frameOnStrip(event));
+    pointAt(frameOnStrip(event), event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOnStrip(event));
 });
-for (const kind of ['pointerup', 'pointercancel']) strip.addEventListener(kind, () => { rubbing = false; });
+for (const kind of ['pointerup', 'pointercancel']) strip.addEventListener(kind, () => { if (rubbing) rubbing.down = false; });
 strip.addEventListener('pointerleave', () => pointAt(null));
 strip.addEventListener('click', event => {
+    if (rubbing?.far) return;  // it was a drag
     const number = barAt(event);
     choose(number);
     show(frameOnStrip(event), true);
@@ -89,8 +91,10 @@ function drawTicks() {
     const labels = [];
     for (let seconds = Math.ceil((stripFrom + zero) / step) * step - zero; seconds <= stripFrom + stripLasts * 0.98; seconds += step) {
         const label = element('span', '', clockOf(seconds, false));
-        label.style.left = shareOnStrip(seconds) * 100 + '%';
-        if (shareOnStrip(seconds) < 0.03) label.className = 'atedge';
+        const share = shareOnStrip(seconds);
+        const half = label.textContent.length * 3.5 / Math.max(1, strip.clientWidth);  // of its width, about
+        label.style.left = share * 100 + '%';
+        label.className = share < half ? 'atedge' : share > 1 - half ? 'atend' : '';
         labels.push(label);
     }
     at('ticks').replaceChildren(...labels);

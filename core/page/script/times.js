@@ -83,6 +83,10 @@ function spanOf(seconds) {
                       : Math.floor(all / 3600) + ':' + digits(Math.floor(all / 60) % 60) + ' h';
 }
 
+/// Marks that turn the direction of writing would let a name show another ending: they are shown as what they are.
+const upright = text => text.replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g,
+                                     mark => `[U+${mark.charCodeAt(0).toString(16).toUpperCase().padStart(4, '0')}]`);
+
 function element(tag, className, text) {
     const made = document.createElement(tag);
     if (className) made.className = className;

@@ -1,0 +1,257 @@
+"""The index answers "was anything left?", by days and by place, in a real browser."""
+
+import json
+import random
+import re
+import time
+
+import pytest
+from harness import check
+from test_archive_index import HOUR, NOW, Index, known, opened, write_index
+
+pytestmark = pytest.mark.browser
+
+STILL = {"still": "x.still.jpg"}
+
+
+def wander(chance, begin, lasts=200):
+    """A path as a sidecar has it: tenths of a second and thousandths of the scene, one after the other."""
+    times = sorted(chance.sample(range(begin, begin + lasts), chance.randint(1, 6)))
+    return [value for at in times for value in (at, chance.randint(0, 1000), chance.randint(0, 1000))]
+
+
+def cards(page):
+    """Of each card: name, badges."""
+    return page.run("return [...document.querySelectorAll('.card')].map(card => [card.querySelector('.name').textContent,"
+                    "[...card.querySelectorAll('.badge')].map(b => b.textContent)])")
+
+
+def choose(page, name, value):
+    page.run("const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))", name, value)
+
+
+def test_index_tells_what_was_left(t):
+    left = ["l", 1, 255, 10, 500, 500, 270, 500, 500]       # 26 s
+    stood = ["s", 2, 1850, 0, 100, 100, 3000, 200, 100]     # for 3:05
+    taken = ["t", 3, 0, 5, 1, 1, 9, 2, 2]
+    passed = ["m", 1, 0, 0, 0, 0, 50, 1000, 0]
+    known(t, "gate/a.avi", NOW - HOUR, events=1, found=[left])
+    known(t, "gate/b.avi", NOW - 2 * HOUR, events=3, found=[passed, stood, taken])
+    known(t, "gate/c.avi", NOW - 3 * HOUR, events=9, found=[passed] * 9)
+    known(t, "gate/d.avi", NOW - 4 * HOUR, events=0, found=[])
+    known(t, "gate/bad.avi", NOW, state="failed", tries=1, status=3, reason="'bad.avi' is not a video", files={})
+    write_index(t)
+    with opened(t) as page:
+        page.wait("cards", "return document.querySelectorAll('.card').length === 5")
+        check(cards(page) == [["a.avi", ["left 26 s", "1 event"]], ["b.avi", ["taken", "stood 3:05 min", "3 events"]],
+                              ["c.avi", ["9 events"]], ["d.avi", ["no events"]], ["bad.avi", []]], str(cards(page)))
+        for kind, names in (("left", ["a.avi", "b.avi"]), ("stood", ["b.avi"]), ("events", ["a.avi", "b.avi", "c.avi"]), ("failed", ["bad.avi"])):
+            page.run(f"document.querySelector('[value={kind}]').click()")
+            page.wait(kind, f"return document.querySelectorAll('.card').length === {len(names)}")
+            check([name for name, _ in cards(page)] == names, f"{kind}: {cards(page)}")
+        page.run("document.querySelector('[value=all]').click()")
+        for order, names in (("left", "ab"), ("stood", "b"), ("events", "cbad"), ("newest", "abcd")):
+            choose(page, "order", order)
+            page.wait("cards", "return document.querySelectorAll('.card').length === 5")
+            found = [name for name, _ in cards(page)]
+            check(found[:len(names)] == [f"{name}.avi" for name in names] and found[-1] == "bad.avi", f"{order}: {found}")
+        page.filter("nothing has this name")
+        check("Nothing here is like that" in page.text("days"), page.text("days"))
+        page.press("#days .empty button")
+        page.wait("all again", "return document.querySelectorAll('.card').length === 5")
+
+
+def test_index_finds_names_as_people_write_them(t):
+    for name in ("Übergabe/Straße 7.avi", "Café/x.avi", "hall/plain.avi"):
+        known(t, name, NOW)
+    write_index(t)
+    with opened(t) as page:
+        for text, count in (("uebergabe", 1), ("ubergabe", 1), ("Übergabe", 1), ("U\u0308BERGABE", 1), ("strasse", 1), ("STRAßE", 1), ("cafe", 1),
+                            ("hall/pl", 1), ("straße 7", 1), ("xyz", 0), ("avi", 3)):
+            page.filter(text)
+            page.wait(f"{text}: {count}", f"return document.querySelectorAll('.card').length === {count}", 5)
+
+
+def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
+    for number, name in enumerate(("a.avi", "b.avi", "gone.avi")):
+        known(t, f"gate/{name}", NOW - number * HOUR, events=1)
+        t.write(f"out/gate/{name}.html", f"<title>the page of {name}</title>")
+    t.path("clips/gate").mkdir(parents=True)
+    for name in ("a.avi", "b.avi"):
+        t.clip(f"clips/gate/{name}", 1)
+    t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0").expect(0)
+    with opened(t) as page:
+        page.wait("cards", "return document.querySelectorAll('.card').length === 3")
+        gone = page.run("return [...document.querySelectorAll('.card')].filter(c => c.querySelector('.gone')).map(c => c.querySelector('.name').textContent)")
+        check(gone == ["gone.avi"], f"{gone}")
+        check(" · 1 gone" in page.text("summary"), page.text("summary"))
+        check(page.run("return document.querySelectorAll('.new').length") == 3, "not all are new")
+        page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('gone.avi')).click()")
+        page.wait("the clip's page", "return document.title === 'the page of gone.avi'")
+        page.open(t.path("out/index.html"))
+        page.wait("two are new", "return document.querySelectorAll('.card').length === 3 && document.querySelectorAll('.new').length === 2")
+        page.run("document.querySelector('[value=unseen]').click()")
+        page.wait("two are left", "return document.querySelectorAll('.card').length === 2")
+
+
+def test_index_leads_from_clip_to_clip(t):
+    t.path("clips/gate").mkdir(parents=True)
+    t.path("clips/hall").mkdir(parents=True)
+    for hour, name in enumerate(("gate/20261120T080000.avi", "hall/20261120T083000.avi", "gate/20261120T090000.avi", "gate/20261120T100000.avi")):
+        t.clip(f"clips/{name}", 2)
+    t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0", "--backend", "software").expect(0)
+    with opened(t) as page:
+        page.wait("cards", "return document.querySelectorAll('.card').length === 4")
+        page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('09:00:00')).click()")
+        for selector, name in (("#later", "20261120T100000.avi"), ("#earlier", "20261120T090000.avi"), ("#earlier", "20261120T080000.avi")):
+            page.wait("a clip's page", "return document.documentElement.dataset.ready !== undefined")
+            page.press(selector)
+            page.wait(name, f"return document.title === '{name}'")
+        page.wait("the clip's page", "return document.documentElement.dataset.ready !== undefined")
+        # Before the first there is none: the index shows the camera's.
+        page.press("#earlier")
+        page.wait("the camera's clips", "return document.querySelectorAll('.card').length === 3")
+        page.run("history.back()")
+        page.wait("back", "return document.title === '20261120T080000.avi' && document.documentElement.dataset.ready !== undefined")
+        page.press("#toindex")
+        page.wait("the index", "return document.querySelectorAll('.card').length === 4")
+
+
+def test_index_by_days(t):
+    for day in range(40):
+        for camera in ("gate", "hall"):
+            if camera == "gate" or day % 3 == 0:
+                known(t, f"{camera}/{day}.avi", NOW - day * 24 * HOUR, events=day % 4, found=[["l", 1, 0, 0, 1, 1, 260, 1, 1]] if day == 5 else [])
+    write_index(t)
+    with opened(t) as page:
+        page.press("#views [value=days]")
+        page.wait("days", "return document.querySelectorAll('#overview th[scope=row]').length === 40")
+        check(page.texts("#overview th[scope=col]") == ["gate", "hall"], str(page.texts("#overview th[scope=col]")))
+        check(page.texts("#overview .month")[:1] == ["November 2026"], str(page.texts("#overview .month")))
+        check(page.run("return document.querySelectorAll('#overview td button').length") == 40 + 14, "cells")
+        check(page.run("return document.querySelectorAll('#overview td button .hours i').length") == 24 * 54, "hours")
+        left = page.run("return [...document.querySelectorAll('#overview .left')].map(b => b.closest('tr').querySelector('th').textContent + b.textContent)")
+        check(left == ["Mon 16left 26 s"], f"{left}")
+        page.run("document.querySelector('#overview .left').closest('button').click()")
+        page.wait("the day's clips", "return document.querySelectorAll('.card').length === 1")
+        check(page.text("count") == "1 of 54 clips on 2026-11-16", page.text("count"))
+        page.run("history.back()")
+
+
+def scene_page(t, clips=30, of_each=20):
+    """An index with the view of a scene, and the paths by camera: (clip, number): path."""
+    chance = random.Random(3)
+    paths = {}
+    for k in range(clips):
+        found = []
+        for number in range(1, of_each + 1):
+            path = wander(chance, 0)
+            found.append(["mslt"[number % 4], number, 0, *path])
+            if k % 3:
+                paths[f"gate/{k}.avi", number] = path
+        known(t, f"{'gate' if k % 3 else 'hall'}/{k}.avi", NOW - k * 7 * HOUR, events=of_each, found=found)
+    write_index(t)
+    return paths
+
+
+def brute_box(path, left, top, right, bottom):
+    points = [path[k:k + 3] for k in range(0, len(path), 3)]
+    if len(points) == 1:
+        return left <= points[0][1] <= right and top <= points[0][2] <= bottom
+    return any(left <= x + k / 3000 * (to_x - x) <= right and top <= y + k / 3000 * (to_y - y) <= bottom
+               for (_, x, y), (_, to_x, to_y) in zip(points, points[1:]) for k in range(3001))
+
+
+def brute_line(path, a, b):
+    points = [path[k:k + 3] for k in range(0, len(path), 3)]
+    for (_, x, y), (_, to_x, to_y) in zip(points, points[1:]):
+        dx, dy, ex, ey = to_x - x, to_y - y, b[0] - a[0], b[1] - a[1]
+        below = dx * ey - dy * ex
+        if below and 0 <= ((a[0] - x) * ey - (a[1] - y) * ex) / below < 1 and 0 <= ((a[0] - x) * dy - (a[1] - y) * dx) / below <= 1:
+            return True
+    return False
+
+
+def answered(page):
+    page.wait("an answer", "return document.getElementById('foundheading').textContent.includes('event')")
+    return {(clip, number) for clip, number in page.run("return answer.found.map(({event}) => [event.clip.url.replace(/^\\.\\//, ''), event.number])")}
+
+
+def test_index_asks_the_scene_over_all_days(t):
+    paths = scene_page(t)
+    with opened(t) as page:
+        page.run("[...document.querySelectorAll('#cameras button')].find(b => b.textContent.startsWith('gate')).click()")
+        page.press("#views [value=scene]")
+        page.wait("all events", f"return document.getElementById('foundheading').textContent === '{len(paths)} events'")
+        check(answered(page) == set(paths), "other events than those of the camera")
+        loaded = {url.rsplit("/", 1)[1] for url in page.requests() if re.search(r"index\.[\d-]+\.js$", url)}
+        check(len(loaded) == page.run("return data.days.length") and loaded, f"loaded: {loaded}")
+        for begin, end in (((0.2, 0.3), (0.5, 0.5)), ((0.95, 0.9), (0.7, 0.1))):
+            page.press("#askbox")
+            page.drag("#stage", begin, end)
+            page.wait("a place", "return place !== null")
+            box = page.run("return [Math.min(place.from[0], place.to[0]), Math.min(place.from[1], place.to[1]),"
+                           "Math.max(place.from[0], place.to[0]), Math.max(place.from[1], place.to[1])]")
+            check(abs(box[0] - 1000 * min(begin[0], end[0])) < 10 and abs(box[3] - 1000 * max(begin[1], end[1])) < 10, f"{box}")
+            found = answered(page)
+            surely = {key for key, path in paths.items() if brute_box(path, box[0] + 1, box[1] + 1, box[2] - 1, box[3] - 1)}
+            maybe = {key for key, path in paths.items() if brute_box(path, box[0] - 1, box[1] - 1, box[2] + 1, box[3] + 1)}
+            check(surely <= found <= maybe and found, f"missing {surely - found}, surplus {found - maybe}")
+        page.press("#askline")
+        page.drag("#stage", (0.5, 0.1), (0.6, 0.9))
+        page.wait("a line", "return place.kind === 'line'")
+        found = answered(page)
+        wanted = {key for key, path in paths.items() if brute_line(path, *page.run("return [place.from, place.to]"))}
+        check(found == wanted and found, f"missing {wanted - found}, surplus {found - wanted}")
+        check(all(re.search("crossed [→↘↓↙←↖↑↗]", text) for text in page.texts("#found a")), str(page.texts("#found a")[:3]))
+        # A day alone, and nothing drawn.
+        page.press("#askall")
+        page.press("#day")
+        page.wait("a day", f"return document.getElementById('foundheading').textContent !== '{len(paths)} events'")
+        day = page.run("return data.days.at(-1)")
+        check(all(text.startswith(day) for text in page.texts("#found a b")) and page.texts("#found a"), str(page.texts("#found a b")))
+        check(page.run("return document.querySelector('#found a').href").split("#")[1].startswith("event="), "no link to the event")
+
+
+def test_index_answers_a_hundred_thousand_events_at_once(t):
+    chance = random.Random(5)
+    known(t, "gate/a.avi", NOW, events=1, found=[["m", 1, 0, 0, 1, 1]])
+    write_index(t)
+    events = [["m", number, 0, *wander(chance, 0)] for number in range(100_000)]
+    name = next(t.path("out").glob("index.????-??-??.js"))
+    url = re.search(r'\[\["([^"]*)"', name.read_text())[1]
+    day = name.name[6:16]
+    name.write_text(f'vvrDay("{day}",{json.dumps([[url, events]], separators=(",", ":"))});\n')
+    with opened(t) as page:
+        page.press("#views [value=scene]")
+        page.wait("all events", "return document.getElementById('foundheading').textContent === '100,000 events'", 60)
+        took = []
+        for tool, begin, end in (("#askbox", (0.3, 0.3), (0.6, 0.6)), ("#askline", (0.1, 0.9), (0.9, 0.2)), ("#askbox", (0.1, 0.1), (0.2, 0.2)), ("#askbox", (0.2, 0.4), (0.6, 0.9))):
+            page.press(tool)
+            page.run("answer.took = null")
+            page.drag("#stage", begin, end)
+            page.wait("an answer", "return answer.took !== null")
+            took.append(page.run("return answer.took"))
+            found = page.run("return answer.found.length")
+            check(1000 < found < 100_000, f"{found} events")
+        print(f"{[round(ms, 1) for ms in took]} ms")
+        check(min(took) < 100, f"an answer takes {took} ms")
+
+
+def test_index_of_ten_thousand_clips_opens_at_once(t):
+    for number in range(10_000):
+        known(t, f"cam {number % 8}/{number:05}.avi", NOW - 600 * number, events=number % 3, found=[["s", 1, 90, 0, 1, 1, 100, 5, 5]] if number % 50 == 0 else [])
+    write_index(t)
+    with opened(t) as page:
+        took = []
+        for _ in range(3):
+            page.open(t.path("out/index.html"))
+            took.append(page.run("return performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? performance.timing.domContentLoadedEventEnd"
+                                 " - performance.timing.navigationStart"))
+        print(f"first paint after {[round(ms) for ms in took]} ms, {t.path('out/index.html').stat().st_size} bytes")
+        check("10,000 clips · 8 cameras" in page.text("summary"), page.text("summary"))
+        check(min(took) < 3000, f"it opens in {took} ms")
+        begin = time.monotonic()
+        page.press("#views [value=days]")
+        page.wait("days", "return document.querySelectorAll('#overview td button').length > 60")
+        check(time.monotonic() - begin < 5, "the view of days is slow")

@@ -1,0 +1,97 @@
+"""The page of a stream: it looks for news, fetches them when there are any, and tells its age by the server's clock."""
+
+import os
+import re
+import time
+
+import pytest
+from browser import Page, Served
+from harness import check
+from test_page_looks import expect_names, expect_readable
+from test_watch import Watch, source
+
+pytestmark = pytest.mark.browser
+
+
+class Live(Page):
+    """The page of a stream, which plays nothing but stills."""
+
+    def open(self, path):
+        self.driver.get(path if isinstance(path, str) else path.as_uri())
+        self.wait("the page is ready", "return document.documentElement.dataset.ready !== undefined")
+
+
+def page_of(t, name, seconds, *options):
+    """What is on the disk when a stream of so many seconds has ended."""
+    source(t, "cam.ts", seconds=seconds)
+    Watch(t, "cam.ts", "-o", name, "--brick", "1s", "--window", "3", "--size", "480x300", "--backend", "software", *options).end()
+    return name
+
+
+def written_at(t, name, when):
+    """Says in the page when it was written."""
+    text = t.path(name).read_text()
+    check(len(re.findall(r'"written":\d+', text)) == 1, "a page says once when it was written")
+    t.write("part", re.sub(r'"written":\d+', f'"written":{int(when)}', text))
+    os.replace(t.path("part"), t.path(name))
+
+
+def asked(served, method):
+    return [size for kind, path, size in served.asked if kind == method and path.startswith("/live.html")]
+
+
+def test_live_page_fetches_when_there_is_news(t):
+    page_of(t, "live.html", 6)
+    page_of(t, "later.html", 12)
+    size = t.path("live.html").stat().st_size
+    with Served(t.folder) as served, Live(t, served.url("live.html")) as page:
+        check(page.text("state").startswith("learning the empty scene · "), page.text("state"))
+        begin = len(asked(served, "HEAD"))
+        time.sleep(4)
+        heads = len(asked(served, "HEAD")) - begin
+        check(2 <= heads <= 8, f"it asked {heads} times in 4 s for news")
+        check(asked(served, "GET") == [size], f"it fetched {asked(served, 'GET')} bytes, though nothing changed")
+        frames = page.run("return [firstFrame, lastFrame]")
+        # News: the same page goes on with it, and keeps what was asked of it.
+        page.run("document.getElementById('order').value = 'newest'; window.same = true; const s = document.getElementById('speed'); s.value = '4'")
+        old = page.run("return picture.src")
+        os.replace(t.path("later.html"), t.path("live.html"))
+        page.wait("the news", f"return firstFrame > {frames[0]}")
+        page.wait("the picture is read", "return frames !== null")
+        check(page.run("return window.same && document.getElementById('speed').value === '4'"), "it was loaded again as a whole")
+        check(page.run("return picture.src") != old, "the picture is the old one")
+        check(page.text("state").startswith("watching · "), page.text("state"))
+        check(page.run("return document.querySelectorAll('#events button').length === data.events.length"), "the list is the old one")
+        check(re.fullmatch(r".*, \d+ frames.*", page.text("summary")), page.text("summary"))
+        check(len(asked(served, "GET")) == 2, f"{len(asked(served, 'GET'))} pages were fetched for one piece of news")
+        # It is a page to point at and to click on, as that of a clip.
+        x, y = page.run("const k = frames.findIndex((frame, k) => k > frames.length / 2 && frame > firstFrame); return [k % width, Math.floor(k / width)]")
+        page.point(x + 0.5, y + 0.5)
+        page.wait("a tip", "return !document.getElementById('tip').hidden")
+        page.click(x + 0.5, y + 0.5)
+        check(page.run("return moved && playing && now >= firstFrame"), "a click plays nothing")
+        check([line for line in page.complaints() if "404" not in line] == [], str(page.complaints()))
+        print(f"{size} bytes for each piece of news, {heads} questions of no bytes in 4 s")
+
+
+@pytest.mark.parametrize("ahead", [-3600, 0, 7200])
+def test_live_page_tells_its_age_by_the_clock_of_the_server(t, ahead):
+    page_of(t, "live.html", 6)
+    with Served(t.folder) as served:
+        served.ahead = ahead
+        written_at(t, "live.html", time.time() + ahead - 2)
+        with Live(t, served.url("live.html")) as page:
+            page.wait("its age", "return / · updated \\d s ago$/.test(document.getElementById('state').textContent)", 5)
+            check(page.run("return document.getElementById('state').className") == "", "it is said to be old")
+            written_at(t, "live.html", time.time() + ahead - 300)
+            page.wait("it is old", "return / · no new picture for 30\\d s$/.test(document.getElementById('state').textContent)", 8)
+            check(page.run("return document.getElementById('state').className") == "old", "old, and not marked")
+
+
+def test_live_page_is_readable_and_says_what_it_shows(t):
+    page_of(t, "front <b>gate.html", 6, "--title", "a\u202egpj <i>gate</i>")
+    with Live(t, "front <b>gate.html") as page:
+        check("<i>gate</i>" in page.run("return document.title") and page.run("return document.querySelectorAll('i, b').length") <= 6 + page.run("return data.events.length * 2 + document.querySelectorAll('#bars i').length"),
+              page.run("return document.title"))
+        expect_readable(page, 10)
+        expect_names(page)
