@@ -12,6 +12,7 @@
 #include "core/fields/shadows.h"
 #include "core/fields/solvers.h"
 #include "core/fields/stabilizer.h"
+#include "core/video/recorder_names.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -53,6 +54,11 @@ void add_input_options(CommandLine& line, InputOptions& options, const std::stri
         options.field_size = given == "source" ? Size{-1, -1} : parse_size(given);
     });
     line.number(Group::input, options.rate, setting::rate);
+}
+
+void add_layout_options(CommandLine& line, InputOptions& options) {
+    line.list(Group::input, options.layouts, setting::names,
+              {.help = fmt::format("{}", fmt::join(known_recorders(), ", "))});
 }
 
 void add_span_options(CommandLine& line, FrameSpan& span) {
@@ -125,7 +131,8 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
     job.given = shown(line.given({Group::input, Group::fields}));
     // These are about the render, not about the fields that an extraction holds.
     std::erase_if(job.given, [](const auto& given) {
-        return given.first == setting::step.name || given.first == setting::seeds.name;
+        return given.first == setting::step.name || given.first == setting::seeds.name ||
+               given.first == setting::names.name;
     });
 }
 

@@ -24,9 +24,10 @@ namespace vvr {
 
 /// What is read. Which frames of it FieldOptions::span says.
 struct InputOptions {
-    std::vector<std::string> names;  ///< one clip, or the folders of an extraction in parts
-    Size field_size{0, 0};           ///< as in SourceOptions
-    double rate = 25;                ///< frames per second, where the input does not say
+    std::vector<std::string> names;    ///< a clip, the files of a recording, or the folders of an extraction in parts
+    std::vector<std::string> layouts;  ///< of files' names, before those of known recorders
+    Size field_size{0, 0};             ///< as in SourceOptions
+    double rate = 25;                  ///< frames per second, where the input does not say
 };
 
 /// How time becomes layers and bricks.

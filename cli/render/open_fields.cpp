@@ -9,6 +9,7 @@
 #include "core/fields/busy_fields.h"
 #include "core/fields/listed_seeds.h"
 #include "core/store/stored_fields.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr {
 
@@ -31,32 +32,39 @@ OpenedFields open_extracted(const RenderJob& job) {
 }
 
 OpenedFields open_any(const RenderJob& job) {
+    require_input(job.input);
     if (std::ranges::all_of(job.input.names, is_data_folder)) return open_extracted(job);
-    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads);
-    return {std::make_unique<ClipFields>(std::move(clip), job.fields), {}};
+    OpenedFields opened;
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
+    opened.source = std::make_unique<ClipFields>(std::move(clip), job.fields);
+    return opened;
 }
 
 }  // namespace
 
-const std::string& only_input(const InputOptions& options) {
+void require_input(const InputOptions& options) {
     if (options.names.empty()) {
-        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
+        throw Error(ErrorKind::usage, "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
     }
+}
+
+const std::string& only_input(const InputOptions& options) {
+    require_input(options);
     if (options.names.size() > 1) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: only directories that `vvr extract` "
-                                                  "wrote, one part of a clip each, can be several",
-                                                  options.names[1]));
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
     }
     return options.names.front();
 }
 
-std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads) {
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                       std::vector<std::string>& warnings) {
+    require_input(options);
     SourceOptions source;
     source.field_size = options.field_size;
     source.colour = colour;
     source.threads = threads;
     source.rate = options.rate;
-    return open_source(only_input(options), source);
+    return open_sources(options.names, source, RecorderNames(options.layouts), warnings);
 }
 
 OpenedFields open_fields(const RenderJob& job) {

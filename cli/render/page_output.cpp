@@ -16,7 +16,11 @@ std::string page_text(const fs::path& path, const std::string& input, const std:
     std::error_code none;
     PageContent content;
     content.name = title_of(title, report.info);
-    if (fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
+    for (const SegmentPlace& segment : report.info.segments) {
+        if (segment.end <= segment.begin) continue;  // another file shows the same time
+        content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+    }
+    if (content.segments.empty() && fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
     content.shown = report.info.size;
     content.field = report.field_size;
     content.picture = std::move(picture);

@@ -15,6 +15,7 @@
 #include "cli/render/record.h"
 #include "cli/render/render_series.h"
 #include "cli/render/report_text.h"
+#include "cli/render/tell_problems.h"
 #include "core/image/atomic_file.h"
 #include "core/words.h"
 
@@ -100,6 +101,7 @@ RenderReport render(const RenderJob& asked, Observer& observer) {
     };
     RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
                                           : render_clip(job, products, *fields.source, observer, write);
+    tell_problems(fields.warnings, report.problems, observer);
     show_warnings(job, report, observer);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;

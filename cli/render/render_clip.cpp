@@ -38,6 +38,18 @@ struct Fields {
     Crops crops{};
 };
 
+/// Numbers skip the frames of a gap in a recording.
+void fill_gap(const Field& next, Volume& volume) {
+    if (volume.frames() == 0) return;
+    const Layer& before = volume.layer(volume.layers() - 1);
+    const std::int64_t gap = next.index - before.last_frame - 1;
+    const double begin = before.last_pts;
+    const double length = (next.pts - begin) / static_cast<double>(gap + 1);
+    for (std::int64_t i = 1; i <= gap; ++i) {
+        volume.add_missing(next.index - gap - 1 + i, begin + static_cast<double>(i) * length);
+    }
+}
+
 Fields read_fields(const RenderJob& job, const Products& products, FieldSource& source, std::int64_t step,
                    Observer& observer) {
     const std::int64_t expected = source.expected_frames();
@@ -61,6 +73,8 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        // Where nothing moves frames are left out on purpose.
+        if (job.bricks.skip_idle == 0) fill_gap(field, result.volume);
         result.volume.add(field, volume_colour(job, *frame), labels.runs);
         if (result.volume.frames() == 1) result.first = frame;
         const std::int64_t number = result.volume.frames() - 1;
@@ -144,6 +158,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
+    report.problems = fields.summary.problems;
     report.first_frame = fields.first->index;
     report.last_frame = fields.last->index;
     report.first_pts = caption.begin;

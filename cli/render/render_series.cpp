@@ -242,6 +242,8 @@ RenderReport render_series(const RenderJob& job, const Products& products, Field
     RenderReport report = series.finish(summary.reference);
     report.frames = summary.frames;
     report.damaged = summary.damaged;
+    report.problems = summary.problems;
+    report.info = source.info();  // by now it tells all files of a recording
     return report;
 }
 

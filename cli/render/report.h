@@ -19,7 +19,8 @@ struct RenderReport {
     Size field_size;
     std::int64_t frames = 0;  ///< that reached the volume
     std::int64_t damaged = 0;
-    double first_pts = 0;  ///< seconds
+    std::vector<std::string> problems;  ///< of files of the input, a sentence each
+    double first_pts = 0;               ///< seconds
     double last_pts = 0;
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;

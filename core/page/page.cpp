@@ -54,6 +54,10 @@ Json json_of_objects(const Plane<float>& objects) {
     return json_of_pixels(objects, [](float number) { return std::llround(number); });
 }
 
+Json json_of(const PageContent::Segment& segment) {
+    return {segment.url, rounded(segment.begin), rounded(segment.length)};
+}
+
 Json json_of(const PageContent::Region& region) {
     const PixelBox& box = region.box;
     return {box.left, box.top, box.right, box.bottom, region.number - 1};
@@ -107,10 +111,12 @@ Json json_of(const PageContent& content) {
     const Moments& moments = content.moments;
     Json json{{"name", content.name},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
+              {"segments", Json::array()},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
               {"objects", json_of_objects(content.picture.pixel_data.object)}};
+    for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
     json["events"] = Json();
     if (content.events) {
         json["events"] = Json::array();

@@ -14,6 +14,14 @@ namespace vvr {
 struct PageContent {
     std::string name;      ///< of the clip, for people
     std::string clip_url;  ///< of the clip, relative to the page; empty = there is no file to play
+
+    /// A file of a recording.
+    struct Segment {
+        std::string url;   ///< relative to the page
+        double begin = 0;  ///< seconds of the recording
+        double length = 0;
+    };
+    std::vector<Segment> segments;  ///< instead of a clip, in order
     Size shown;            ///< size of the clip's picture
     Size field;            ///< size of the field, whose pixels are the unit of events
     Picture picture;       ///< with its pixel data
