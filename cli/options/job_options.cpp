@@ -43,7 +43,12 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
         options.length = length;
     });
     line.number(Group::bricks, options.window, setting::window);
-    line.number(Group::bricks, options.skip_idle, setting::skip_idle);
+    line.choice(Group::bricks, time_scales, time_scales.front().name, setting::time,
+                [&options](const TimeScaleRow& row) { options.time = row.scale; });
+    line.value(Group::bricks, setting::skip_idle, "", [&options](const std::string& given) {
+        const double longest = parse_number(given, setting::skip_idle.range);
+        options.time = longest > 0 ? TimeScale::busy : TimeScale::even;
+    });
 }
 
 }  // namespace

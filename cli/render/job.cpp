@@ -21,7 +21,6 @@ namespace {
 void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::step, bricks.step);
     check(setting::window, bricks.window);
-    check(setting::skip_idle, bricks.skip_idle);
     check(setting::keyframes, look.keyframes);
     check(setting::opacity, look.opacity);
     check(setting::glyph_scale, look.glyph_scale);
@@ -50,10 +49,10 @@ void validate(const LayoutOptions& shape) {
 }
 
 void validate_series(const RenderJob& job) {
-    if (job.bricks.skip_idle > 0) {
+    if (job.bricks.time == TimeScale::busy) {
         throw Error(ErrorKind::usage,
-                    "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
-                    {setting::skip_idle.name});
+                    "time busy is for one picture of a clip; the pictures of a series share one scale of time",
+                    {setting::time.name});
     }
     if (job.look.keyframes > 0) {
         throw Error(ErrorKind::usage,

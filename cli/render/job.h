@@ -8,6 +8,7 @@
 #include "cli/render/output.h"
 #include "cli/render/part.h"
 #include "cli/render/time.h"
+#include "cli/render/time_scale.h"
 #include "core/events/event_options.h"
 #include "core/fields/options.h"
 #include "core/image/picture.h"
@@ -36,7 +37,7 @@ struct BrickOptions {
     int step = 0;                   ///< frames per layer; 0 = as few as max_layers allows
     int window = 8;                 ///< bricks of the window; without `length`, a clip is cut into as many
     std::optional<Time> length{};   ///< of a brick
-    double skip_idle = 0;           ///< seconds that stretches without motion are cut to; 0 = they stay whole
+    TimeScale time = TimeScale::automatic;
 };
 
 /// When a clip began.

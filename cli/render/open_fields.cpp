@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/fields/busy_fields.h"
 #include "core/fields/listed_seeds.h"
 #include "core/store/stored_fields.h"
 #include "core/video/recorder_names.h"
@@ -70,9 +69,6 @@ std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour,
 OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
     if (!job.seeds.empty()) opened.source = std::make_unique<ListedSeeds>(std::move(opened.source), job.seeds);
-    if (job.bricks.skip_idle > 0) {
-        opened.source = std::make_unique<BusyFields>(std::move(opened.source), job.bricks.skip_idle);
-    }
     return opened;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/render/stages.h"
 #include "core/bricks/brick.h"
+#include "core/bricks/volume.h"
 #include "core/events/event.h"
 #include "core/labels/lettering.h"
 #include "core/video/frame_source.h"
@@ -25,9 +26,10 @@ struct RenderReport {
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;
     std::int64_t layers = 0;
-    std::int64_t step = 1;      ///< frames per layer
-    std::vector<Brick> bricks;  ///< in layers
-    std::int64_t pictures = 1;  ///< so far
+    std::int64_t step = 1;           ///< frames per layer
+    std::vector<Brick> bricks;       ///< in layers
+    std::vector<Squeezed> squeezed;  ///< where time has less room than in the mean
+    std::int64_t pictures = 1;       ///< so far
     std::size_t arrows = 0;
     bool still = false;           ///< nothing in the volume is visible
     bool frames_missing = false;  ///< some of the frames to be shown came without a picture

@@ -75,6 +75,16 @@ Json json_of(const Moment& moment, const std::vector<SegmentPlace>& segments) {
     return json;
 }
 
+Json json_of(const std::vector<Squeezed>& squeezed) {
+    Json json = Json::array();
+    for (const Squeezed& stretch : squeezed) {
+        json.push_back({{"first", rounded(stretch.begin)},
+                        {"seconds", rounded(stretch.seconds)},
+                        {"room", rounded(stretch.t_end - stretch.t_begin)}});
+    }
+    return json;
+}
+
 Json json_of(const SegmentPlace& segment) {
     return {{"file", segment.path},
             {"first_frame", segment.first_frame},
@@ -182,7 +192,8 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"frames_a_layer", report.step},
           {"bricks", report.bricks.size()},
           {"arrows", report.arrows},
-          {"still", report.still}}},
+          {"still", report.still},
+          {"squeezed", json_of(report.squeezed)}}},
     };
     json["segments"] = Json();
     if (!info.segments.empty()) {

@@ -15,11 +15,9 @@ inline constexpr Setting window{"window",
                                 "COUNT",
                                 "bricks shown: one picture cuts the clip into this many, a series moves by one of them",
                                 {1, 256}};
+inline constexpr Setting time{"time", "NAME", "how the room along the arc is given to time"};
 inline constexpr Setting skip_idle{
-    "skip-idle",
-    "SECONDS",
-    "shorten longer stretches without motion to this; the ruler marks them; 0 = keep all",
-    {0, 86'400}};
+    "skip-idle", "SECONDS", "another name of --time busy; 0 is --time even", {0, 86'400}};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};

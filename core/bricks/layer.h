@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/bricks/sparse_plane.h"
+#include "core/plane.h"
+
+namespace vvr {
+
+/// One layer of the volume: the strongest value that each pixel took in `frames` consecutive frames.
+struct Layer {
+    std::int64_t first_frame = 0;  ///< index in the clip
+    std::int64_t last_frame = 0;
+    std::int64_t frames = 0;
+    double pts = 0;            ///< seconds, of its first frame
+    double last_pts = 0;       ///< seconds, of its last frame
+    std::int64_t missing = 0;  ///< of the frames, those that never came
+    std::int64_t moving = 0;   ///< of the frames, those in which something moves, where that is told
+    SparsePlane scalar;
+    Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
+    OwnerPlane owner;   ///< in that frame; empty unless owners are kept
+};
+
+/// Joins a layer with the one after it; each voxel keeps the value, the colour and the owner of the stronger one, the
+/// first of two alike.
+void join(Layer& layer, const Layer& next);
+
+}  // namespace vvr
