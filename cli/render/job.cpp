@@ -164,8 +164,11 @@ GlyphStyle glyph_style_of(const RenderJob& job) {
 }
 
 WallClock clock_of(const StartTime& start, const VideoInfo& info) {
-    if (!start.as_recorded) return start.clock;
-    if (info.created) return info.created;
+    using From = StartTime::From;
+    if (start.from == From::given) return start.clock;
+    if (start.from == From::nobody) return std::nullopt;
+    if (info.created) return local_clock(*info.created, info.duration);
+    if (start.from == From::automatic) return std::nullopt;
     throw Error(
         ErrorKind::usage,
         fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),

@@ -42,8 +42,14 @@ struct BrickOptions {
 
 /// When a clip began.
 struct StartTime {
-    bool as_recorded = false;  ///< the container knows
-    WallClock clock;
+    enum class From {
+        automatic,  ///< its name or its container, where one of them tells
+        recorded,   ///< the same, and it is an error where none does
+        given,
+        nobody,
+    };
+    From from = From::automatic;
+    WallClock clock{};  ///< that was given
 };
 
 /// What the picture shows of the volume and the flow. How it draws that RenderOptions says.

@@ -21,6 +21,7 @@ std::string page_text(const fs::path& path, const std::string& input, const std:
         content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }
     if (content.segments.empty() && fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
+    content.clock = report.clock;
     content.shown = report.info.size;
     content.field = report.field_size;
     content.picture = std::move(picture);

@@ -156,7 +156,7 @@ std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const W
     if (bricks.length->unit == Time::Unit::seconds) {
         // Where layers are of unequal length, only the clock says how long a brick is.
         if (volume.is_unequal()) {
-            return cut_by_clock(volume, bricks.length->value, static_cast<double>(clock.value_or(0)));
+            return cut_by_clock(volume, bricks.length->value, clock ? clock->at(0) : 0);
         }
         const double seconds = fields.last->pts - fields.first->pts;
         if (seconds <= 0) return cut_into(volume.layers(), bricks.window);
@@ -215,6 +215,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
                           nothing_visible(volume, transfer_of(job.look)),
                           clock};
     report.events = fields.events;
+    report.clock = clock;
     const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;

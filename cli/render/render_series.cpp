@@ -58,6 +58,7 @@ class Series {
                 objects_.see(labels);
             });
         }
+        report_.clock = caption_.clock;
         report_.step = window_.step;
         report_.pictures = 0;
     }

@@ -11,6 +11,7 @@
 #include "core/events/event.h"
 #include "core/labels/lettering.h"
 #include "core/video/frame_source.h"
+#include "core/wall_clock.h"
 
 namespace vvr {
 
@@ -25,6 +26,7 @@ struct RenderReport {
     double last_pts = 0;
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;
+    WallClock clock;  ///< that the picture shows
     std::int64_t layers = 0;
     std::int64_t step = 1;           ///< frames per layer
     std::vector<Brick> bricks;       ///< in layers

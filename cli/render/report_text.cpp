@@ -64,11 +64,18 @@ Json json_of(const Moment& moment) {
     return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};
 }
 
-/// With the file of a recording in which it is, and where in that file.
-Json json_of(const Moment& moment, const std::vector<SegmentPlace>& segments) {
+/// What tells where in the world a moment of the clip is.
+struct Place {
+    const std::vector<SegmentPlace>& segments;  ///< of a recording
+    const WallClock& clock;
+};
+
+/// With the time of day, and the file of a recording in which it is and where in that file.
+Json json_of(const Moment& moment, const Place& place) {
     Json json = json_of(moment);
-    const auto after = std::ranges::upper_bound(segments, moment.frame, {}, &SegmentPlace::first_frame);
-    if (after == segments.begin()) return json;
+    if (place.clock) json["time"] = place.clock->iso(moment.seconds);
+    const auto after = std::ranges::upper_bound(place.segments, moment.frame, {}, &SegmentPlace::first_frame);
+    if (after == place.segments.begin()) return json;
     const SegmentPlace& segment = *std::prev(after);
     json["file"] = segment.path;
     json["offset"] = rounded(std::max(0.0, moment.seconds - segment.begin));
@@ -122,11 +129,11 @@ Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
     return json;
 }
 
-Json json_of(const Event& event, std::size_t place, const Scale& scale, const std::vector<SegmentPlace>& segments) {
+Json json_of(const Event& event, std::size_t place, const Scale& scale, const Place& where) {
     Json json{{"number", place + 1},
               {"kind", name_of(event.kind)},
-              {"first", json_of(event.first, segments)},
-              {"last", json_of(event.last, segments)},
+              {"first", json_of(event.first, where)},
+              {"last", json_of(event.last, where)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
               {"from", number_of(event.from)},
               {"into", number_of(event.into)},
@@ -195,6 +202,13 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"still", report.still},
           {"squeezed", json_of(report.squeezed)}}},
     };
+    json["clock"] = Json();
+    if (report.clock) {
+        const std::string& zone = report.clock->zone;
+        json["clock"] = {{"first", report.clock->iso(report.first_pts)},
+                         {"last", report.clock->iso(report.last_pts)},
+                         {"zone", zone.empty() ? Json() : Json(zone)}};
+    }
     json["segments"] = Json();
     if (!info.segments.empty()) {
         json["segments"] = Json::array();
@@ -215,7 +229,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
         json["events"] = Json::array();
         const Scale scale(report.field_size, info.size);
         for (std::size_t k = 0; k < report.events->size(); ++k) {
-            json["events"].push_back(json_of((*report.events)[k], k, scale, info.segments));
+            json["events"].push_back(json_of((*report.events)[k], k, scale, {info.segments, report.clock}));
         }
     }
     return json_text(json, 2) + "\n";

@@ -37,9 +37,13 @@ inline constexpr Setting keyframes{"keyframes", "COUNT", "frames shown between t
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
 inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
 inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};
-inline constexpr Setting start_time{
-    "start-time", "DATETIME",
-    "when the clip began: 2026-11-21 08:00:00, or 'recorded' as the container says; the ruler then shows times of day"};
+inline constexpr Setting start_time{"start-time",
+                                    "DATETIME",
+                                    "when the clip began: 2026-11-21 08:00:00; 'recorded' = as its name or container "
+                                    "says, in this machine's time zone; "
+                                    "'none' = times run from 0:00",
+                                    {},
+                                    "recorded where that is known"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",

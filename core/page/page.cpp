@@ -58,6 +58,15 @@ Json json_of(const PageContent::Segment& segment) {
     return {segment.url, rounded(segment.begin), rounded(segment.length)};
 }
 
+/// What the clock on the wall shows at second 0, in seconds since 1970-01-01 00:00 on that clock, where it leaps and by
+/// how much, and its zone.
+Json json_of(const WallClock& clock) {
+    if (!clock) return {};
+    Json leaps = Json::array();
+    for (const Clock::Leap& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
+    return {{"begin", clock->begin}, {"leaps", leaps}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
+}
+
 Json json_of(const PageContent::Region& region) {
     const PixelBox& box = region.box;
     return {box.left, box.top, box.right, box.bottom, region.number - 1};
@@ -117,6 +126,7 @@ Json json_of(const PageContent& content) {
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
               {"objects", json_of_objects(content.picture.pixel_data.object)}};
     for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
+    json["clock"] = json_of(content.clock);
     json["events"] = Json();
     if (content.events) {
         json["events"] = Json::array();

@@ -7,6 +7,7 @@
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/watched_fields.h"
+#include "core/wall_clock.h"
 
 namespace vvr {
 
@@ -22,10 +23,11 @@ struct PageContent {
         double length = 0;
     };
     std::vector<Segment> segments;  ///< instead of a clip, in order
-    Size shown;            ///< size of the clip's picture
-    Size field;            ///< size of the field, whose pixels are the unit of events
-    Picture picture;       ///< with its pixel data
-    Metadata settings;     ///< of the picture
+    WallClock clock;                ///< that the picture shows
+    Size shown;                     ///< size of the clip's picture
+    Size field;                     ///< size of the field, whose pixels are the unit of events
+    Picture picture;                ///< with its pixel data
+    Metadata settings;              ///< of the picture
     Moments moments;
     std::optional<std::vector<Event>> events;  ///< if they were searched for
     std::vector<glm::vec3> colours;            ///< of the events in the picture, sRGB; empty where they have none

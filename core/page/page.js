@@ -14,8 +14,10 @@ function stretchAt(column, value) {
     let low = 0;
     for (let high = data.times.length; high - low > 1;) {
         const middle = (low + high) >> 1;
-        if (data.times[middle][column] <= value) low = middle;
-        else high = middle;
+        if (data.times[middle][column] <= value)
+            low = middle;
+        else
+            high = middle;
     }
     return data.times[low];
 }
@@ -56,7 +58,8 @@ function clockOf(seconds, tenths = true) {
     const whole = Math.floor(all / 10);
     const hours = Math.floor(whole / 3600);
     const minutes = Math.floor(whole / 60) % 60;
-    return (hours ? hours + ':' + digits(minutes) : minutes) + ':' + digits(whole % 60) + (tenths ? '.' + all % 10 : '');
+    return (hours ? hours + ':' + digits(minutes) : minutes) + ':' + digits(whole % 60) +
+        (tenths ? '.' + all % 10 : '');
 }
 
 // ---- What the pixels show
@@ -67,9 +70,7 @@ const height = Number(picture.getAttribute('height'));
 let frames = null;   // of each pixel; -1 = none
 let objects = null;  // the place in data.events that each pixel shows; -1 = none
 
-function bytesOf(base64) {
-    return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
-}
+function bytesOf(base64) { return Uint8Array.from(atob(base64), letter => letter.charCodeAt(0)); }
 
 /// The number of each pixel, less by one: -1 = none.
 async function readPixels(source) {
@@ -124,7 +125,8 @@ function pixelNear(x, y) {
 /// What a point of the picture shows: the frame, and the place of the event in the list; null where there is none.
 function shownAt(x, y) {
     // Of the parts that stand for an event, the last drawn is on top.
-    const region = data.regions.findLast(([left, top, right, bottom]) => x >= left && x < right && y >= top && y < bottom);
+    const region =
+        data.regions.findLast(([left, top, right, bottom]) => x >= left && x < right && y >= top && y < bottom);
     if (region) return {frame: data.events[region[4]].first, event: region[4]};
     const pixel = pixelNear(x, y);
     if (pixel === null) return {frame: null, event: null};
@@ -159,17 +161,22 @@ function drawVeil() {
     const isOther = objects ? k => objects[k] !== lit : k => frames[k] < event.first || frames[k] > event.last;
     for (let k = 0; k < frames.length; ++k) {
         const frame = frames[k];
-        if (frame < 0) veilWords[k] = 0;  // lines and writing
-        else if (moved && frame >= from && frame <= to && frame !== firstFrame && frame !== lastFrame) veilWords[k] = glow;
-        else veilWords[k] = event && isOther(k) ? pale : 0;
+        if (frame < 0)
+            veilWords[k] = 0;  // lines and writing
+        else if (moved && frame >= from && frame <= to && frame !== firstFrame && frame !== lastFrame)
+            veilWords[k] = glow;
+        else
+            veilWords[k] = event && isOther(k) ? pale : 0;
     }
     veil.putImageData(veilPixels, 0, 0);
 }
 
 /// Says at the horseshoe's ends which is which, where there are pixels enough of the first and the last frame.
 function labelEnds() {
-    const ends = [[at('begins'), firstFrame, 'begins ' + clockOf(begins, false)],
-                  [at('ends'), lastFrame, 'ends ' + clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)]];
+    const ends = [
+        [at('begins'), firstFrame, 'begins ' + clockOf(begins, false)],
+        [at('ends'), lastFrame, 'ends ' + clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)]
+    ];
     for (const [label, frame, words] of ends) {
         let count = 0;
         let left = width, right = 0, bottom = 0;
@@ -220,7 +227,8 @@ function openFilm(number) {
         video.removeAttribute('src');
         video.hidden = true;
         still.hidden = false;
-        at('source').textContent = data.clip ? 'a still, as the clip can’t be played here' : 'a still, as there is no film to be played';
+        at('source').textContent =
+            data.clip ? 'a still, as the clip can’t be played here' : 'a still, as there is no film to be played';
         drawNow();
         return;
     }
@@ -260,8 +268,10 @@ function show(frame, play) {
     playing = play;
     if (film) {
         video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
-        if (play) video.play().catch(() => {});
-        else video.pause();
+        if (play)
+            video.play().catch(() => {});
+        else
+            video.pause();
     }
     drawNow();
 }
@@ -288,13 +298,19 @@ function followPlayer() {
     }
     setTimeout(() => requestAnimationFrame(followPlayer), 60);
 }
-video.addEventListener('play', () => { moved = playing = true; });
-video.addEventListener('pause', () => { playing = false; });
+video.addEventListener('play', () => {
+    moved = playing = true;
+});
+video.addEventListener('pause', () => {
+    playing = false;
+});
 
 function togglePlaying() {
     if (!film) return;
-    if (video.paused) video.play().catch(() => {});
-    else video.pause();
+    if (video.paused)
+        video.play().catch(() => {});
+    else
+        video.pause();
 }
 
 function stillNear(frame) {
@@ -324,10 +340,12 @@ function pointAt(frame, x, y, event = null) {
         peeker.hidden = true;
         peekAt(frame);
     }
-    at('when').textContent = clockOf(secondsOf(frame)) + (event === null ? '' : ` · ${event + 1} ${data.events[event].kind}`);
+    at('when').textContent =
+        clockOf(secondsOf(frame)) + (event === null ? '' : ` · ${event + 1} ${data.events[event].kind}`);
     const box = tip.getBoundingClientRect();
     const beside = x + 18 + box.width > innerWidth ? x - 18 - box.width : x + 18;
-    tip.style.transform = `translate(${Math.max(4, beside)}px, ${clamp(y - box.height / 2, 4, innerHeight - box.height - 4)}px)`;
+    tip.style.transform =
+        `translate(${Math.max(4, beside)}px, ${clamp(y - box.height / 2, 4, innerHeight - box.height - 4)}px)`;
 }
 
 /// A still is there at once; the frame itself comes from the film, one after the other.
@@ -337,8 +355,10 @@ function peekAt(frame) {
     peeker.currentTime = Math.max(0, timeWithin(frame) - film.begin + film.offset);
 }
 peeker.addEventListener('seeked', () => {
-    if (Number(peeker.dataset.frame) === pointed) peeker.hidden = false;
-    else if (pointed !== null) peekAt(pointed);
+    if (Number(peeker.dataset.frame) === pointed)
+        peeker.hidden = false;
+    else if (pointed !== null)
+        peekAt(pointed);
 });
 peeker.addEventListener('loadeddata', () => {
     if (pointed !== null) peekAt(pointed);
@@ -348,7 +368,7 @@ peeker.addEventListener('loadeddata', () => {
 
 const view = at('view');
 const stage = at('stage');
-let scale = 1;        // 1 = the whole picture fits
+let scale = 1;            // 1 = the whole picture fits
 let middle = [0.5, 0.5];  // of the picture, stands in the middle of the view
 
 function place() {
@@ -423,7 +443,9 @@ view.addEventListener('pointerup', event => {
     show(shown.frame, true);
     say('Plays from ' + clockOf(secondsOf(shown.frame)) + (shown.event === null ? '' : `, event ${shown.event + 1}`));
 });
-view.addEventListener('pointercancel', () => { press = null; });
+view.addEventListener('pointercancel', () => {
+    press = null;
+});
 view.addEventListener('pointerleave', () => pointAt(null));
 view.addEventListener('wheel', event => {
     event.preventDefault();
@@ -442,7 +464,8 @@ function frameOnStrip(event) {
     const box = strip.getBoundingClientRect();
     return frameAt(begins + clamp((event.clientX - box.left) / box.width, 0, 1) * lasts);
 }
-strip.addEventListener('pointermove', event => pointAt(frameOnStrip(event), event.clientX, strip.getBoundingClientRect().top - 100));
+strip.addEventListener(
+    'pointermove', event => pointAt(frameOnStrip(event), event.clientX, strip.getBoundingClientRect().top - 100));
 strip.addEventListener('pointerleave', () => pointAt(null));
 strip.addEventListener('click', event => show(frameOnStrip(event), true));
 
@@ -477,7 +500,7 @@ function drawStrip() {
 
 // ---- Events
 
-let chosen = null;  // place in data.events
+let chosen = null;     // place in data.events
 let lightened = null;  // the one that the pointer is on
 
 /// Shows which event the pointer is on, without choosing it.
@@ -487,9 +510,7 @@ function light(number) {
     drawVeil();
 }
 
-function say(text) {
-    at('said').textContent = text;
-}
+function say(text) { at('said').textContent = text; }
 
 function textOf(event) {
     const parts = [];
@@ -550,8 +571,8 @@ function listEvents() {
     at('previous').disabled = at('next').disabled = count === 0;
     if (!count) {
         const item = document.createElement('li');
-        item.textContent = data.events ? 'Nothing moved long enough to be an event.'
-            : 'The filter of this picture marks no objects, so nobody looked for events.';
+        item.textContent = data.events ? 'Nothing moved long enough to be an event.' :
+                                         'The filter of this picture marks no objects, so nobody looked for events.';
         list.append(item);
     }
     (data.events ?? []).forEach((event, number) => {
@@ -588,39 +609,54 @@ function choose(number) {
 /// Goes to the next event, or the one before, and shows its first moment.
 function step(by) {
     if (!data.events?.length) return;
-    const number = chosen !== null ? clamp(chosen + by, 0, data.events.length - 1)
-        : by > 0 ? Math.max(0, data.events.findIndex(event => event.first >= now))
-        : Math.max(0, data.events.findLastIndex(event => event.first < now));
+    const number = chosen !== null ? clamp(chosen + by, 0, data.events.length - 1) :
+        by > 0                     ? Math.max(0, data.events.findIndex(event => event.first >= now)) :
+                                     Math.max(0, data.events.findLastIndex(event => event.first < now));
     choose(number);
     const event = data.events[number];
     show(event.first, false);
     if (document.activeElement?.closest('#events')) at('events').querySelectorAll('button')[number].focus();
-    say(`Event ${number + 1} of ${data.events.length}, from ${clockOf(secondsOf(event.first))} to ${clockOf(secondsOf(event.last))}, ${textOf(event)}`);
+    say(`Event ${number + 1} of ${data.events.length}, from ${clockOf(secondsOf(event.first))} to ${
+        clockOf(secondsOf(event.last))}, ${textOf(event)}`);
 }
 at('previous').addEventListener('click', () => step(-1));
 at('next').addEventListener('click', () => step(1));
 
 // ---- Keys
 
-const arrows = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+const arrows = {
+    ArrowLeft: [1, 0],
+    ArrowRight: [-1, 0],
+    ArrowUp: [0, 1],
+    ArrowDown: [0, -1]
+};
 document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest('video')) return;
     const arrow = arrows[event.key];
-    if (arrow && event.shiftKey) pan(80 * arrow[0], 80 * arrow[1]);
-    else if (arrow) step(event.key === 'ArrowRight' || event.key === 'ArrowDown' ? 1 : -1);
-    else if (event.key === '+' || event.key === '=') zoom(1.5);
-    else if (event.key === '-') zoom(1 / 1.5);
-    else if (event.key === '0') showWhole();
-    else if (event.key === 'Escape') choose(null);
-    else if (event.key === ' ' && !event.target.closest('button')) togglePlaying();
-    else return;
+    if (arrow && event.shiftKey)
+        pan(80 * arrow[0], 80 * arrow[1]);
+    else if (arrow)
+        step(event.key === 'ArrowRight' || event.key === 'ArrowDown' ? 1 : -1);
+    else if (event.key === '+' || event.key === '=')
+        zoom(1.5);
+    else if (event.key === '-')
+        zoom(1 / 1.5);
+    else if (event.key === '0')
+        showWhole();
+    else if (event.key === 'Escape')
+        choose(null);
+    else if (event.key === ' ' && !event.target.closest('button'))
+        togglePlaying();
+    else
+        return;
     event.preventDefault();
 });
 
 // ---- Beginning
 
 const count = lastFrame - firstFrame + 1;
-at('summary').textContent = `${clockOf(begins, false)} to ${clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)}, ${count} frame${count === 1 ? '' : 's'}`;
+at('summary').textContent = `${clockOf(begins, false)} to ${
+    clockOf(secondsOf(lastFrame) + lengthOf(lastFrame), false)}, ${count} frame${count === 1 ? '' : 's'}`;
 at('screen').style.aspectRatio = at('peeked').style.aspectRatio = data.size[0] + ' / ' + data.size[1];
 at('screen').style.maxWidth = `max(160px, 46vh * ${data.size[0] / data.size[1]})`;
 at('peeked').style.width = 220 * data.size[0] / Math.max(...data.size) + 'px';
@@ -630,11 +666,14 @@ place();
 drawNow();
 openFilm(0);
 followPlayer();
-readPicture().then(() => {
-    labelEnds();
-    drawVeil();
-    document.documentElement.dataset.ready = '';
-}).catch(error => {
-    at('notice').textContent = `The picture can’t tell times here: ${error.message}. The strip of time and the events can.`;
-    at('notice').hidden = false;
-});
+readPicture()
+    .then(() => {
+        labelEnds();
+        drawVeil();
+        document.documentElement.dataset.ready = '';
+    })
+    .catch(error => {
+        at('notice').textContent =
+            `The picture can’t tell times here: ${error.message}. The strip of time and the events can.`;
+        at('notice').hidden = false;
+    });

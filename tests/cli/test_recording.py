@@ -7,7 +7,7 @@ import os
 from harness import check, moving_clip
 
 MIDNIGHT = datetime.datetime(2026, 11, 21, 23, 59, 40)
-LOOK = ("--size", "320x200", "--backend", "software", "--title", "gate")
+LOOK = ("--size", "320x200", "--backend", "software", "--title", "gate", "--start-time", "none")
 
 
 def whole_clip(t, seconds=40):
@@ -168,3 +168,38 @@ def test_recording_that_cannot_be(t):
         t.path(f"day/2026-11-21/08/{camera}/00.00.avi").write_bytes(t.path("b.avi").read_bytes())
     t.render("day").expect(1, "'day' holds files of 2 cameras: gate, hall; give those of one, for example '2026-11-21/*/gate'")
     t.render("day/2026-11-21/*/hall").expect(0)
+
+
+def test_recording_has_the_clock_of_the_day(t):
+    whole_clip(t)
+    # Across midnight, and in the zone of the machine: Frigate's names are in UTC.
+    os.environ["TZ"] = "Europe/Berlin"
+    cut(t, begin=datetime.datetime(2026, 11, 21, 22, 59, 40))
+    look = ("--size", "640x400", "--backend", "software", "--report", "r.json")
+    t.render("day", *look).expect(0)
+    report = report_of(t)
+    texts = [label["text"] for label in report["labels"]]
+    check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1)" in texts, f"{texts}")
+    check("00:00:00" in texts and "gate" in texts, f"{texts}")
+    check(report["clock"] == {"first": "2026-11-21T23:59:40+01:00", "last": "2026-11-22T00:00:19+01:00", "zone": "CET, UTC+1"}, f"{report['clock']}")
+    for event in report["events"]:
+        begin = datetime.datetime.fromisoformat(report["clock"]["first"])
+        told = datetime.datetime.fromisoformat(event["first"]["time"])
+        check(abs((told - begin).total_seconds() - event["first"]["seconds"]) <= 1, f"{event['first']}")
+    t.render("day", output="day.html").expect(0)
+    text = t.path("day.html").read_text(encoding="utf-8")
+    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1"}, f"{data['clock']}")
+    # To summer time: names on the local clock leap by an hour, time does not.
+    names = []
+    for number, piece in enumerate(sorted(t.path("day").rglob("*.mkv"))):
+        at = ["2026-03-29 01-59-40", "2026-03-29 01-59-50", "2026-03-29 03-00-00", "2026-03-29 03-00-10"][number]
+        t.path("spring").mkdir(exist_ok=True)
+        piece.rename(t.path(f"spring/{at}.mkv"))
+        names.append(f"spring/{at}.mkv")
+    t.render("spring", *look).expect(0, "400 frames in 400 layers")
+    report = report_of(t)
+    check([segment["file"] for segment in report["segments"]] == names and report["span"]["last"] == 39.9, f"{report['segments']}")
+    check(report["clock"]["first"] == "2026-03-29T01:59:40+01:00" and report["clock"]["last"] == "2026-03-29T03:00:19+02:00", f"{report['clock']}")
+    check("03:00:00" in [label["text"] for label in report["labels"]], "no tick on the new clock")
+    del os.environ["TZ"]

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -221,6 +223,25 @@ TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
     EXPECT_TRUE(tells("3:00 h without motion squeezed"));
     EXPECT_TRUE(tells("60 min idle"));
     EXPECT_TRUE(tells("with room where something moves"));
+}
+
+TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
+    ::setenv("TZ", "Europe/Berlin", 1);
+    ::tzset();
+    // From 2026-03-28 23:30 CET for four hours: at 2:00 clocks are put forward to 3:00.
+    const Clock clock = local_clock(1774737000, 4 * 3600);
+    EXPECT_EQ(texts(time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
+    EXPECT_EQ(time_ticks(0, 4 * 3600, 4, clock)[2].seconds, 2.5 * 3600);
+    EXPECT_EQ(format_span(0, 4 * 3600, clock),
+              "2026-03-28 23:30:00 to 2026-03-29 04:30:00 (CET, UTC+1, then CEST, UTC+2)");
+    EXPECT_EQ(clock.iso(0), "2026-03-28T23:30:00+01:00");
+    EXPECT_EQ(clock.iso(2.5 * 3600), "2026-03-29T03:00:00+02:00");
+    // In October the hour from 2:00 comes twice.
+    const Clock back = local_clock(1792886400, 3 * 3600);
+    EXPECT_EQ(texts(time_ticks(0, 3 * 3600, 4, back)), (Texts{"02:00", "02:00", "03:00", "04:00"}));
+    EXPECT_EQ(Clock(1774737000).iso(1.5), "2026-03-28T22:30:01") << "of no zone";
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
 }
 
 TEST(TimeTicks, LengthsAreRound) {
