@@ -3,7 +3,11 @@
 import datetime
 import json
 import os
+import shutil
+import subprocess
+import time
 
+import pytest
 from harness import check, moving_clip
 
 MIDNIGHT = datetime.datetime(2026, 11, 21, 23, 59, 40)
@@ -203,3 +207,71 @@ def test_recording_has_the_clock_of_the_day(t):
     check(report["clock"]["first"] == "2026-03-29T01:59:40+01:00" and report["clock"]["last"] == "2026-03-29T03:00:19+02:00", f"{report['clock']}")
     check("03:00:00" in [label["text"] for label in report["labels"]], "no tick on the new clock")
     del os.environ["TZ"]
+
+
+VISITS = 30
+FRAME_RATE = 2
+
+
+def generated_day(t, segments, folder="day"):
+    """A day at 2 frames per second in files of ten seconds: an empty scene, and visits of eight seconds at known times."""
+    source = ("-f", "lavfi", "-i", f"color=gray:size=96x64:rate={FRAME_RATE}:duration=10")
+    codec = ("-c:v", "mpeg4", "-g", "5", "-q:v", "3")
+    t.ffmpeg(*source, *codec, "empty.mkv")
+    t.ffmpeg(*source, "-f", "lavfi", "-i", f"color=white:size=16x24:rate={FRAME_RATE}:duration=10", "-filter_complex",
+             "[0][1]overlay=x='if(between(t,1,9),10*(t-1)-8,-50)':y=20:eval=frame", *codec, "visit.mkv")
+    begin = datetime.datetime(2026, 11, 21)
+    visited = {segments * (2 * number + 1) // (2 * VISITS) for number in range(VISITS)}
+    for number in range(segments):
+        at = begin + datetime.timedelta(seconds=10 * number)
+        name = t.path(f"{folder}/{at:%Y-%m-%d/%H}/gate/{at:%M.%S}.mkv")
+        name.parent.mkdir(parents=True, exist_ok=True)
+        os.link(t.path("visit.mkv" if number in visited else "empty.mkv"), name)
+    return [begin + datetime.timedelta(seconds=10 * number + 1) for number in sorted(visited)]
+
+
+def check_day(t, segments):
+    os.environ["TZ"] = "UTC"
+    times = generated_day(t, segments)
+    done = subprocess.Popen([t.vvr_path, "render", "day", "-o", "day.png", "--size", "320x200", "--backend", "software", "--report",
+                             "r.json"], cwd=t.folder, stderr=subprocess.PIPE)
+    most_open = 0
+    while done.poll() is None:
+        try:
+            most_open = max(most_open, len(os.listdir(f"/proc/{done.pid}/fd")))
+        except OSError:
+            pass
+        time.sleep(0.05)
+    check(done.returncode == 0, done.stderr.read().decode())
+    report = report_of(t)
+    check(report["frames"]["used"] == segments * 10 * FRAME_RATE, f"{report['frames']}")
+    check(len(report["segments"]) == segments and not report["problems"], "not each file was read once")
+    events = report["events"]
+    check(len(events) == VISITS, f"{len(events)} events")
+    for event, begin in zip(events, times):
+        told = datetime.datetime.fromisoformat(event["first"]["time"]).replace(tzinfo=None)
+        check(abs((told - begin).total_seconds()) <= 1, f"{event['first']} and {begin}")
+        file = begin - datetime.timedelta(seconds=1)
+        check(event["first"]["file"] == f"day/{file:%Y-%m-%d/%H}/gate/{file:%M.%S}.mkv", f"{event['first']} and {file}")
+        check(0 <= event["first"]["offset"] <= 2.1, f"{event['first']}")
+    check(report["volume"]["squeezed"], "nothing is squeezed")
+    del os.environ["TZ"]
+    return report["peak_memory_bytes"], report["seconds"]["total"], most_open
+
+
+def test_recording_of_an_hour_of_segments(t):
+    memory, _, most_open = check_day(t, 360)
+    check(most_open < 60, f"{most_open} files are open")
+    check(memory < 400e6, f"{memory / 1e6:.0f} MB")
+
+
+@pytest.mark.slow
+def test_recording_of_a_day_of_8640_segments(t):
+    hour, hour_took, hour_open = check_day(t, 360)
+    shutil.rmtree(t.path("day"))
+    for name in ("empty.mkv", "visit.mkv"):
+        t.path(name).unlink()
+    day, day_took, day_open = check_day(t, 8640)
+    check(day < 1.1 * hour, f"{hour / 1e6:.0f} MB for an hour, {day / 1e6:.0f} MB for a day")
+    check(day_open <= hour_open + 2, f"{hour_open} and {day_open} open files")
+    check(day_took < 40 * hour_took, f"{hour_took:.0f} s for an hour, {day_took:.0f} s for a day")
