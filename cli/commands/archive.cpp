@@ -43,6 +43,7 @@ class Archive final : public Command {
     void add_options(CommandLine& line) override {
         add_archive_options(line, options_);
         add_input_options(line, job_.input, "the folder that holds the clips, in folders of its own or not");
+        add_layout_options(line, job_.input);
         add_picture_options(line, job_);
     }
 
@@ -52,10 +53,16 @@ class Archive final : public Command {
         finish(line, job_, false);
         if (!options_.index_only) validate(job_);
         options_.settings = digest_of(line, options_);
-        for (const OptionValue& value : line.given(picture_groups)) pass_on(value);
+        for (const OptionValue& value : line.given(picture_groups)) {
+            if (value.name != setting::names.name) pass_on(value);
+        }
+        for (const std::string& layout : job_.input.layouts) {
+            pass_on({std::string(setting::names.name), layout});
+        }
         for (const OptionValue& value : line.given({Group::run})) {
             if (value.name == setting::backend.name || value.name == setting::device.name) pass_on(value);
         }
+        options_.names = job_.input.layouts;
         options_.threads = job_.fields.threads;
         return run_archive(options_, environment);
     }

@@ -60,7 +60,6 @@ class Cut final : public Command {
         add_input_options(line, search.input, "the file of a clip");
         add_span_options(line, search.fields.span);
         add_field_options(line, search.fields);
-        line.number(Group::bricks, search.bricks.skip_idle, setting::skip_idle);
         add_thread_options(line, search.fields.threads);
     }
 

@@ -30,6 +30,7 @@ class Extract final : public Command {
         // The settings record which part it is as --start and --end.
         line.value(output, text::part, "", [this](const std::string& given) { job_.part = parse_share(given); });
         add_input_options(line, job_.input);
+        add_layout_options(line, job_.input);
         add_span_options(line, job_.fields.span);
         add_field_options(line, job_.fields);
         add_thread_options(line, job_.fields.threads);
@@ -37,7 +38,7 @@ class Extract final : public Command {
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
         if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
-        only_input(job_.input);
+        require_input(job_.input);
         job_.settings = shown(line.values({Group::input, Group::fields}));
         Console console(environment);
         extract(job_, console);

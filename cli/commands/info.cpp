@@ -76,11 +76,12 @@ class Info final : public Command {
     void add_options(CommandLine& line) override {
         line.flag(Group::output, json_, json_option);
         add_input_options(line, job_.input);
+        add_layout_options(line, job_.input);
         add_picture_options(line, job_);
     }
 
     ExitStatus run(const CommandLine& line, const Environment&) override {
-        if (job_.input.names.size() < 2) only_input(job_.input);
+        require_input(job_.input);
         finish(line, job_, false);
         validate(job_);
         const OpenedFields fields = open_fields(job_);

@@ -30,13 +30,14 @@ class Inspect final : public Command {
                    .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
                                        fmt::join(picture_endings(), " "))});
         add_input_options(line, job_.input);
+        add_layout_options(line, job_.input);
         line.value(Group::input, text::frame, "", [this](const std::string& given) { frame_ = parse_time(given); });
         add_field_options(line, job_.fields);
         add_thread_options(line, job_.fields.threads);
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
-        only_input(job_.input);
+        require_input(job_.input);
         if (!frame_) throw Error(ErrorKind::usage, "no frame: say which with --frame 250, 12.5s or 00:00:12.5");
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
         if (is_page(job_.path)) {

@@ -15,6 +15,7 @@ class Render final : public Command {
     void add_options(CommandLine& line) override {
         add_output_options(line, job_.output);
         add_input_options(line, job_.input);
+        add_layout_options(line, job_.input);
         add_picture_options(line, job_);
     }
 
@@ -22,7 +23,7 @@ class Render final : public Command {
         check(job_.output);
         finish(line, job_, is_series(job_.output));
         check_outputs(job_);
-        if (job_.input.names.size() < 2) only_input(job_.input);
+        require_input(job_.input);
         Console console(environment);
         render(job_, console);
         return ExitStatus::done;

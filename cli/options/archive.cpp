@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/parse_value.h"
-#include "core/archive/clip_names.h"
 #include "core/archive/names.h"
 #include "core/error.h"
-#include "core/video/recorder_names.h"
+#include "core/video/video_files.h"
 
 namespace vvr {
 
@@ -18,9 +17,6 @@ constexpr Setting output{"output", "DIR", "folder for pictures, pages and their 
 constexpr Setting match{"match", "GLOB",
                         "which files are clips: *.avi, or with folders cam?/*.avi; can be given several times; if not "
                         "given, those that end in "};
-constexpr Setting names{"names", "PATTERN",
-                        "how clips' names tell camera and time, as '%Y-%m-%d/%H/{camera}/%M.%S'; can be given several "
-                        "times; known besides: "};
 constexpr Setting settle{"settle", "TIME", "leave files that changed less than this ago: they are still being written"};
 constexpr Setting tries{"tries", "COUNT", "in how many runs a clip that fails is tried", {1, 1000}};
 constexpr Setting shard{"shard", "I/N", "only this share of the clips, 1/N to N/N"};
@@ -44,7 +40,6 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
     line.path(archive, options.out, text::output,
               {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", index_name)});
     line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video_endings(), " "))});
-    line.list(archive, options.names, text::names, {.help = fmt::format("{}", fmt::join(known_recorders(), ", "))});
     line.value(archive, text::settle, "60s",
                [&options](const std::string& given) { options.settle = parse_duration(given); });
     line.number(archive, options.tries, text::tries);

@@ -68,8 +68,11 @@ struct CommandLine::Impl {
         const bool asked =
             std::ranges::any_of(groups, [&](Group group) { return option.get_group() == title_of(group); });
         if (!asked || option.get_lnames().empty()) return std::nullopt;
+        const bool all = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
         return OptionValue{option.get_lnames().front(),
-                           option.empty() ? option.get_default_str() : option.results().back(),
+                           option.empty() ? option.get_default_str()
+                           : all          ? fmt::format("{}", fmt::join(option.results(), " "))
+                                          : option.results().back(),
                            files.contains(&option)};
     }
 };

@@ -13,6 +13,7 @@
 #include "core/fields/shadows.h"
 #include "core/fields/solvers.h"
 #include "core/fields/stabilizer.h"
+#include "core/video/recorder_names.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -44,7 +45,12 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
     });
     line.number(Group::bricks, options.window, setting::window);
     line.number(Group::bricks, options.max_layers, setting::layers);
-    line.number(Group::bricks, options.skip_idle, setting::skip_idle);
+    line.choice(Group::bricks, time_scales, time_scales.front().name, setting::time,
+                [&options](const TimeScaleRow& row) { options.time = row.scale; });
+    line.value(Group::bricks, setting::skip_idle, "", [&options](const std::string& given) {
+        const double longest = parse_number(given, setting::skip_idle.range);
+        options.time = longest > 0 ? TimeScale::busy : TimeScale::even;
+    });
 }
 
 }  // namespace
@@ -55,6 +61,11 @@ void add_input_options(CommandLine& line, InputOptions& options, const std::stri
         options.field_size = given == "source" ? Size{-1, -1} : parse_size(given);
     });
     line.number(Group::input, options.rate, setting::rate);
+}
+
+void add_layout_options(CommandLine& line, InputOptions& options) {
+    line.list(Group::input, options.layouts, setting::names,
+              {.help = fmt::format("{}", fmt::join(known_recorders(), ", "))});
 }
 
 void add_span_options(CommandLine& line, FrameSpan& span) {
@@ -141,7 +152,7 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
     // These are about the render, not about the fields that an extraction holds.
     std::erase_if(job.given, [](const auto& given) {
         return given.first == setting::step.name || given.first == setting::seeds.name ||
-               given.first == setting::seed_flags.name;
+               given.first == setting::names.name || given.first == setting::seed_flags.name;
     });
 }
 

@@ -13,8 +13,11 @@ inline constexpr std::initializer_list<Group> picture_groups{Group::input, Group
 /// INPUT, if `help` says what it is, and how it is read.
 void add_input_options(CommandLine& line, InputOptions& options,
                        const std::string& help =
-                           "a video file, a folder or pattern of pictures (frames/%05d.png), "
-                           "- for stdin");
+                           "a video file; files, folders, a pattern or a list (.txt) of files that are one recording; "
+                           "a folder or pattern of pictures (frames/%05d.png); - for stdin");
+
+/// How files' names tell camera and time.
+void add_layout_options(CommandLine& line, InputOptions& options);
 
 /// The part of a clip that is read.
 void add_span_options(CommandLine& line, FrameSpan& span);

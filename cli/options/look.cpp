@@ -40,7 +40,8 @@ glm::vec4 parse_colour(const std::string& text) {
 }
 
 StartTime parse_start(const std::string& text) {
-    if (text == "recorded") return {true, {}};
+    if (text == "recorded") return {StartTime::From::recorded};
+    if (text == "none") return {StartTime::From::nobody};
     for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
         std::tm parts{};
         std::istringstream stream(text);
@@ -49,10 +50,12 @@ StartTime parse_start(const std::string& text) {
         const std::tm asked = parts;
         const std::time_t seconds = timegm(&parts);
         // 30 February would become a day in March.
-        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon) return {false, seconds};
+        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon)
+            return {StartTime::From::given, std::int64_t{seconds}};
     }
-    throw Error(ErrorKind::usage,
-                fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded'", text));
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded' or 'none'", text));
 }
 
 }  // namespace

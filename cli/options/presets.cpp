@@ -7,8 +7,8 @@ namespace vvr {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> day{"--skip-idle",
-                                              "2",
+constexpr std::array<std::string_view, 6> day{"--time",
+                                              "busy",
                                               "--brick",
                                               "01:00:00",
                                               "--show",
@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 38> paper{
     "--background",    "#ffffff"};
 
 constexpr std::array table{
-    Preset{"day", "a recording of many hours: what moves, cut by the hour", day},
+    Preset{"day", "a recording of many hours: room for what moves, cut by the hour", day},
     Preset{"paper", "the method and the look of the paper (docs/paper.md)", paper},
 };
 

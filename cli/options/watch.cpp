@@ -53,7 +53,8 @@ void check_stream(const CommandLine& line, const RenderJob& job) {
         {line.has(setting::end), "--end", "--duration ends a stream"},
         {std::filesystem::is_directory(job.seeds), "--seeds",
          "a list for each frame is for a clip whose frames are known; give one list that all frames share"},
-        {job.look.start_time.as_recorded, "--start-time recorded", "a stream is not recorded; give a date and time"},
+        {job.look.start_time.from == StartTime::From::recorded, "--start-time recorded",
+         "a stream is not recorded; give a date and time"},
         {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference,
          "it takes the whole clip; take running, first or a picture"},
     };

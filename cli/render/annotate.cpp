@@ -145,7 +145,9 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
 std::string span_of(const Caption& caption, const Volume& volume) {
     std::string text =
         fmt::format("{}, {}", counted(caption.frames, "frame"), format_span(caption.begin, caption.end, caption.clock));
-    if (volume.left_out() > 0) text += fmt::format(", {} without motion left out", format_length(volume.left_out()));
+    double idle = 0;
+    for (const Squeezed& stretch : squeezed_stretches(volume)) idle += stretch.seconds;
+    if (idle > 0) text += fmt::format(", {} without motion squeezed", format_length(idle));
     return text;
 }
 
@@ -165,8 +167,16 @@ const std::array<std::string, 3> explanations{
     "Time runs along the arc, from left to right; each cut through it is the view at that moment.",
     "Time runs along the arc, from left to right."};
 
-void letter_explanation(const std::string& layout, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+/// \param squeezed whether time is given room where something moves
+void letter_explanation(const std::string& layout, bool squeezed, const Sheet& sheet, const Rgba& colour,
+                        Lettering& lettering) {
     std::array<std::string, 3> texts = explanations;
+    if (squeezed) {
+        constexpr std::string_view direction = "from left to right";
+        for (std::string& text : texts) {
+            text.replace(text.find(direction), direction.size(), "from left to right, with room where something moves");
+        }
+    }
     if (layout != layouts().front().name) {
         for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
     }
@@ -194,7 +204,8 @@ void letter_glance(const RenderJob& job, const Caption& caption, const Volume& v
     const Rgba ink = rgba(job.look.theme.ink);
     const Rgba pale = rgba(job.look.theme.pale_ink);
     const Rgba lines = rgba(job.look.theme.lines);
-    if (show.has(Part::explanation)) letter_explanation(job.layout, sheet, pale, lettering);
+    if (show.has(Part::explanation))
+        letter_explanation(job.layout, !squeezed_stretches(volume).empty(), sheet, pale, lettering);
     if (show.has(Part::ends)) {
         letter_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
                    lettering);
@@ -276,7 +287,7 @@ std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, con
                                const WallClock& clock) {
     if (!job.look.show.has(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
     const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
-    if (volume.left_out() > 0) return spread_ticks(volume, most, clock);
+    if (volume.is_unequal()) return spread_ticks(volume, most, clock);
     return time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, clock);
 }
 
@@ -298,11 +309,12 @@ Lettering letter(const RenderJob& job, const Caption& caption, const Volume& vol
         letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.look.theme.fast),
                     lettering);
     }
-    letter_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
+    // Before the ticks: who reads a clock should know first where it leaps.
     if (ruler) {
         letter_breaks(time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera, framing.sheet, pale,
                       lettering);
     }
+    letter_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
     if (caption.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);
     if (framing.sheet.text > 0) letter_glance(job, caption, volume, layout, framing, glance, lettering);
     return lettering;

@@ -13,6 +13,7 @@
 
 #include "cli/render/event_times.h"
 #include "cli/render/open_fields.h"
+#include "cli/render/tell_problems.h"
 #include "cli/render/render_clip.h"
 #include "cli/render/shown_name.h"
 #include "core/error.h"
@@ -257,7 +258,9 @@ bool cut_exactly(const CutJob& job, const std::string& name, const FrameSpan& sp
                  const std::stop_token& stop) {
     InputOptions options = job.search.input;
     options.field_size = {-1, -1};
-    const auto clip = open_clip(options, true, job.search.fields.threads);
+    std::vector<std::string> warnings;
+    const auto clip = open_clip(options, true, job.search.fields.threads, warnings);
+    tell_problems(warnings, {}, observer);
     auto frame = first_of(*clip, span);
     if (!frame || is_past(span, frame->index, frame->pts)) throw_empty(name, span, std::nullopt);
     Encoded encoded;

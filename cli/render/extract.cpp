@@ -8,6 +8,7 @@
 #include "cli/render/record.h"
 #include "cli/render/settings.h"
 #include "cli/render/shown_name.h"
+#include "cli/render/tell_problems.h"
 #include "core/error.h"
 #include "core/fields/flow.h"
 #include "core/fields/pipeline.h"
@@ -47,7 +48,8 @@ void extract(ExtractJob job, Observer& observer) {
     check_data_folder(job.folder);
     const auto begin = std::chrono::steady_clock::now();
     constexpr bool colour = true;
-    const auto clip = open_clip(job.input, colour, job.fields.threads);
+    std::vector<std::string> warnings;
+    const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
     choose_part(job, clip->info());
     const std::int64_t expected = expected_frames(clip->info(), job.fields.span);
     const std::int64_t flow_every = has_flow(job.fields.flow) ? job.fields.flow.every : 0;
@@ -61,7 +63,7 @@ void extract(ExtractJob job, Observer& observer) {
     });
     Manifest manifest;
     manifest.clip = clip->info();
-    manifest.clip.title = shown_name(clip->info().name);
+    manifest.clip.title = title_of("", clip->info());
     manifest.span = job.fields.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
@@ -70,6 +72,7 @@ void extract(ExtractJob job, Observer& observer) {
         const auto held = observer.guard();
         folder->close(std::move(manifest), summary.reference);
     }
+    tell_problems(warnings, summary.problems, observer);
     if (summary.damaged > 0) {
         observer.warn(
             fmt::format("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet")));

@@ -10,6 +10,7 @@
 #include "cli/render/inspection.h"
 #include "cli/render/open_fields.h"
 #include "cli/render/shown_name.h"
+#include "cli/render/tell_problems.h"
 #include "core/error.h"
 #include "core/fields/pipeline.h"
 #include "core/fields/region.h"
@@ -49,7 +50,9 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
     RegionEditorContent content;
     content.roi = polygons_of(setting::roi.name, job.fields.roi, observer);
     content.mask = polygons_of(setting::mask.name, job.fields.mask, observer);
-    const auto clip = open_clip(options, true, job.fields.threads);
+    std::vector<std::string> warnings;
+    const auto clip = open_clip(options, true, job.fields.threads, warnings);
+    tell_problems(warnings, {}, observer);
     const Moment found = find_frame(*clip, job.frame);
     content.name = shown_name(clip->info().name);
     content.moment = format_moment(found.seconds);
@@ -66,16 +69,18 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
 void inspect(const InspectJob& job, Observer& observer) {
     if (is_page(job.path)) return write_region_editor(job, observer);
     constexpr bool colour = true;
-    const auto clip = open_clip(job.input, colour, job.fields.threads);
+    std::vector<std::string> warnings;
+    const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
     const Moment found = find_frame(*clip, job.frame);
     // The other frames only serve as neighbours.
     FieldOptions fields = job.fields;
     fields.span.first = found.frame;
     fields.span.stop = found.frame + 1;
     Inspection inspection;
-    compute_fields(*clip, fields, [&](const SharedFrame& frame, const Field& field) {
+    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, const Field& field) {
         if (field.index == found.frame) inspection = inspect(*frame, field);
     });
+    tell_problems(warnings, summary.problems, observer);
     const std::string name = job.path.string();
     if (!inspection.captions) {
         observer.warn(

@@ -24,7 +24,6 @@ void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::step, bricks.step);
     check(setting::window, bricks.window);
     check(setting::layers, bricks.max_layers);
-    check(setting::skip_idle, bricks.skip_idle);
     check(setting::keyframes, look.keyframes);
     check(setting::opacity, look.opacity);
     check(setting::glyph_scale, look.glyph_scale);
@@ -55,10 +54,10 @@ void validate(const LayoutOptions& shape) {
 }
 
 void validate_series(const RenderJob& job) {
-    if (job.bricks.skip_idle > 0) {
+    if (job.bricks.time == TimeScale::busy) {
         throw Error(ErrorKind::usage,
-                    "skip-idle is for one picture of a clip; the pictures of a series share one scale of time",
-                    {setting::skip_idle.name});
+                    "time busy is for one picture of a clip; the pictures of a series share one scale of time",
+                    {setting::time.name});
     }
 }
 
@@ -186,8 +185,11 @@ GlyphStyle glyph_style_of(const RenderJob& job) {
 }
 
 WallClock clock_of(const StartTime& start, const VideoInfo& info) {
-    if (!start.as_recorded) return start.clock;
-    if (info.created) return info.created;
+    using From = StartTime::From;
+    if (start.from == From::given) return start.clock;
+    if (start.from == From::nobody) return std::nullopt;
+    if (info.created) return local_clock(*info.created, info.duration);
+    if (start.from == From::automatic) return std::nullopt;
     throw Error(
         ErrorKind::usage,
         fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),

@@ -8,6 +8,7 @@
 #include "cli/render/output.h"
 #include "cli/render/part.h"
 #include "cli/render/time.h"
+#include "cli/render/time_scale.h"
 #include "core/events/event_options.h"
 #include "core/fields/options.h"
 #include "core/image/picture.h"
@@ -24,9 +25,10 @@ namespace vvr {
 
 /// What is read. Which frames of it FieldOptions::span says.
 struct InputOptions {
-    std::vector<std::string> names;  ///< one clip, or the folders of an extraction in parts
-    Size field_size{0, 0};           ///< as in SourceOptions
-    double rate = 25;                ///< frames per second, where the input does not say
+    std::vector<std::string> names;    ///< a clip, the files of a recording, or the folders of an extraction in parts
+    std::vector<std::string> layouts;  ///< of files' names, before those of known recorders
+    Size field_size{0, 0};             ///< as in SourceOptions
+    double rate = 25;                  ///< frames per second, where the input does not say
 };
 
 /// How time becomes layers and bricks.
@@ -35,13 +37,19 @@ struct BrickOptions {
     int step = 0;                   ///< frames per layer; 0 = as few as max_layers allows
     int window = 8;                 ///< bricks of the window; without `length`, a clip is cut into as many
     std::optional<Time> length{};   ///< of a brick
-    double skip_idle = 0;           ///< seconds that stretches without motion are cut to; 0 = they stay whole
+    TimeScale time = TimeScale::automatic;
 };
 
 /// When a clip began.
 struct StartTime {
-    bool as_recorded = false;  ///< the container knows
-    WallClock clock;
+    enum class From {
+        automatic,  ///< its name or its container, where one of them tells
+        recorded,   ///< the same, and it is an error where none does
+        given,
+        nobody,
+    };
+    From from = From::automatic;
+    WallClock clock{};  ///< that was given
 };
 
 /// What the picture shows of the volume and the flow. How it draws that RenderOptions says.

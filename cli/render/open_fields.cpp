@@ -8,11 +8,11 @@
 #include "cli/render/settings.h"
 #include "core/choice.h"
 #include "core/error.h"
-#include "core/fields/busy_fields.h"
 #include "core/fields/filter.h"
 #include "core/fields/listed_seeds.h"
 #include "core/fields/seeds.h"
 #include "core/store/stored_fields.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr {
 
@@ -43,32 +43,39 @@ OpenedFields open_extracted(const RenderJob& job) {
 }
 
 OpenedFields open_any(const RenderJob& job) {
+    require_input(job.input);
     if (std::ranges::all_of(job.input.names, is_data_folder)) return open_extracted(job);
-    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads);
-    return {std::make_unique<ClipFields>(std::move(clip), job.fields), {}};
+    OpenedFields opened;
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
+    opened.source = std::make_unique<ClipFields>(std::move(clip), job.fields);
+    return opened;
 }
 
 }  // namespace
 
-const std::string& only_input(const InputOptions& options) {
+void require_input(const InputOptions& options) {
     if (options.names.empty()) {
-        throw Error(ErrorKind::usage, "no INPUT: give a video file, a folder of pictures, or - for stdin");
+        throw Error(ErrorKind::usage, "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
     }
+}
+
+const std::string& only_input(const InputOptions& options) {
+    require_input(options);
     if (options.names.size() > 1) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: only directories that `vvr extract` "
-                                                  "wrote, one part of a clip each, can be several",
-                                                  options.names[1]));
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
     }
     return options.names.front();
 }
 
-std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads) {
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                       std::vector<std::string>& warnings) {
+    require_input(options);
     SourceOptions source;
     source.field_size = options.field_size;
     source.colour = colour;
     source.threads = threads;
     source.rate = options.rate;
-    return open_source(only_input(options), source);
+    return open_sources(options.names, source, RecorderNames(options.layouts), warnings);
 }
 
 std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
@@ -84,9 +91,6 @@ OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
     const std::string filter = with_extracted(job, opened.extracted).fields.filter;
     opened.source = with_listed_seeds(std::move(opened.source), job, filter);
-    if (job.bricks.skip_idle > 0) {
-        opened.source = std::make_unique<BusyFields>(std::move(opened.source), job.bricks.skip_idle);
-    }
     return opened;
 }
 

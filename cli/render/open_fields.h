@@ -12,21 +12,27 @@ namespace vvr {
 struct OpenedFields {
     std::unique_ptr<FieldSource> source;
     Metadata extracted;  ///< settings that were decided when the fields were extracted; empty for a clip
+    std::vector<std::string> warnings{};  ///< of the input, a sentence each
 };
 
 /// The one clip of an input.
 /// \throws Error usage unless there is exactly one
 const std::string& only_input(const InputOptions& options);
 
-/// Opens the whole of a clip.
-std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads);
+/// \throws Error usage when there is no input
+void require_input(const InputOptions& options);
 
 /// The same fields with the seeds that the job lists, if it does.
 /// \param filter of the fields
 std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
                                                std::string_view filter);
 
-/// Opens a clip, the directory of an extraction, or several with consecutive parts.
+/// Opens the whole of a clip, or of a recording of several files.
+/// \param warnings what is to be said of it, a sentence each
+std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                       std::vector<std::string>& warnings);
+
+/// Opens a clip, a recording, the directory of an extraction, or several with consecutive parts.
 /// \throws Error usage as well where settings contradict those of the extraction
 OpenedFields open_fields(const RenderJob& job);
 

@@ -28,13 +28,18 @@ std::string page_text(const RenderJob& job, const RenderReport& report, Picture 
     const std::string& input = job.input.names.front();
     PageContent content;
     content.name = title_of(job.look.title, report.info);
-    if (!live && fs::is_regular_file(input, none)) content.clip_url = relative_url(path, input);
+    for (const SegmentPlace& segment : report.info.segments) {
+        if (segment.end <= segment.begin) continue;  // another file shows the same time
+        content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+    }
+    const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
+    if (is_file) content.clip_url = relative_url(path, input);
     content.shown = report.info.size;
     content.field = report.field_size;
     content.picture = std::move(picture);
     content.settings = settings;
     content.moments = std::move(moments);
-    content.clock = clock_of(job.look.start_time, report.info);
+    content.clock = report.clock;
     content.events = report.events;
     content.numbers = report.event_numbers;
     content.colours = report.event_colours;

@@ -36,12 +36,15 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
         job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::object ? 4 : 1;
     const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
+    // Unequal layers are half as many again while they are read, and `auto` holds even ones beside them. Where room is
+    // given to motion, most of them hold little.
+    const std::int64_t held_layers = products.series || job.bricks.time == TimeScale::even ? 1 : 2;
     // The flow of about a hundred frames, in half floats.
     const std::int64_t flow_bytes = job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
     // Per pixel of the field: since when it has its value, and whose it is.
     const std::int64_t event_bytes = finds_objects(job, products) ? 40 : 0;
     return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
-           voxel_bytes * (plan.layers + layers_in_textures) * area(source.field_size()) +
+           voxel_bytes * (held_layers * plan.layers + layers_in_textures) * area(source.field_size()) +
            frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
            picture_bytes * area(job.picture.size);
 }

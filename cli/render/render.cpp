@@ -15,6 +15,7 @@
 #include "cli/render/record.h"
 #include "cli/render/render_series.h"
 #include "cli/render/report_text.h"
+#include "cli/render/tell_problems.h"
 #include "core/image/atomic_file.h"
 #include "core/page/telling_still.h"
 #include "core/words.h"
@@ -51,7 +52,12 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
                       {"threshold"});
     }
     for (const std::string& advice : report.advice) observer.warn(advice);
-    if (report.step > 1) {
+    if (!report.squeezed.empty()) {
+        double idle = 0;
+        for (const Squeezed& stretch : report.squeezed) idle += stretch.seconds;
+        observer.info(fmt::format("room along the arc goes where something moves: {} without motion are squeezed in {}",
+                                  format_length(idle), counted(std::ssize(report.squeezed), "place")));
+    } else if (report.step > 1) {
         observer.info(
             fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));
     }
@@ -110,6 +116,7 @@ RenderReport render(const RenderJob& given, Observer& observer) {
     };
     RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
                                           : render_clip(job, products, *fields.source, observer, write);
+    tell_problems(fields.warnings, report.problems, observer);
     show_warnings(job, report, observer);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;

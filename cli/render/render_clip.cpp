@@ -18,6 +18,7 @@
 #include "cli/render/volume_paint.h"
 #include "core/events/event_finder.h"
 #include "core/fields/filter.h"
+#include "core/fields/motion.h"
 #include "core/machine_memory.h"
 #include "core/scene/object_looks.h"
 
@@ -39,6 +40,74 @@ struct Fields {
     FieldSummary summary{};
     std::optional<std::vector<Event>> events{};
     Crops crops{};
+};
+
+/// Recordings of up to so many seconds have even time, unless busy time is asked for.
+constexpr double short_recording = 120;
+
+/// A clip in layers of even time and in layers that go where something moves: which of them is better is known at its
+/// end.
+class Scales {
+  public:
+    Scales(const RenderJob& job, const FieldSource& source, const Volume& empty) {
+        const VideoInfo& info = source.info();
+        if (info.rate > 0) length_ = static_cast<double>(source.expected_frames()) / info.rate;
+        time_ = job.bricks.time;
+        if (time_ == TimeScale::automatic && length_ > 0 && length_ <= short_recording) time_ = TimeScale::even;
+        if (time_ != TimeScale::busy) even_.emplace(empty);
+        if (time_ == TimeScale::even) return;
+        busy_.emplace(empty);
+        busy_->give_room_to_motion();
+    }
+
+    std::int64_t frames() const { return (even_ ? *even_ : *busy_).frames(); }
+
+    void add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners) {
+        fill_gap(field);
+        const bool moves = busy_ && motion_(field);
+        if (last_) (moves ? moving_ : idle_) += field.pts - last_->seconds;
+        last_ = {field.index, field.pts};
+        decide_early();
+        if (even_) even_->add(field, colour, owners);
+        if (busy_) busy_->add(field, colour, owners, moves);
+    }
+
+    /// The better one.
+    Volume take() {
+        if (busy_) busy_->settle();
+        if (even_ && busy_) {
+            const bool wins = idle_ > moving_ && moving_ > 0 && idle_ + moving_ > short_recording;
+            (wins ? even_ : busy_).reset();
+        }
+        return std::move(busy_ ? *busy_ : *even_);
+    }
+
+  private:
+    /// Lets go of what cannot win any more, if the header tells the length.
+    void decide_early() {
+        if (!even_ || !busy_ || length_ <= 0) return;
+        if (moving_ > length_ / 2) busy_.reset();
+        if (idle_ > length_ / 2 && moving_ > 0) even_.reset();
+        if (!even_ || !busy_) give_back_freed();
+    }
+
+    /// Numbers skip the frames of a gap in a recording.
+    void fill_gap(const Field& next) {
+        if (!last_ || next.index <= last_->frame + 1) return;
+        const std::int64_t gap = next.index - last_->frame - 1;
+        const double apart = (next.pts - last_->seconds) / static_cast<double>(gap + 1);
+        if (even_) even_->add_gap(last_->frame + 1, gap, last_->seconds + apart, apart);
+        if (busy_) busy_->add_gap(last_->frame + 1, gap, last_->seconds + apart, apart);
+    }
+
+    TimeScale time_ = TimeScale::even;
+    std::optional<Volume> even_;
+    std::optional<Volume> busy_;
+    Motion motion_;
+    std::optional<Moment> last_;
+    double length_ = 0;  ///< seconds, by the header; 0 = unknown
+    double moving_ = 0;  ///< seconds
+    double idle_ = 0;
 };
 
 Fields read_fields(const RenderJob& job, const Products& products, FieldSource& source, std::int64_t step,
@@ -63,19 +132,21 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
         events->set_label_sink([&labels](const FrameLabels& of_field) { labels = of_field; });
     }
     if (needs.flow) result.volume.keep_flow();
+    Scales scales(job, source, result.volume);
     result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
         now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-        result.volume.add(field, paint(*frame, field), labels.runs);
-        if (result.volume.frames() == 1) result.first = frame;
-        const std::int64_t number = result.volume.frames() - 1;
+        scales.add(field, paint(*frame, field), labels.runs);
+        if (scales.frames() == 1) result.first = frame;
+        const std::int64_t number = scales.frames() - 1;
         const auto wanted = static_cast<std::int64_t>(result.keyframes.size()) + 1;
         if (expected > 0 && wanted <= keyframes && number == wanted * (expected - 1) / (keyframes + 1)) {
             result.keyframes.push_back({frame, number});
         }
         result.last = frame;
-        observer.frames(result.volume.frames(), expected);
+        observer.frames(scales.frames(), expected);
     });
+    result.volume = scales.take();
     if (events) result.events = choose_events(events->finish(result.summary.reference), job.output.events);
     return result;
 }
@@ -84,10 +155,13 @@ std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const W
     const Volume& volume = fields.volume;
     if (!bricks.length) return cut_into(volume.layers(), bricks.window);
     double brick_frames = bricks.length->value;
+    if (volume.is_unequal() && bricks.length->unit == Time::Unit::frames) {
+        return cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
+    }
     if (bricks.length->unit == Time::Unit::seconds) {
-        // Where parts are left out, only the clock says how long a brick is.
-        if (volume.left_out() > 0) {
-            return cut_by_clock(volume, bricks.length->value, static_cast<double>(clock.value_or(0)));
+        // Where layers are of unequal length, only the clock says how long a brick is.
+        if (volume.is_unequal()) {
+            return cut_by_clock(volume, bricks.length->value, clock ? clock->at(0) : 0);
         }
         const double seconds = fields.last->pts - fields.first->pts;
         if (seconds <= 0) return cut_into(volume.layers(), bricks.window);
@@ -146,16 +220,19 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
                           nothing_visible(volume, transfer_of(job.look)),
                           clock};
     report.events = fields.events;
+    report.clock = clock;
     report.advice = advice_on(job, report);
     const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
+    report.problems = fields.summary.problems;
     report.first_frame = fields.first->index;
     report.last_frame = fields.last->index;
     report.first_pts = caption.begin;
     report.last_pts = caption.end;
     report.layers = volume.layers();
     report.step = volume.step();
+    report.squeezed = squeezed_stretches(volume);
     report.bricks = bricks;
     report.still = caption.still;
 
@@ -223,8 +300,8 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
     std::int64_t step = planned_step(job.bricks, expected);
     Fields fields = read_fields(job, products, source, step, observer);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
-    if (job.bricks.step == 0 && step > 1 && fields.volume.layers() < job.bricks.max_layers / 2 &&
-        fields.volume.frames() > 1) {
+    if (job.bricks.step == 0 && step > 1 && !fields.volume.is_unequal() &&
+        fields.volume.layers() < job.bricks.max_layers / 2 && fields.volume.frames() > 1) {
         step = planned_step(job.bricks, fields.volume.frames());
         fields = read_fields(job, products, source, step, observer);
     }

@@ -66,6 +66,7 @@ class Series {
                 objects_.see(labels);
             });
         }
+        report_.clock = caption_.clock;
         report_.step = window_.step;
         report_.pictures = 0;
     }
@@ -299,6 +300,8 @@ RenderReport render_series(const RenderJob& job, const Products& products, Field
     RenderReport report = series.finish(summary.reference);
     report.frames = summary.frames;
     report.damaged = summary.damaged;
+    report.problems = summary.problems;
+    report.info = source.info();  // by now it tells all files of a recording
     report.advice = advice_on(job, report);
     return report;
 }

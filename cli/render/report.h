@@ -7,9 +7,11 @@
 
 #include "cli/render/stages.h"
 #include "core/bricks/brick.h"
+#include "core/bricks/volume.h"
 #include "core/events/event.h"
 #include "core/labels/lettering.h"
 #include "core/video/frame_source.h"
+#include "core/wall_clock.h"
 
 namespace vvr {
 
@@ -19,14 +21,17 @@ struct RenderReport {
     Size field_size;
     std::int64_t frames = 0;  ///< that reached the volume
     std::int64_t damaged = 0;
-    double first_pts = 0;  ///< seconds
+    std::vector<std::string> problems;  ///< of files of the input, a sentence each
+    double first_pts = 0;               ///< seconds
     double last_pts = 0;
     std::int64_t first_frame = 0;  ///< index in the clip
     std::int64_t last_frame = 0;
+    WallClock clock;  ///< that the picture shows
     std::int64_t layers = 0;
-    std::int64_t step = 1;      ///< frames per layer
-    std::vector<Brick> bricks;  ///< in layers
-    std::int64_t pictures = 1;  ///< so far
+    std::int64_t step = 1;           ///< frames per layer
+    std::vector<Brick> bricks;       ///< in layers
+    std::vector<Squeezed> squeezed;  ///< where time has less room than in the mean
+    std::int64_t pictures = 1;       ///< so far
     std::size_t arrows = 0;
     bool still = false;           ///< nothing in the volume is visible
     bool frames_missing = false;  ///< some of the frames to be shown came without a picture

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <sys/resource.h>
 
@@ -63,6 +64,41 @@ Json json_of(const Moment& moment) {
     return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};
 }
 
+/// What tells where in the world a moment of the clip is.
+struct Place {
+    const std::vector<SegmentPlace>& segments;  ///< of a recording
+    const WallClock& clock;
+};
+
+/// With the time of day, and the file of a recording in which it is and where in that file.
+Json json_of(const Moment& moment, const Place& place) {
+    Json json = json_of(moment);
+    if (place.clock) json["time"] = place.clock->iso(moment.seconds);
+    const auto after = std::ranges::upper_bound(place.segments, moment.frame, {}, &SegmentPlace::first_frame);
+    if (after == place.segments.begin()) return json;
+    const SegmentPlace& segment = *std::prev(after);
+    json["file"] = segment.path;
+    json["offset"] = rounded(std::max(0.0, moment.seconds - segment.begin));
+    return json;
+}
+
+Json json_of(const std::vector<Squeezed>& squeezed) {
+    Json json = Json::array();
+    for (const Squeezed& stretch : squeezed) {
+        json.push_back({{"first", rounded(stretch.begin)},
+                        {"seconds", rounded(stretch.seconds)},
+                        {"room", rounded(stretch.t_end - stretch.t_begin)}});
+    }
+    return json;
+}
+
+Json json_of(const SegmentPlace& segment) {
+    return {{"file", segment.path},
+            {"first_frame", segment.first_frame},
+            {"first", rounded(segment.begin)},
+            {"end", rounded(segment.end)}};
+}
+
 Json json_of(const PixelBox& box) {
     return {{"x", box.left}, {"y", box.top}, {"width", box.width()}, {"height", box.height()}};
 }
@@ -93,11 +129,11 @@ Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
     return json;
 }
 
-Json json_of(const Event& event, std::size_t place, const Scale& scale) {
+Json json_of(const Event& event, std::size_t place, const Scale& scale, const Place& where) {
     Json json{{"number", place + 1},
               {"kind", name_of(event.kind)},
-              {"first", json_of(event.first)},
-              {"last", json_of(event.last)},
+              {"first", json_of(event.first, where)},
+              {"last", json_of(event.last, where)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
               {"from", number_of(event.from)},
               {"into", number_of(event.into)},
@@ -163,8 +199,22 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"frames_a_layer", report.step},
           {"bricks", report.bricks.size()},
           {"arrows", report.arrows},
-          {"still", report.still}}},
+          {"still", report.still},
+          {"squeezed", json_of(report.squeezed)}}},
     };
+    json["clock"] = Json();
+    if (report.clock) {
+        const std::string& zone = report.clock->zone;
+        json["clock"] = {{"first", report.clock->iso(report.first_pts)},
+                         {"last", report.clock->iso(report.last_pts)},
+                         {"zone", zone.empty() ? Json() : Json(zone)}};
+    }
+    json["segments"] = Json();
+    if (!info.segments.empty()) {
+        json["segments"] = Json::array();
+        for (const SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
+    }
+    json["problems"] = report.problems;
     json["settings"] = Json::object();
     for (const auto& [name, value] : settings) json["settings"][name] = value;
     json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
@@ -180,7 +230,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
         json["events"] = Json::array();
         const Scale scale(report.field_size, info.size);
         for (std::size_t k = 0; k < report.events->size(); ++k) {
-            json["events"].push_back(json_of((*report.events)[k], k, scale));
+            json["events"].push_back(json_of((*report.events)[k], k, scale, {info.segments, report.clock}));
         }
     }
     return json_text(json, 2) + "\n";

@@ -21,11 +21,9 @@ inline constexpr Setting window{"window",
                                 "COUNT",
                                 "bricks shown: one picture cuts the clip into this many, a series moves by one of them",
                                 {1, 256}};
+inline constexpr Setting time{"time", "NAME", "how the room along the arc is given to time"};
 inline constexpr Setting skip_idle{
-    "skip-idle",
-    "SECONDS",
-    "shorten longer stretches without motion to this; the ruler marks them; 0 = keep all",
-    {0, 86'400}};
+    "skip-idle", "SECONDS", "another name of --time busy; 0 is --time even", {0, 86'400}};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
@@ -46,9 +44,13 @@ inline constexpr Setting keyframes{
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
 inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
 inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};
-inline constexpr Setting start_time{
-    "start-time", "DATETIME",
-    "when the clip began: 2026-11-21 08:00:00, or 'recorded' as the container says; the ruler then shows times of day"};
+inline constexpr Setting start_time{"start-time",
+                                    "DATETIME",
+                                    "when the clip began: 2026-11-21 08:00:00; 'recorded' = as its name or container "
+                                    "says, in this machine's time zone; "
+                                    "'none' = times run from 0:00",
+                                    {},
+                                    "recorded where that is known"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",

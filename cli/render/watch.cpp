@@ -132,7 +132,9 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     stream_ = connected.get();
     const VideoInfo& info = stream_->info();
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
-    if (!job_.look.start_time.clock) job_.look.start_time.clock = wall_clock_now();
+    if (job_.look.start_time.from == StartTime::From::automatic) {
+        job_.look.start_time = {StartTime::From::given, wall_clock_now()};
+    }
     auto fields =
         with_listed_seeds(std::make_unique<ClipFields>(std::move(connected), job_.fields), job_, job_.fields.filter);
     const std::int64_t window = sliding_window(job_.bricks, *fields).frames();

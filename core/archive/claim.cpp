@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/archive/plain_name.h"
+#include "core/plain_name.h"
 #include "core/error.h"
 #include "core/file_lock.h"
 #include "core/fnv.h"

@@ -19,7 +19,4 @@ class ClipNames {
     std::vector<std::string> patterns_;
 };
 
-/// The endings that video files have, with their dots, in lower case.
-const std::vector<std::string>& video_endings();
-
 }  // namespace vvr

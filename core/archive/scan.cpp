@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/archive/names.h"
-#include "core/archive/plain_name.h"
+#include "core/plain_name.h"
 #include "core/error.h"
 #include "core/video/playlist.h"
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/archive/plain_name.h"
+#include "core/plain_name.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/json_text.h"

@@ -53,6 +53,25 @@ T Sparse<T>::greatest() const {
 }
 
 template <class T>
+std::int64_t Sparse<T>::count() const {
+    std::int64_t count = 0;
+    for (const Tile& tile : tiles_) count += std::ssize(tile) - std::ranges::count(tile, T{});
+    return count;
+}
+
+template <class T>
+std::int64_t count_of_either(const Sparse<T>& a, const Sparse<T>& b) {
+    std::int64_t count = a.count() + b.count();
+    for (std::size_t place = 0; place < a.held_.size(); ++place) {
+        const auto* const in_a = a.tile_at(place);
+        const auto* const in_b = b.tile_at(place);
+        if (in_a == nullptr || in_b == nullptr) continue;
+        for (std::size_t i = 0; i < in_a->size(); ++i) count -= ((*in_a)[i] != 0 && (*in_b)[i] != 0) ? 1 : 0;
+    }
+    return count;
+}
+
+template <class T>
 PixelBox Sparse<T>::box() const {
     PixelBox box;
     for (std::size_t place = 0; place < held_.size(); ++place) {
@@ -95,6 +114,7 @@ bool operator==(const Sparse<T>& a, const Sparse<T>& b) {
 
 template class Sparse<std::uint8_t>;
 template class Sparse<std::uint16_t>;
+template std::int64_t count_of_either(const SparsePlane& a, const SparsePlane& b);
 template bool operator==(const SparsePlane& a, const SparsePlane& b);
 template bool operator==(const OwnerPlane& a, const OwnerPlane& b);
 

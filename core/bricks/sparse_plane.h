@@ -37,6 +37,9 @@ class Sparse {
     /// Where the tiles lie that are held: all around is 0. Empty when none is.
     PixelBox box() const;
 
+    /// How many pixels aren't 0.
+    std::int64_t count() const;
+
     /// Takes on the pixels of a picture of the same size that are greater than its own.
     void keep_greater(const Sparse& other);
 
@@ -53,6 +56,10 @@ class Sparse {
             }
         }
     }
+
+    /// How many pixels aren't 0 in one of two pictures of the same size.
+    template <class U>
+    friend std::int64_t count_of_either(const Sparse<U>& a, const Sparse<U>& b);
 
     /// The same pixels.
     template <class U>
@@ -78,6 +85,9 @@ class Sparse {
     std::vector<std::int32_t> held_;  ///< of each place the tile that lies there, or none; places in rows from the top
     std::vector<Tile> tiles_;
 };
+
+template <class U>
+std::int64_t count_of_either(const Sparse<U>& a, const Sparse<U>& b);
 
 using SparsePlane = Sparse<std::uint8_t>;
 

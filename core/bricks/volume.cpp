@@ -12,50 +12,14 @@ namespace vvr {
 
 namespace {
 
-/// Pixel by pixel, where either has something.
-SparsePlane joined_planes(Values values, const SparsePlane& before, const SparsePlane& after) {
-    SparsePlane result(before.size());
-    const auto visit = [&](const SparsePlane& plane) {
-        plane.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
-            for (std::size_t i = 0; i < run.size(); ++i, ++column) {
-                result.set(column, row, joined(values, before.at(column, row), after.at(column, row)));
-            }
-        });
-    };
-    visit(before);
-    visit(after);
-    return result;
-}
-
-/// Joins two layers' values; each voxel keeps the colour and the owner of the greater one, the first of two alike.
-void join(Values kind, Layer& kept, const SparsePlane& scalar, const Plane<Bgr>& colour, const OwnerPlane& owner) {
-    if (!colour.empty() || !owner.empty()) {
-        scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
-            for (const std::uint8_t value : values) {
-                if (value > kept.scalar.at(column, row)) {
-                    if (!colour.empty()) kept.colour.at(column, row) = colour.at(column, row);
-                    if (!owner.empty()) kept.owner.set(column, row, owner.at(column, row));
-                }
-                ++column;
-            }
-        });
-    }
-    if (kind == Values::strength) {
-        kept.scalar.keep_greater(scalar);
-    } else {
-        kept.scalar = joined_planes(kind, kept.scalar, scalar);
-    }
-}
-
-void pass_over(Layer& layer, double seconds, const LeftOut& longest) {
-    layer.left_out += seconds;
-    if (longest.length() > layer.longest.length()) layer.longest = longest;
-}
+/// Layers are given room for the time in which nothing moves, one in so many while a clip is read, and at the end.
+constexpr std::size_t idle_share_read = 8;
+constexpr std::size_t idle_share = 4;
 
 }  // namespace
 
 Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t seed_interval)
-    : size_(size), capacity_(capacity), step_(step), seed_interval_(seed_interval) {
+    : size_(size), capacity_(capacity), step_(step), seed_interval_(seed_interval), next_thinning_(capacity * step) {
     if (capacity < 2 || step < 1 || seed_interval < 1) {
         throw Error(
             ErrorKind::usage,
@@ -63,7 +27,15 @@ Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t
     }
 }
 
-void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners) {
+Layer& Volume::add_layer(Layer layer) {
+    if (!unequal_) return layers_.emplace_back(std::move(layer));
+    if (layers() >= room()) joins_.join_least(layers_, static_cast<std::size_t>(room()) / idle_share_read);
+    layers_.push_back(std::move(layer));
+    joins_.add(layers_);
+    return layers_.back();
+}
+
+void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners, bool moves) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorKind::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
@@ -76,31 +48,26 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const L
             fmt::format("frame {} has a colour picture of {}x{}, the volume's frames have {}x{}", field.index,
                         colour.width(), colour.height(), coloured_ ? size_.width : 0, coloured_ ? size_.height : 0));
     }
-    if (layers_.empty() || layers_.back().frames == step_) {
-        if (layers() == capacity_) join_pairs();
-    }
-    const LeftOut passed = frames_ > 0 && field.index != next_index_ ? LeftOut{last_pts_, field.pts} : LeftOut{};
     SparsePlane scalar(field.scalar);
     OwnerPlane owner = owners_in(owners, scalar);
-    if (layers_.empty() || layers_.back().frames == step_) {
-        layers_.push_back({field.index, field.index, 1, field.pts, field.pts, 0, passed.length(), passed,
-                           std::move(scalar), colour, std::move(owner)});
+    Layer layer{field.index,   field.index,       1,      field.pts,       field.pts, 0,
+                moves ? 1 : 0, std::move(scalar), colour, std::move(owner)};
+    if (!unequal_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) join_pairs();
+    if (!unequal_ && !layers_.empty() && layers_.back().frames < step_) {
+        join(layers_.back(), layer, values_);
     } else {
-        Layer& layer = layers_.back();
-        join(values_, layer, scalar, colour, owner);
-        layer.last_frame = field.index;
-        layer.last_pts = field.pts;
-        pass_over(layer, passed.length(), passed);
-        ++layer.frames;
+        add_layer(std::move(layer));
     }
-    next_index_ = field.index + 1;
-    last_pts_ = field.pts;
     if (field.index % seed_interval_ == 0) {
         seeded_.push_back({frames_, field.index});
         for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
         if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
+    if (unequal_ && frames_ == next_thinning_) {
+        next_thinning_ *= 2;
+        thin_seeds();
+    }
 }
 
 void Volume::take_out(std::size_t track) {
@@ -135,14 +102,43 @@ void Volume::put_in(std::size_t track, const PixelBox& box, const Plane<std::uin
     }
 }
 
-void Volume::add_missing(std::int64_t index, double pts) {
-    Field nothing;
-    nothing.index = index;
-    next_index_ = index;
-    nothing.pts = pts;
-    nothing.scalar = Plane<std::uint8_t>(size_);
-    add(nothing, coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{});
-    ++layers_.back().missing;
+void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double apart) {
+    while (count > 0) {
+        if (!unequal_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) join_pairs();
+        const bool goes_on = !unequal_ && !layers_.empty() && layers_.back().frames < step_;
+        const std::int64_t room = goes_on ? step_ - layers_.back().frames : step_;
+        const std::int64_t taken = unequal_ ? count : std::min(count, room);
+        const double last_pts = pts + static_cast<double>(taken - 1) * apart;
+        if (goes_on) {
+            Layer& layer = layers_.back();
+            layer.frames += taken;
+            layer.missing += taken;
+            layer.last_frame = index + taken - 1;
+            layer.last_pts = last_pts;
+        } else {
+            add_layer({index, index + taken - 1, taken, pts, last_pts, taken, 0, SparsePlane(size_),
+                       coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{}, keeps_owners_ ? OwnerPlane(size_) : OwnerPlane{}});
+        }
+        index += taken;
+        count -= taken;
+        pts += static_cast<double>(taken) * apart;
+        frames_ += taken;
+    }
+}
+
+void Volume::settle() {
+    if (!unequal_) return;
+    while (layers() > capacity_) joins_.join_least(layers_, static_cast<std::size_t>(capacity_) / idle_share);
+    for (;;) {
+        const auto idle = static_cast<std::size_t>(std::ranges::count_if(layers_, is_idle));
+        if (idle == layers_.size() || idle * idle_share <= layers_.size() || !joins_.join_idle(layers_)) return;
+    }
+}
+
+std::int64_t Volume::step() const {
+    if (!unequal_) return step_;
+    return std::max<std::int64_t>(
+        1, std::llround(static_cast<double>(frames_) / std::max<double>(1, static_cast<double>(layers()))));
 }
 
 /// Whose the pixels of a field are; empty where that isn't kept.
@@ -166,15 +162,16 @@ std::int64_t Volume::missing() const {
     return missing;
 }
 
-double Volume::left_out() const {
-    double seconds = 0;
-    for (const Layer& layer : layers_) seconds += layer.left_out;
-    return seconds;
-}
-
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
-    return (frame + 0.5) / static_cast<double>(span() * step_);
+    if (!unequal_) return (frame + 0.5) / static_cast<double>(span() * step_);
+    double before = frame + 0.5;
+    std::int64_t at = 0;
+    while (at + 1 < layers() && before >= static_cast<double>(layer(at).frames)) {
+        before -= static_cast<double>(layer(at++).frames);
+    }
+    const double share = layers_.empty() ? 0 : before / static_cast<double>(layer(at).frames);
+    return (static_cast<double>(at) + share) / static_cast<double>(span());
 }
 
 /// The last layer that begins at or before the moment, or the first.
@@ -183,18 +180,12 @@ std::int64_t Volume::layer_of(double seconds) const {
     return std::max<std::int64_t>(0, after - layers_.begin() - 1);
 }
 
-bool Volume::is_left_out(double seconds) const {
-    const std::int64_t at = layer_of(seconds);
-    const auto passes = [&](const LeftOut& stretch) { return stretch.begin < seconds && seconds < stretch.end; };
-    return passes(layer(at).longest) || (at + 1 < layers() && passes(layer(at + 1).longest));
-}
-
 double Volume::t_of_seconds(double seconds) const {
     const std::int64_t low = layer_of(seconds);
     const Layer& at = layer(low);
     const auto frames = static_cast<double>(at.frames);
     // The clip's last layer's own frames tell how long it lasts, else the next layer's beginning.
-    double length = low + 1 < layers() && layer(low + 1).left_out == 0 ? layer(low + 1).pts - at.pts : 0;
+    double length = low + 1 < layers() ? layer(low + 1).pts - at.pts : 0;
     if (length <= 0 && at.frames > 1) length = (at.last_pts - at.pts) * frames / (frames - 1);
     const double share = length > 0 ? std::clamp((seconds - at.pts) / length, 0.0, 1.0) : 0.5;
     return t_end() * (static_cast<double>(low) + share) / static_cast<double>(layers());
@@ -205,7 +196,8 @@ glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
 }
 
 glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
-    return {-vector.x / size_.width, -vector.y / size_.height, vector.z / static_cast<double>(span() * step_)};
+    return {-vector.x / size_.width, -vector.y / size_.height,
+            vector.z / static_cast<double>(unequal_ ? frames_ : span() * step_)};
 }
 
 bool Volume::seeded(std::int64_t frame) const {
@@ -230,18 +222,15 @@ void Volume::join_pairs() {
     joined.reserve(layers_.size());
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
-        if (i + 1 < layers_.size()) {
-            join(values_, layer, layers_[i + 1].scalar, layers_[i + 1].colour, layers_[i + 1].owner);
-            layer.frames += layers_[i + 1].frames;
-            layer.missing += layers_[i + 1].missing;
-            layer.last_frame = layers_[i + 1].last_frame;
-            layer.last_pts = layers_[i + 1].last_pts;
-            pass_over(layer, layers_[i + 1].left_out, layers_[i + 1].longest);
-        }
+        if (i + 1 < layers_.size()) join(layer, layers_[i + 1], values_);
         joined.push_back(std::move(layer));
     }
     layers_ = std::move(joined);
     step_ *= 2;
+    thin_seeds();
+}
+
+void Volume::thin_seeds() {
     seed_interval_ *= 2;
     // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
     std::erase_if(seeded_, [this](const SeededFrame& seeded) { return seeded.index % seed_interval_ != 0; });
@@ -249,14 +238,53 @@ void Volume::join_pairs() {
     flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
 }
 
-std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock) {
-    const auto turn = [&](std::int64_t layer) { return std::floor((volume.layer(layer).pts + clock) / length); };
+std::vector<Squeezed> squeezed_stretches(const Volume& volume) {
+    if (!volume.is_unequal()) return {};
+    const double all = volume.layer(volume.layers() - 1).last_pts - volume.layer(0).pts;
+    const double share = volume.t_end() / static_cast<double>(volume.layers());
+    std::vector<Squeezed> stretches;
+    for (std::int64_t i = 0; i < volume.layers();) {
+        std::int64_t end = i;
+        const auto counts = [](const Layer& layer) { return is_idle(layer) && layer.missing < layer.frames; };
+        while (end < volume.layers() && counts(volume.layer(end))) ++end;
+        if (end == i) {
+            ++i;
+            continue;
+        }
+        const double till = end < volume.layers() ? volume.layer(end).pts : volume.layer(end - 1).last_pts;
+        const double seconds = till - volume.layer(i).pts;
+        const double room = static_cast<double>(end - i) / static_cast<double>(volume.layers());
+        if (room * all < seconds / 2) {
+            stretches.push_back(
+                {share * static_cast<double>(i), share * static_cast<double>(end), volume.layer(i).pts, seconds});
+        }
+        i = end;
+    }
+    return stretches;
+}
+
+namespace {
+
+/// Cuts between layers whose turns differ.
+template <class Turn>
+std::vector<Brick> cut_by_turns(const Volume& volume, const Turn& turn) {
     std::vector<Brick> bricks;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        if (bricks.empty() || turn(i) != turn(i - 1)) bricks.push_back({i, 0});
+        if (bricks.empty() || turn(volume.layer(i)) != turn(volume.layer(i - 1))) bricks.push_back({i, 0});
         ++bricks.back().count;
     }
     return bricks;
+}
+
+}  // namespace
+
+std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock) {
+    return cut_by_turns(volume, [&](const Layer& layer) { return std::floor((layer.pts + clock) / length); });
+}
+
+std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length) {
+    const std::int64_t first = volume.layers() > 0 ? volume.layer(0).first_frame : 0;
+    return cut_by_turns(volume, [&](const Layer& layer) { return (layer.first_frame - first) / length; });
 }
 
 }  // namespace vvr

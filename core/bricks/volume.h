@@ -9,6 +9,8 @@
 
 #include "core/bricks/brick.h"
 #include "core/bricks/flow_volume.h"
+#include "core/bricks/joins.h"
+#include "core/bricks/layer.h"
 #include "core/bricks/owners.h"
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
@@ -17,30 +19,6 @@
 #include "core/plane.h"
 
 namespace vvr {
-
-/// A stretch of the clip that was passed over.
-struct LeftOut {
-    double begin = 0;  ///< seconds
-    double end = 0;
-
-    double length() const { return end - begin; }
-};
-
-/// One layer of the volume: of each pixel what its values in `frames` consecutive frames join to, the strongest one
-/// where they are strengths.
-struct Layer {
-    std::int64_t first_frame = 0;  ///< index in the clip
-    std::int64_t last_frame = 0;
-    std::int64_t frames = 0;
-    double pts = 0;            ///< seconds, of its first frame
-    double last_pts = 0;       ///< seconds, of its last frame
-    std::int64_t missing = 0;  ///< of the frames, those that never came
-    double left_out = 0;       ///< seconds of the clip that were passed over before frames of this layer
-    LeftOut longest{};         ///< of them in one stretch
-    SparsePlane scalar;
-    Plane<Bgr> colour;  ///< of the frame that gave the scalar; empty unless colours are added
-    OwnerPlane owner;   ///< in that frame; empty unless owners are kept
-};
 
 /// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
 struct FrameSeed {
@@ -53,8 +31,9 @@ struct FrameSeed {
 /// layer takes twice as many frames: so nothing that moved is lost, the clip's length needn't be known, and memory
 /// never grows beyond the capacity.
 ///
-/// Frames whose numbers follow each other are next to each other in time; where numbers are skipped, the clip was, and
-/// the layers tell for how long.
+/// Or layers are of unequal length, so that the room goes where something moves: when there are half as many again as
+/// `capacity`, the two neighbours whose joining loses least become one, and at the end the same is done until there are
+/// `capacity`.
 ///
 /// As a window that slides over a clip it has a fixed span, and its first layers leave before the next ones come.
 class Volume {
@@ -71,10 +50,20 @@ class Volume {
     void keep_owners() { keeps_owners_ = true; }
 
     /// What the values of the fields are, which says how frames share a layer. Before the first frame.
-    void set_values(Values values) { values_ = values; }
+    void set_values(Values values) {
+        values_ = values;
+        joins_.set_values(values);
+    }
 
     /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
     void set_span(std::int64_t layers) { span_ = layers; }
+
+    /// From now on layers are of unequal length. Before the first frame.
+    void give_room_to_motion() { unequal_ = true; }
+
+    /// After the last frame, of layers of unequal length: joins them until they are no more than the capacity, and
+    /// those in which nothing moves no more than a quarter of them, where others are.
+    void settle();
 
     /// Drops the first `layers` layers with their flow and seeds. Frames are counted from the first that stays.
     void drop_front(std::int64_t layers);
@@ -82,10 +71,15 @@ class Volume {
     /// Adds the next frame's field, whose scalar has this volume's size.
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
     /// \param owners whose pixels are whose, of a volume that keeps that
-    void add(const Field& field, const Plane<Bgr>& colour = {}, std::span<const LabelRun> owners = {});
+    /// \param moves whether something moves in it, where layers are of unequal length
+    void add(const Field& field, const Plane<Bgr>& colour = {}, std::span<const LabelRun> owners = {},
+             bool moves = true);
 
     /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
-    void add_missing(std::int64_t index, double pts);
+    void add_missing(std::int64_t index, double pts) { add_gap(index, 1, pts, 0); }
+
+    /// Adds `count` of them, `apart` seconds from one to the next.
+    void add_gap(std::int64_t index, std::int64_t count, double pts, double apart);
 
     /// Takes out all that belongs to a track, of a volume that keeps owners.
     void take_out(std::size_t track);
@@ -97,10 +91,13 @@ class Volume {
     void put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
 
     Size size() const { return size_; }
-    std::int64_t step() const { return step_; }  ///< frames per layer now
+    bool is_unequal() const { return unequal_; }
+
+    /// Frames per layer now; of layers of unequal length, in the mean.
+    std::int64_t step() const;
+
     std::int64_t frames() const { return frames_; }
     std::int64_t missing() const;  ///< of the frames, those that never came
-    double left_out() const;       ///< seconds of the clip that were passed over
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
     Values values() const { return values_; }
@@ -126,9 +123,6 @@ class Volume {
     /// t_C of a moment of the clip, between the times of the layers; of one before or after them, that of their ends.
     double t_of_seconds(double seconds) const;
 
-    /// Whether a moment lies in what was passed over.
-    bool is_left_out(double seconds) const;
-
     /// C-space position of (column, row, frame): field pixels, whose centres are whole numbers, and a frame number
     /// counted from the first frame of the volume.
     glm::dvec3 c_of(const glm::dvec3& point) const;
@@ -145,7 +139,10 @@ class Volume {
     bool seeded(std::int64_t frame) const;
     std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
     std::int64_t layer_of(double seconds) const;
+    Layer& add_layer(Layer layer);
     void join_pairs();
+    void thin_seeds();
+    std::int64_t room() const { return unequal_ ? capacity_ + capacity_ / 2 : capacity_; }
     OwnerPlane owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar);
 
     Size size_;
@@ -156,19 +153,34 @@ class Volume {
     std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
     Values values_ = Values::strength;
+    bool unequal_ = false;
+    Joins joins_;
+    std::int64_t next_thinning_ = 0;  ///< frames, of layers of unequal length
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
     std::vector<SeededFrame> seeded_;  ///< whose seeds and flow are kept, in order
-    std::int64_t next_index_ = 0;      ///< of a frame that follows the last one
-    double last_pts_ = 0;
     bool keeps_owners_ = false;
     Owners owners_;
     bool keeps_flow_ = false;
     FlowVolume flow_;
 };
 
+/// A stretch of a volume whose layers are of unequal length, in which nothing moves and time is pressed together.
+struct Squeezed {
+    double t_begin = 0;  ///< t_C
+    double t_end = 0;
+    double begin = 0;  ///< seconds of the clip
+    double seconds = 0;
+};
+
+/// Those that have less than half the room that time has in the mean, in order.
+std::vector<Squeezed> squeezed_stretches(const Volume& volume);
+
 /// Cuts a volume where multiples of `length` seconds pass on a clock that shows `clock` at second 0 of the clip: by the
-/// hour, say. Times that were passed over make no brick.
+/// hour, say.
 std::vector<Brick> cut_by_clock(const Volume& volume, double length, double clock);
+
+/// Cuts a volume where multiples of `length` frames pass.
+std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length);
 
 }  // namespace vvr

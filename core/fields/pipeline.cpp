@@ -168,6 +168,7 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);
     summary.damaged = source.damaged();
+    summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
     // A stream may end with nothing but the frames that the reference took.
     if (summary.frames == 0 && options.span != FrameSpan{}) {

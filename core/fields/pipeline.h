@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "core/fields/field.h"
 #include "core/fields/options.h"
@@ -15,9 +17,10 @@ using FieldSink = std::function<void(const SharedFrame&, Field&&)>;
 
 /// What a pass over a clip found.
 struct FieldSummary {
-    std::int64_t frames = 0;   ///< frames that reached the sink
-    std::int64_t damaged = 0;  ///< packets that could not be decoded
-    Reference reference;       ///< empty where nothing asked for one
+    std::int64_t frames = 0;              ///< frames that reached the sink
+    std::int64_t damaged = 0;             ///< packets that could not be decoded
+    Reference reference;                  ///< empty where nothing asked for one
+    std::vector<std::string> problems{};  ///< of files that were read, a sentence each
 };
 
 /// Reads every frame of `source` once, in order, and gives its field to `sink`: decoding in order, fields in

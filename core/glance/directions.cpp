@@ -27,8 +27,7 @@ std::vector<Glyph> direction_arrows(const Objects& objects, const Volume& volume
     const double begin = volume.layer(0).pts;
     const double end = volume.layer(volume.layers() - 1).last_pts;
     const double whole = end - begin;
-    const double each = std::max(whole / 16, 0.5);  // seconds between two arrows of an object
-    const double reach = each / 5;                  // an arrow shows the motion over this time before and after it
+    constexpr double arrows_along_arc = 16;
     const Camera camera;
     const Trails trails(volume, layout, camera, {1, 1});
     std::vector<Glyph> arrows;
@@ -39,6 +38,10 @@ std::vector<Glyph> direction_arrows(const Objects& objects, const Volume& volume
         const double last = std::min(end, event.last.seconds);
         const double life = last - first;
         if (!(life > 0)) continue;
+        const double room = volume.is_unequal() ? volume.t_of_seconds(last) - volume.t_of_seconds(first) : life / whole;
+        // Seconds between two arrows of an object; each shows the motion over a time before and after it.
+        const double each = std::max(life / std::max(room * arrows_along_arc, 1e-9), 0.5);
+        const double reach = each / 5;
         const int count = std::max(1, static_cast<int>(life / each));
         for (int k = 0; k < count; ++k) {
             const double at = first + life * (k + 0.5) / count;

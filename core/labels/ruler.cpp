@@ -119,11 +119,16 @@ std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClo
     const double end = volume.layer(volume.layers() - 1).last_pts;
     constexpr int finest = 1024;  // times as many moments are tried
     const double apart = 0.8 * volume.t_end() / most;
+    const std::vector<Squeezed> squeezed = squeezed_stretches(volume);
+    const auto is_squeezed = [&](double t) {
+        return std::ranges::any_of(squeezed, [&](const Squeezed& s) { return s.t_begin < t && t < s.t_end; });
+    };
     std::vector<TimeTick> kept;
     for (int factor = 1; factor <= finest; factor *= 2) {
         for (TimeTick& tick : time_ticks(begin, end, factor * most, clock)) {
-            if (volume.is_left_out(tick.seconds)) continue;
             const double t = volume.t_of_seconds(tick.seconds);
+            const bool whole = tick.seconds == std::floor(tick.seconds) || end - begin < most;
+            if (!whole || is_squeezed(t)) continue;
             const bool free = std::ranges::none_of(
                 kept, [&](const TimeTick& other) { return std::abs(volume.t_of_seconds(other.seconds) - t) < apart; });
             if (free) kept.push_back(std::move(tick));
@@ -135,10 +140,8 @@ std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClo
 
 std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most) {
     std::vector<TimeBreak> breaks;
-    for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        if (volume.layer(i).left_out <= 0) continue;
-        breaks.push_back(
-            {volume.t_end() * static_cast<double>(i) / static_cast<double>(volume.layers()), volume.layer(i).left_out});
+    for (const Squeezed& stretch : squeezed_stretches(volume)) {
+        breaks.push_back({(stretch.t_begin + stretch.t_end) / 2, stretch.seconds});
     }
     std::ranges::stable_sort(breaks, std::greater{}, &TimeBreak::seconds);
     if (breaks.size() > most) breaks.resize(most);
@@ -166,7 +169,7 @@ void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, c
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
     for (const TimeBreak& gap : longest) {
         if (gap.seconds < longest.front().seconds / 50) break;  // to say so would only distract from the long ones
-        write_beside(fmt::format("{} left out", format_length(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
+        write_beside(fmt::format("{} idle", format_length(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
                      lettering);
     }
 }

@@ -44,11 +44,11 @@ std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& l
 void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
                  const Sheet& sheet, const Rgba& colour, Lettering& lettering);
 
-/// Ticks for a volume of which parts were left out: `most` at most, about evenly spread over the arc, the roundest
-/// moments first.
+/// Ticks for a volume whose layers are of unequal length: `most` at most, about evenly spread over the arc, the
+/// roundest moments first.
 std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClock& clock);
 
-/// Where time was passed over.
+/// Where time is squeezed.
 struct TimeBreak {
     double t = 0;  ///< t_C
     double seconds = 0;

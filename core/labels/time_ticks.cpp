@@ -29,8 +29,8 @@ std::string clip_time(double seconds, double step) {
     return fmt::format("{}{}:{:02}", sign, whole / 60, whole % 60);
 }
 
-std::string wall_time(double seconds, std::int64_t clock, double step) {
-    const double at = seconds + static_cast<double>(clock);
+std::string wall_time(double seconds, const Clock& clock, double step) {
+    const double at = clock.at(seconds);
     const auto whole = static_cast<std::time_t>(std::floor(at + 1e-6));
     const std::tm parts = fmt::gmtime(whole);
     if (step >= day) return fmt::format("{:%m-%d}", parts);
@@ -41,26 +41,59 @@ std::string wall_time(double seconds, std::int64_t clock, double step) {
            fmt::format("{:.2f}", std::max(0.0, at - std::floor(at + 1e-6))).substr(1);
 }
 
+/// A part of a clip during which its clock doesn't leap.
+struct Piece {
+    double begin = 0;
+    double end = 0;
+    double offset = 0;     ///< of the clock from the clip's seconds
+    bool goes_on = false;  ///< its end is the next one's first moment
+
+    double first(double step) const { return std::ceil((begin + offset) / step - 1e-9); }
+    double last(double step) const {
+        return goes_on ? std::ceil((end + offset) / step - 1e-9) - 1 : std::floor((end + offset) / step + 1e-9);
+    }
+};
+
+std::vector<Piece> pieces_of(double begin, double end, const WallClock& clock) {
+    std::vector<Piece> pieces{{begin, end, clock ? static_cast<double>(clock->begin) : 0}};
+    if (!clock) return pieces;
+    for (const Clock::Leap& leap : clock->leaps) {
+        if (leap.seconds <= begin) {
+            pieces.back().offset += static_cast<double>(leap.by);
+        } else if (leap.seconds < end) {
+            pieces.back().end = leap.seconds;
+            pieces.back().goes_on = true;
+            pieces.push_back({leap.seconds, end, pieces.back().offset + static_cast<double>(leap.by)});
+        }
+    }
+    return pieces;
+}
+
 }  // namespace
 
 std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallClock& clock) {
     if (!(end > begin) || most < 1) return {};
-    const double offset = clock ? static_cast<double>(*clock) : 0;
-    const auto first = [&](double step) { return std::ceil((begin + offset) / step - 1e-9); };
-    const auto last = [&](double step) { return std::floor((end + offset) / step + 1e-9); };
+    const std::vector<Piece> pieces = pieces_of(begin, end, clock);
+    const auto count = [&](double step) {
+        double ticks = 0;
+        for (const Piece& piece : pieces) ticks += piece.last(step) - piece.first(step) + 1;
+        return ticks;
+    };
     double step = steps.back();
     for (const double candidate : steps) {
-        if (last(candidate) - first(candidate) + 1 <= most) {
+        if (count(candidate) <= most) {
             step = candidate;
             break;
         }
     }
     // Longer than the table reaches: whole multiples of its last step.
-    while (last(step) - first(step) + 1 > most) step *= 2;
+    while (count(step) > most) step *= 2;
     std::vector<TimeTick> ticks;
-    for (double i = first(step); i <= last(step); ++i) {
-        const double seconds = i * step - offset;
-        ticks.push_back({seconds, clock ? wall_time(seconds, *clock, step) : clip_time(seconds, step)});
+    for (const Piece& piece : pieces) {
+        for (double i = piece.first(step); i <= piece.last(step); ++i) {
+            const double seconds = i * step - piece.offset;
+            ticks.push_back({seconds, clock ? wall_time(seconds, *clock, step) : clip_time(seconds, step)});
+        }
     }
     return ticks;
 }
@@ -86,13 +119,14 @@ std::string format_span(double begin, double end, const WallClock& clock) {
         return fmt::format("{} to {}", clip_time(begin, step), clip_time(end, step));
     }
     const auto at = [&](double seconds) {
-        return fmt::gmtime(static_cast<std::time_t>(std::floor(seconds + static_cast<double>(*clock) + 1e-6)));
+        return fmt::gmtime(static_cast<std::time_t>(std::floor(clock->at(seconds) + 1e-6)));
     };
     const std::tm from = at(begin);
     const std::tm to = at(end);
     const bool same_day = from.tm_yday == to.tm_yday && from.tm_year == to.tm_year;
-    return same_day ? fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%H:%M:%S}", from, to)
-                    : fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%Y-%m-%d %H:%M:%S}", from, to);
+    const std::string span = same_day ? fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%H:%M:%S}", from, to)
+                                      : fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%Y-%m-%d %H:%M:%S}", from, to);
+    return clock->zone.empty() ? span : fmt::format("{} ({})", span, clock->zone);
 }
 
 }  // namespace vvr

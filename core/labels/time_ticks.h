@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/wall_clock.h"
+
 namespace vvr {
 
 /// A moment on a time ruler.
@@ -12,9 +14,6 @@ struct TimeTick {
     double seconds = 0;  ///< of the clip
     std::string text;
 };
-
-/// The wall clock at second 0 of a clip: seconds since 1970-01-01 00:00 of a clock on the wall, of whatever zone.
-using WallClock = std::optional<std::int64_t>;
 
 /// The round moments from `begin` to `end`, at most `most` of them: multiples of 1, 2 or 5 of a power of ten below a
 /// minute, of what divides a minute, an hour, a day above. With a wall clock they are round on that clock.
@@ -30,7 +29,7 @@ std::string format_moment(double seconds, const WallClock& clock = {});
 std::string format_length(double seconds);
 
 /// A part of a clip as people write it: "0.0 s to 7.5 s", "0:00 to 1:07", "0:00 to 2:01:07"; with a wall clock
-/// "2026-11-21 08:00:00 to 08:01:07".
+/// "2026-11-21 08:00:00 to 08:01:07", and the zone where it is known: "… CET, UTC+1".
 std::string format_span(double begin, double end, const WallClock& clock = {});
 
 }  // namespace vvr

@@ -86,6 +86,19 @@ Json json_of_regions(const PageContent& content, const Places& places) {
     return json;
 }
 
+Json json_of(const PageContent::Segment& segment) {
+    return {segment.url, rounded(segment.begin), rounded(segment.length)};
+}
+
+/// What the clock on the wall shows at second 0, in seconds since 1970-01-01 00:00 on that clock, where it leaps and by
+/// how much, and its zone.
+Json json_of(const WallClock& clock) {
+    if (!clock) return {};
+    Json leaps = Json::array();
+    for (const Clock::Leap& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
+    return {{"begin", clock->begin}, {"leaps", leaps}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
+}
+
 std::string css_of(const glm::vec3& colour) {
     const auto byte = [](float channel) { return static_cast<int>(std::lround(channel * 255)); };
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
@@ -161,10 +174,10 @@ Json json_of(const PageContent& content) {
     const Places places(content);
     Json json{{"name", content.name},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
+              {"segments", Json::array()},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
-              {"clock", content.clock ? Json(*content.clock) : Json()},
-              {"zone", content.zone},
+              {"clock", json_of(content.clock)},
               {"index", Json()},
               {"live", Json()},
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
@@ -177,6 +190,7 @@ Json json_of(const PageContent& content) {
     if (const auto& live = content.live) {
         json["live"] = {{"state", live->text}, {"written", live->written}, {"brick", std::ceil(live->brick_seconds)}};
     }
+    for (const PageContent::Segment& segment : content.segments) json["segments"].push_back(json_of(segment));
     for (const Still& still : moments.stills) json["stills"].push_back(json_of(still));
     return json;
 }

@@ -8,6 +8,7 @@
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/watched_fields.h"
+#include "core/wall_clock.h"
 
 namespace vvr {
 
@@ -28,13 +29,20 @@ struct PageIndex {
 struct PageContent {
     std::string name;      ///< of the clip, for people
     std::string clip_url;  ///< of the clip, relative to the page; empty = there is no file to play
-    Size shown;            ///< size of the clip's picture
-    Size field;            ///< size of the field, whose pixels are the unit of events
-    Picture picture;       ///< with its pixel data
-    Metadata settings;     ///< of the picture
+
+    /// A file of a recording.
+    struct Segment {
+        std::string url;   ///< relative to the page
+        double begin = 0;  ///< seconds of the recording
+        double length = 0;
+    };
+    std::vector<Segment> segments;  ///< instead of a clip, in order
+    WallClock clock;                ///< that the picture shows
+    Size shown;                     ///< size of the clip's picture
+    Size field;                     ///< size of the field, whose pixels are the unit of events
+    Picture picture;                ///< with its pixel data
+    Metadata settings;              ///< of the picture
     Moments moments;
-    std::optional<std::int64_t> clock;         ///< when the clip's second 0 was, in seconds of a wall clock since 1970
-    std::string zone;                          ///< of the clock, for people; may be empty
     std::optional<std::vector<Event>> events;  ///< if they were searched for
     std::vector<std::size_t> numbers;          ///< of the events in the picture; empty = their places, plus 1
     std::vector<glm::vec3> colours;            ///< of the events in the picture, sRGB; empty where they have none

@@ -17,6 +17,7 @@ class TimeTable {
     /// Between the first and the last frame of a layer times are linear, as only those two are known.
     Moment at(double frame) const;
 
+    /// Numbers per layer; of layers of unequal length these are shares of a layer, not frames.
     std::int64_t frames_per_layer() const { return step_; }
     bool empty() const { return layers_.empty(); }
 
@@ -30,6 +31,7 @@ class TimeTable {
     };
 
     std::int64_t step_;
+    bool unequal_;
     std::vector<Entry> layers_;
 };
 

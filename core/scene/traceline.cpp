@@ -45,8 +45,9 @@ void append(Tracelines& lines, const std::vector<TraceVertex>& points, double sp
 
 std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
     const glm::dvec3 low(-0.5);
-    const glm::dvec3 high =
-        glm::dvec3(volume.size().width, volume.size().height, volume.layers() * volume.step()) - 0.5;
+    const glm::dvec3 high = glm::dvec3(volume.size().width, volume.size().height,
+                                       volume.is_unequal() ? volume.frames() : volume.layers() * volume.step()) -
+                            0.5;
     std::vector<glm::dvec3> points = {start};
     for (int i = 0; i < options.steps; ++i) {
         const glm::dvec3 from = points.back();

@@ -26,6 +26,7 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
+    if (options.begin) info_.created = options.begin;
     field_size_ = field_size_for(info_.size, options_.field_size);
     ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }

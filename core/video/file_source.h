@@ -27,6 +27,9 @@ class FileSource final : public FrameSource {
     void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;
 
+    /// Of the container's clock, seconds.
+    double tick() const { return tick_; }
+
   private:
     SourceOptions options_;
     VideoReader reader_;

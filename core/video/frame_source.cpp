@@ -13,6 +13,9 @@
 #include "core/video/input.h"
 #include "core/video/picture_list.h"
 #include "core/video/picture_source.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
+#include "core/video/recording_source.h"
 #include "core/video/scaler.h"
 #include "core/video/settings.h"
 #include "core/video/time_sampler.h"
@@ -58,6 +61,18 @@ std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOp
     check(setting::rate, options.rate);
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
     return std::make_unique<FileSource>(open_input(name), options);
+}
+
+std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
+                                          const RecorderNames& layouts, std::vector<std::string>& warnings) {
+    if (auto recording = find_recording(names, layouts)) {
+        check(setting::rate, options.rate);
+        warnings = recording->warnings;
+        return std::make_unique<RecordingSource>(std::move(*recording), options);
+    }
+    SourceOptions one = options;
+    if (const auto begin = layouts.read(names.front()).begin) one.begin = utc_of(*begin);
+    return open_source(names.front(), one);
 }
 
 }  // namespace vvr

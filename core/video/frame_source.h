@@ -11,6 +11,18 @@
 
 namespace vvr {
 
+class RecorderNames;
+
+/// A file of a recording, and when it was in it.
+struct SegmentPlace {
+    std::string path;  ///< as it was found
+    double begin = 0;  ///< seconds of the recording
+    double end = 0;
+    std::int64_t first_frame = 0;  ///< index in the recording
+
+    friend bool operator==(const SegmentPlace&, const SegmentPlace&) = default;
+};
+
 /// What a container says of its video, and its first frame. Headers lie: counts are estimates.
 struct VideoInfo {
     std::string name;                       ///< as the user gave it
@@ -20,8 +32,9 @@ struct VideoInfo {
     double rate = 0;                        ///< frames per second, the container's average; 0 = unknown
     double duration = 0;                    ///< seconds; 0 = unknown
     std::int64_t frames = 0;                ///< estimate of the number of frames; 0 = unknown
-    std::optional<std::int64_t> created{};  ///< time of recording by the container, seconds since 1970 (UTC)
+    std::optional<std::int64_t> created{};  ///< when its first frame was recorded, seconds since 1970 (UTC)
     std::string title{};                    ///< of the clip that data files were extracted from; empty = see the name
+    std::vector<SegmentPlace> segments{};   ///< of a recording of several files, those that were read so far
 };
 
 struct SourceOptions {
@@ -29,6 +42,8 @@ struct SourceOptions {
     bool colour = false;    ///< fill Frame::colour as well
     int threads = 0;        ///< decoder threads; 0 = one for each core, or one alone for small pictures
     double rate = 25;       ///< frames per second of what carries no times: image sequences, raw streams
+    std::optional<std::int64_t>
+        begin{};  ///< when a file was recorded, seconds since 1970 (UTC); none = see its container
 };
 
 /// Frames of a video file, an image sequence or a piped stream, each once and in order.
@@ -53,6 +68,9 @@ class FrameSource {
     /// Packets, or pictures of a sequence, that could not be decoded or came out damaged since the first frame.
     virtual std::int64_t damaged() const = 0;
 
+    /// What was wrong with some of the files that it reads, since the first frame: a sentence each.
+    virtual std::vector<std::string> problems() const { return {}; }
+
     /// Starts again at the first frame.
     virtual void rewind() = 0;
 
@@ -75,6 +93,13 @@ class FrameSource {
 /// \throws Error io when it can't be read or spooled, not_video when it holds no frame that decodes, limit when its
 ///         pictures are too large, usage when `options` and the clip don't fit
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options = {});
+
+/// Opens what some names mean together: a recording of several files (see `find_recording`), or what one name means.
+/// \param layouts that names of files have
+/// \param warnings what is to be said of it, a sentence each
+/// \throws Error as above, and as find_recording does
+std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
+                                          const RecorderNames& layouts, std::vector<std::string>& warnings);
 
 /// The field size that `asked` (as in SourceOptions) means for pictures of size `shown`.
 ///

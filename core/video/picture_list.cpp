@@ -150,6 +150,10 @@ std::vector<std::string> matches_of_pattern(const std::string& name) {
 
 }  // namespace
 
+bool is_picture_name(const std::string& name) {
+    return has_picture_extension(name);
+}
+
 std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
     std::error_code ignored;
     const auto status = fs::status(name, ignored);

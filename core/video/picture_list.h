@@ -14,4 +14,7 @@ namespace vvr {
 ///         usage for a pattern with more than one number or other conversions
 std::optional<std::vector<std::string>> list_pictures(const std::string& name);
 
+/// Whether a file's name has the ending of a picture.
+bool is_picture_name(const std::string& name);
+
 }  // namespace vvr

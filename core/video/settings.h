@@ -7,6 +7,9 @@ namespace vvr::setting {
 
 inline constexpr Setting field_size{"field-size", "WxH", "size of the fields, or 'source'; long side 384 if not given"};
 inline constexpr Setting rate{"rate", "FPS", "frames per second of pictures and raw streams", {0.001, 100'000}};
+inline constexpr Setting names{"names", "PATTERN",
+                               "how files' names tell camera and time, as '%Y-%m-%d/%H/{camera}/%M.%S'; can be given "
+                               "several times; known besides: "};
 inline constexpr Setting start{"start", "TIME", "first frame: 250, 12.5s or 00:00:12.5", {}, "0"};
 inline constexpr Setting end{"end", "TIME", "the first frame that is no longer read"};
 

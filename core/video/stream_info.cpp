@@ -60,10 +60,19 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
     info.codec = avcodec_get_name(stream.codecpar->codec_id);
     info.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_of(stream));
     info.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
-    info.duration = duration_of(format, stream);
-    info.frames = stream.nb_frames > 0 ? stream.nb_frames : std::llround(info.duration * info.rate);
-    info.created = creation_time(format);
+    const ClipHeader header = header_of(demuxer);
+    info.duration = header.length;
+    info.frames = header.frames;
+    info.created = header.created;
     return info;
+}
+
+ClipHeader header_of(const Demuxer& demuxer) {
+    const AVStream& stream = demuxer.stream();
+    const double rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
+    ClipHeader header{duration_of(demuxer.format(), stream), stream.nb_frames, creation_time(demuxer.format())};
+    if (header.frames <= 0) header.frames = std::llround(header.length * rate);
+    return header;
 }
 
 }  // namespace vvr

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/video/demuxer.h"
@@ -9,6 +11,15 @@ namespace vvr {
 
 /// What the container says of the video stream, with the size of its first frame as it is to be seen.
 VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
+
+/// What a container's header says of a clip, without a frame being decoded.
+struct ClipHeader {
+    double length = 0;                      ///< seconds; 0 = unknown
+    std::int64_t frames = 0;                ///< estimate; 0 = unknown
+    std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC)
+};
+
+ClipHeader header_of(const Demuxer& demuxer);
 
 /// How the container wants the stream's pictures turned: the nearest quarter turn, mirrored or not.
 Orientation orientation_of(const AVStream& stream);

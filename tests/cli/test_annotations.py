@@ -2,6 +2,7 @@
 
 import collections
 import json
+import os
 
 from harness import check
 
@@ -41,8 +42,13 @@ def test_labels_with_a_title_and_a_clock(t):
 
 def test_labels_with_the_clock_of_the_recording(t):
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
-    texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "recorded"))
-    check("120 frames, 2026-11-21 07:30:00 to 07:30:11" in texts, str(texts))
+    os.environ["TZ"] = "Europe/Berlin"
+    for options in ((), ("--start-time", "recorded")):
+        texts = texts_of(labels_of(t, "dated.mp4", *options))
+        check("120 frames, 2026-11-21 08:30:00 to 08:30:11 (CET, UTC+1)" in texts, str(texts))
+    texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "none"))
+    check("120 frames, 0.0 s to 11.9 s" in texts and "0:00" in texts, str(texts))
+    del os.environ["TZ"]
     told = t.vvr("info", "dated.mp4")
     check("recorded 2026-11-21 07:30:00" in told.out, str(told))
     t.clip()

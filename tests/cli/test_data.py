@@ -104,7 +104,7 @@ def test_four_parts_are_one_whole(t):
     same(t, "whole.png", "parts.png")
     t.render("part0", "part20").expect(1, "not consecutive parts", "ends with frame 9, the second begins with frame 20")
     t.render("part10", "part0").expect(1, "give the parts in order")
-    t.render("part0", "clip.mkv").expect(1, "'clip.mkv' is one argument too many")
+    t.render("part0", "clip.mkv").expect(1, "'part0' holds no video files, so it can't be a part of one recording")
     t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10", "--grid", "9").expect(0)
     t.render("part0", "part10").expect(1, "grid is '14' and '9'")
 

@@ -1,6 +1,8 @@
-"""--skip-idle and --preset day: a recording of many hours in which little happens."""
+"""--time and --preset day: a recording of many hours in which little happens."""
 
+import base64
 import json
+import subprocess
 
 from harness import check
 
@@ -14,19 +16,60 @@ def recording(t, name="day.mkv"):
     return name
 
 
-def test_idle_time_is_left_out(t):
+def report_of(t, name):
+    return json.loads(t.path(name).read_text(encoding="utf-8"))
+
+
+def room_of(report, begin, end):
+    """Share of the arc that a stretch has in which something moves."""
+    idle = sum(stretch["room"] for stretch in report["volume"]["squeezed"])
+    check(all(stretch["first"] >= end - 4 or stretch["first"] + stretch["seconds"] <= begin + 4 for stretch in report["volume"]["squeezed"]),
+          f"motion from {begin} to {end} is squeezed: {report['volume']['squeezed']}")
+    return 1 - idle
+
+
+def test_room_goes_where_something_moves(t):
     recording(t)
-    t.render("day.mkv", "--report", "all.json", output="all.png").expect(0, "'all.png': 2400 frames")
-    done = t.render("day.mkv", "--skip-idle", "20", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(0)
-    report = json.loads(t.path("busy.json").read_text(encoding="utf-8"))
+    t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "frames share a layer")
+    check(report_of(t, "even.json")["volume"]["squeezed"] == [], "even time is squeezed")
+    told = t.render("day.mkv", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(
+        0, "'busy.png': 2400 frames", "room along the arc goes where something moves: 36 min without motion are squeezed in 3 places")
+    report = report_of(t, "busy.json")
     texts = [label["text"] for label in report["labels"]]
-    check(any("without motion left out" in text for text in texts), f"{texts}")
-    frames = int(done.err.split("'busy.png': ")[1].split()[0])
-    check(240 <= frames <= 240 + 6 * 25, f"{frames} frames for four minutes of motion: {done}")
-    # A click tells the frame of the recording, not of what is left of it.
-    t.render("day.mkv", "--skip-idle", "20", output="busy.exr").expect(0)
-    t.render("day.mkv", "--skip-idle", "20", "--size", "640x400", output="again.png").expect(0)
-    check(t.path("again.png").read_bytes() == t.path("busy.png").read_bytes(), "not the same bytes")
+    check(any(text.endswith("36 min without motion squeezed") for text in texts), f"{texts}")
+    check(any(text.endswith("min idle") for text in texts), f"{texts}")
+    check(room_of(report, 300, 420) > 0.7, f"{report['volume']}")
+    check(len(report["events"]) == len(report_of(t, "even.json")["events"]), "other events")
+    t.render("day.mkv", "--time", "busy", "--size", "640x400", output="again.png").expect(0)
+    t.render("day.mkv", "--skip-idle", "20", "--size", "640x400", output="alias.png").expect(0)
+    for name in ("again.png", "alias.png"):
+        check(t.path(name).read_bytes() != b"", name)
+    # A short clip, and one in which something always moves, have even time by default.
+    t.render("day.mkv", "--end", "110s", "--report", "r.json").expect(0)
+    check(report_of(t, "r.json")["volume"]["squeezed"] == [], "a short clip is squeezed")
+    t.clip("busy.avi", seconds=130)
+    for name, *options in (("auto.png",), ("even.png", "--time", "even")):
+        t.render("busy.avi", "--reference", "first", "--show", "volume,ruler", *options, output=name).expect(0)
+    pixels = [t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out for name in ("auto.png", "even.png")]
+    check(pixels[0] == pixels[1], "a clip that is all motion has other time by default")
+
+
+def test_pixels_of_busy_time_tell_their_frames(t):
+    recording(t)
+    t.render("day.mkv", "--time", "busy", "--filter", "difference", "--report", "r.json", output="busy.html").expect(0)
+    text = t.path("busy.html").read_text(encoding="utf-8")
+    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    pixels = data["pixels"]["src"].split(",")[1]
+    t.write("pixels.png", base64.b64decode(pixels))
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", t.path("pixels.png"), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                         stdout=subprocess.PIPE, check=True).stdout
+    frames = {(raw[i] << 16 | raw[i + 1] << 8 | raw[i + 2]) + data["pixels"]["first"] - 1 for i in range(0, len(raw), 3)
+              if raw[i:i + 3] != b"\0\0\0"}
+    # What stands at both ends of the arc besides are the first and the last frame.
+    seen = frames - {0, 2399}
+    check(seen, "no pixel tells its frame")
+    check(all(298 <= frame <= 424 or 1438 <= frame <= 1564 for frame in seen), f"{sorted(seen)[:3]} to {sorted(seen)[-3:]}")
+    check(len(seen) > 60, f"only {len(seen)} of the frames")
 
 
 def test_preset_of_a_day(t):
@@ -37,19 +80,19 @@ def test_preset_of_a_day(t):
     texts = [label["text"] for label in report["labels"]]
     check("4 bricks" in told.err or "3 bricks" in told.err, f"bricks by the clock: {told}")
     check(any(text.startswith("07:5") or text.startswith("08:") for text in texts), f"{texts}")
-    check(any("left out" in text for text in texts), f"{texts}")
+    check(any("min idle" in text for text in texts), f"{texts}")
     t.render("day.mkv", "--preset", "day", "--show", "volume", output="plain.png").expect(0)
     t.render("day.mkv", "--show", "volume", "--preset=day", output="order.png").expect(0)
     check(t.path("plain.png").read_bytes() == t.path("order.png").read_bytes(), "options beside a preset win, in any order")
     t.render("day.mkv", "--preset", "dya").expect(1, "--preset: there is no 'dya'", "did you mean 'day'?")
     t.render("day.mkv", "--skip-idle", "-1").expect(1, "--skip-idle")
-    t.render("day.mkv", "--skip-idle", "5", output="s.{brick}.png").expect(1, "--skip-idle is for one picture of a clip")
+    t.render("day.mkv", "--skip-idle", "5", output="s.{brick}.png").expect(1, "--time busy is for one picture of a clip")
 
 
 def test_idle_time_of_extracted_data(t):
     recording(t)
     t.vvr("extract", "day.mkv", "-o", "data").expect(0)
-    look = ("--skip-idle", "20", "--show", "volume,outline,ruler")
+    look = ("--time", "busy", "--show", "volume,outline,ruler")
     t.render("day.mkv", *look, output="clip.png").expect(0)
     t.render("data", *look, "--title", "day.mkv", output="data.png").expect(0)
     one, other = (t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out

@@ -49,6 +49,10 @@ def test_archive_commands(t):
     run_commands(t, "docs/archive.md")
 
 
+def test_day_commands(t):
+    run_commands(t, "docs/day.md")
+
+
 def test_page_commands(t):
     run_commands(t, "docs/page.md")
 

@@ -64,7 +64,7 @@ def test_unknown_option(t):
 def test_missing_or_too_many_arguments(t):
     t.vvr("render", "-o", "out.png").expect(1, "no INPUT")
     t.vvr("render", "clip.avi").expect(1, "no output", "-o FILE")
-    t.vvr("render", "a.avi", "b.avi", "-o", "out.png").expect(1, "'b.avi' is one argument too many")
+    t.vvr("render", "a.avi", "b.avi", "-o", "out.png").expect(2, "cannot read 'a.avi': No such file")
     t.vvr("render", "a.avi", "-o").expect(1, "-o", "`vvr render --help`")
     t.vvr("info").expect(1, "no INPUT")
 

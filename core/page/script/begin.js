@@ -4,7 +4,7 @@
 function summarise() {
     const count = lastFrame - firstFrame + 1;
     const span = `${clockOf(begins, false)} to ${clockOf(ends, false)}, ${count} frame${count === 1 ? '' : 's'}`;
-    const zone = data.zone ? ', ' + data.zone : '';
+    const zone = data.clock?.zone ? ', ' + data.clock.zone : '';
     at('summary').textContent = data.clock === null ? span
         : `${dayOf(begins)}, ${span}, ${spanOf(ends - begins)}; times are of the day${zone}`;
 }

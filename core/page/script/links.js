@@ -47,13 +47,15 @@ function tell(text) {
 const linkHere = () => location.href.split('#')[0] + (chosen === null ? '#t=' + secondsOf(now).toFixed(3) : '#event=' + numberOf(chosen));
 at('copylink').addEventListener('click', () => copy(linkHere(), 'a link'));
 
-/// The clip's way as a shell reads it; empty where there is none, or where it has marks that no shell shows.
-function commandPath() {
+/// The file that an event is in: [the way to it as a shell reads it, seconds at which it begins]; null where there is
+/// none, or where its name has marks that no shell shows.
+function fileOf(event) {
+    const [address, begin] = segments.length ? segmentAt(secondsOf(event.first)) : [data.clip, 0];
     try {
-        const path = decodeURIComponent(data.clip ?? '');
-        return /[\u0000-\u001f\u007f]/.test(path) || path !== upright(path) ? '' : path;
+        const path = decodeURIComponent(address ?? '');
+        return path === '' || /[\u0000-\u001f\u007f]/.test(path) ? null : [path, begin];
     } catch {
-        return '';
+        return null;
     }
 }
 const quoted = text => /^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
@@ -61,9 +63,10 @@ const quoted = text => /^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'",
 /// The command that cuts an event out of the clip.
 function cutCommand(number) {
     const event = events[number];
-    const path = commandPath();
+    const [path, begin] = fileOf(event);
     const stem = path.slice(path.lastIndexOf('/') + 1).replace(/\.[^.]*$/, '').replace(/^-/, '_');
-    return `vvr cut ${quoted(path)} --from ${secondsOf(event.first).toFixed(3)}s --to ${(secondsOf(event.last) + lengthOf(event.last)).toFixed(3)}s -o ${quoted(`${stem}-event-${numberOf(number)}.mp4`)}`;
+    const time = seconds => (seconds - begin).toFixed(3) + 's';
+    return `vvr cut ${quoted(path)} --from ${time(secondsOf(event.first))} --to ${time(secondsOf(event.last) + lengthOf(event.last))} -o ${quoted(`${stem}-event-${numberOf(number)}.mp4`)}`;
 }
 at('copycut').addEventListener('click', () => { if (chosen !== null) copy(cutCommand(chosen), 'the command'); });
 

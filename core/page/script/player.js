@@ -12,6 +12,9 @@ let until = null;      // the frame at which playing ends; null = none
 const previewUrl = () => URL.createObjectURL(new Blob([bytesOf(data.preview.base64)], {type: data.preview.type}));
 const films = [];
 if (data.clip) films.push({url: () => data.clip, begin: 0, says: 'the clip itself'});
+// Files of a recording, [address, seconds at which it begins, length] each: the player opens the one that it needs.
+const segments = data.segments ?? [];
+if (segments.length) films.push({url: () => segments[0][0], begin: segments[0][1], says: 'the recording itself', segment: segments[0]});
 if (data.preview) {
     const every = data.preview.step > 1 ? ', one frame in ' + data.preview.step : '';
     films.push({url: previewUrl, begin: data.preview.begin, says: `a small preview${every}`});
@@ -20,6 +23,7 @@ if (data.preview) {
 /// Whether the file that was opened can be what the picture was made of.
 function isTheClip(candidate) {
     if (video.videoWidth === 0) return false;
+    if (candidate.segment) return !Number.isFinite(video.duration) || video.duration + 1 > candidate.segment[2];
     return !Number.isFinite(video.duration) || video.duration + 1 > secondsOf(lastFrame) - candidate.begin;
 }
 
@@ -48,6 +52,7 @@ function openFilm(number, why = '') {
         if (film === candidate || video.src !== candidate.src) return;
         if (!canSeek()) return next('the server can’t send a part of the clip');
         film = candidate;
+        if (film.segment) video.onerror = () => { video.dataset.failed = video.src; };  // of others only one part is missing
         at('source').textContent = because + film.says;
         at('peeker').src = film.src;
         if (moved) show(now, playing);
@@ -68,6 +73,40 @@ function openFilm(number, why = '') {
     candidate.src = video.src;
 }
 
+/// The file of a recording that shows a moment: the last that begins by then.
+const segmentAt = seconds => segments.findLast(([, begin]) => begin <= seconds + 1e-6) ?? segments[0];
+
+/// Shows a frame in one of the two players; of a recording it opens the file that has it.
+function goToFrame(player, frame) {
+    const seconds = timeWithin(frame);
+    if (!film.segment) {
+        player.currentTime = Math.max(0, seconds - film.begin + film.offset);
+        return;
+    }
+    const segment = segmentAt(seconds);
+    const inside = Math.max(0, seconds - segment[1] + film.offset);
+    if (player === video) {
+        film.segment = segment;
+        film.begin = segment[1];
+    }
+    const address = new URL(segment[0], location.href).href;
+    if (player.src === address) {
+        player.currentTime = inside;
+        return;
+    }
+    const speed = player.playbackRate;
+    player.onloadedmetadata = () => {
+        player.onloadedmetadata = null;
+        player.playbackRate = speed;
+        player.currentTime = inside;
+    };
+    player.src = address;
+}
+video.addEventListener('ended', () => {
+    const next = film?.segment ? segments[segments.indexOf(film.segment) + 1] : undefined;
+    if (next) show(frameAt(next[1]), true);
+});
+
 /// Goes to the middle of a frame, and plays on from there.
 function show(frame, play) {
     now = clamp(frame, firstFrame, lastFrame);
@@ -75,7 +114,7 @@ function show(frame, play) {
     playing = play;
     stillClock = secondsOf(now);
     if (film) {
-        video.currentTime = Math.max(0, timeWithin(now) - film.begin + film.offset);
+        goToFrame(video, now);
         if (play) video.play().catch(() => {});
         else video.pause();
     }
@@ -122,7 +161,7 @@ function followPlayer() {
     const passed = (performance.now() - lastLook) / 1000;
     lastLook = performance.now();
     let frame = now;
-    if (film && moved && !video.seeking) {
+    if (film && moved && !video.seeking && video.readyState > 1) {
         frame = clamp(frameAt(video.currentTime - film.offset + film.begin), firstFrame, lastFrame);
     } else if (!film && playing && !still.hidden) {
         stillClock += passed * Number(at('speed').value);
@@ -163,7 +202,7 @@ function togglePlaying() {
 }
 video.addEventListener('play', () => { moved = playing = true; drawButtons(); });
 video.addEventListener('pause', () => {
-    if (!video.seeking) playing = false;
+    if (!video.seeking && !video.ended) playing = false;
     drawButtons();
 });
 video.addEventListener('click', event => {

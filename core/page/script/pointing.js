@@ -42,7 +42,7 @@ function placeTip(x, y) {
 function peekAt(frame) {
     if (!film || peeker.readyState < 1 || peeker.seeking) return;
     peeker.dataset.frame = frame;
-    peeker.currentTime = Math.max(0, timeWithin(frame) - film.begin + film.offset);
+    goToFrame(peeker, frame);
 }
 peeker.addEventListener('seeked', () => {
     if (Number(peeker.dataset.frame) === pointed) peeker.hidden = false;

@@ -87,7 +87,7 @@ function drawTicks() {
     const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 43200, 86400];
     const most = Math.max(2, strip.clientWidth / 90);
     const step = steps.find(seconds => stripLasts / seconds <= most) ?? 86400 * Math.ceil(stripLasts / 864000);
-    const zero = data.clock === null ? 0 : data.clock % step;  // ticks are whole steps of the clock that is shown
+    const zero = data.clock === null ? 0 : data.clock.begin % step;  // ticks are whole steps of the clock that is shown
     const labels = [];
     for (let seconds = Math.ceil((stripFrom + zero) / step) * step - zero; seconds <= stripFrom + stripLasts * 0.98; seconds += step) {
         const label = element('span', '', clockOf(seconds, false));

@@ -62,10 +62,17 @@ function clipTime(seconds, tenths = true) {
     return (hours ? hours + ':' + digits(minutes) : minutes) + ':' + digits(whole % 60) + (tenths ? '.' + all % 10 : '');
 }
 
+/// What the clock on the wall shows at a second of the clip, in seconds since 1970; it leaps where summer time begins or
+/// ends.
+function wallSeconds(seconds) {
+    const leaps = data.clock.leaps.filter(([at]) => at <= seconds);
+    return data.clock.begin + seconds + leaps.reduce((sum, [, by]) => sum + by, 0);
+}
+
 /// The time of the day where it is known, else the clip's.
 function clockOf(seconds, tenths = true) {
     if (data.clock === null) return clipTime(seconds, tenths);
-    const all = Math.floor((data.clock + seconds) * 10 + 1e-4);
+    const all = Math.floor(wallSeconds(seconds) * 10 + 1e-4);
     const ofDay = new Date(Math.floor(all / 10) * 1000).toISOString().slice(11, 19);
     return ofDay + (tenths ? '.' + (all % 10 + 10) % 10 : '');
 }
@@ -73,7 +80,7 @@ function clockOf(seconds, tenths = true) {
 /// Both clocks, the one of the day first.
 const bothClocks = seconds => clockOf(seconds) + (data.clock === null ? '' : ` (${clipTime(seconds)} of the clip)`);
 
-const dayOf = seconds => data.clock === null ? '' : new Date(Math.floor(data.clock + seconds) * 1000).toISOString().slice(0, 10);
+const dayOf = seconds => data.clock === null ? '' : new Date(Math.floor(wallSeconds(seconds)) * 1000).toISOString().slice(0, 10);
 
 /// A length of time: 8.4 s, 3:05 min, 1:02 h.
 function spanOf(seconds) {

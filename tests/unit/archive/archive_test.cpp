@@ -14,7 +14,7 @@
 #include "core/archive/clip_names.h"
 #include "core/archive/index.h"
 #include "core/archive/names.h"
-#include "core/archive/plain_name.h"
+#include "core/plain_name.h"
 #include "core/archive/prune.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"

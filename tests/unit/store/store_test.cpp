@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/fields/busy_fields.h"
 #include "core/fields/listed_seeds.h"
 #include "core/store/data_folder.h"
 #include "core/store/stored_fields.h"
@@ -140,69 +139,6 @@ TEST(ManifestText, ReadsWhatItWrote) {
     EXPECT_EQ(read.settings, manifest.settings);
     EXPECT_EQ(read.field_size, size);
     EXPECT_EQ(format_manifest(read), format_manifest(manifest));
-}
-
-/// A scene of so many frames, ten a second, in which a block moves in some of them and then lies where it is.
-class Scene final : public FieldSource {
-  public:
-    Scene(std::int64_t frames, std::vector<std::pair<std::int64_t, std::int64_t>> motions)
-        : frames_(frames), motions_(std::move(motions)) {}
-
-    const VideoInfo& info() const override { return info_; }
-    Size field_size() const override { return {64, 32}; }
-    std::int64_t expected_frames() const override { return frames_; }
-
-    FieldSummary read(const FieldNeeds&, const FieldSink& sink) override {
-        int place = 0;
-        for (std::int64_t i = 0; i < frames_; ++i) {
-            const bool moves = std::ranges::any_of(
-                motions_, [i](const auto& motion) { return motion.first <= i && i < motion.second; });
-            place = (place + (moves ? 2 : 0)) % 48;
-            Field field{i, 0.1 * static_cast<double>(i), Plane<std::uint8_t>(field_size()), {}, {}};
-            for (int j = 8; j < 24; ++j) {
-                for (int x = 0; x < 16; ++x) field.scalar.row(j)[static_cast<std::size_t>(place + x)] = 200;
-            }
-            field.scalar.row(3)[static_cast<std::size_t>(i % 64)] = 90;  // noise
-            sink(std::make_shared<const Frame>(Frame{i, field.pts, {}, {}}), std::move(field));
-        }
-        return {.frames = frames_, .damaged = 3, .reference = {}};
-    }
-
-  private:
-    VideoInfo info_;
-    std::int64_t frames_;
-    std::vector<std::pair<std::int64_t, std::int64_t>> motions_;
-};
-
-std::vector<std::int64_t> kept(std::int64_t frames, std::vector<std::pair<std::int64_t, std::int64_t>> motions,
-                               double longest) {
-    std::vector<std::int64_t> numbers;
-    BusyFields busy(std::make_unique<Scene>(frames, std::move(motions)), longest);
-    const FieldSummary summary = busy.read({}, [&](const SharedFrame& frame, Field&& field) {
-        EXPECT_EQ(frame->index, field.index);
-        numbers.push_back(field.index);
-    });
-    EXPECT_EQ(summary.frames, std::ssize(numbers));
-    EXPECT_EQ(summary.damaged, 3);
-    EXPECT_TRUE(std::ranges::is_sorted(numbers));
-    return numbers;
-}
-
-TEST(BusyFields, LeaveOutWhereNothingMoves) {
-    const auto numbers = kept(1000, {{300, 350}, {700, 720}}, 4);
-    const auto has = [&](std::int64_t number) { return std::ranges::binary_search(numbers, number); };
-    for (std::int64_t i = 281; i < 371; ++i) EXPECT_TRUE(has(i)) << i << ": motion, and two seconds on both sides";
-    for (std::int64_t i = 682; i < 741; ++i) EXPECT_TRUE(has(i)) << i;
-    EXPECT_TRUE(has(0) && has(20) && has(999) && has(980)) << "both ends of the clip";
-    for (const std::int64_t i : {40, 200, 270, 390, 600, 670, 760, 970}) EXPECT_FALSE(has(i)) << i;
-}
-
-TEST(BusyFields, KeepShortPausesAndAllThatMoves) {
-    EXPECT_EQ(std::ssize(kept(200, {{0, 200}}, 1)), 200);
-    EXPECT_EQ(std::ssize(kept(200, {{0, 60}, {85, 200}}, 3)), 200) << "a pause of two and a half seconds";
-    EXPECT_LT(std::ssize(kept(200, {{0, 60}, {120, 200}}, 3)), 190);
-    EXPECT_EQ(std::ssize(kept(10, {}, 3)), 10) << "a clip shorter than that";
-    EXPECT_EQ(std::ssize(kept(1, {}, 3)), 1);
 }
 
 }  // namespace

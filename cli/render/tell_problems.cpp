@@ -1,0 +1,23 @@
+#include "cli/render/tell_problems.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "core/words.h"
+
+namespace vvr {
+
+void tell_problems(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
+                   Observer& observer) {
+    constexpr std::size_t told = 5;  // files; a disk that fails may spoil thousands
+    for (const std::string& warning : warnings) observer.warn(warning);
+    const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
+    for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
+    if (shown == problems.size()) return;
+    observer.warn(fmt::format("{} besides could not be read whole; the report names them",
+                              counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
+}
+
+}  // namespace vvr

@@ -1,0 +1,255 @@
+#include "core/video/recording_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/video/decoder.h"
+#include "core/video/scaler.h"
+#include "core/video/stream_info.h"
+#include "core/video/time_sampler.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+// Names tell whole seconds, and recorders begin a file at the next key frame.
+constexpr double tolerance = 1;
+
+// With fewer files their headers are read beforehand, so that the length is known as exactly as that of one clip.
+constexpr std::size_t few = 31;
+
+constexpr double likely_rate = 25;
+
+double frame_duration(const VideoInfo& info) {
+    return 1 / (info.rate > 0 ? info.rate : likely_rate);
+}
+
+/// A time of a segment in the recording, as the clock of one clip would have it: to the last bit, as many a decision
+/// hangs on a second being over or not.
+double on_clock(double begin, double time, double tick) {
+    return static_cast<double>(std::llround(begin / tick) + std::llround(time / tick)) * tick;
+}
+
+/// A key packet, and the file that it is of.
+struct KeyPacket {
+    std::size_t segment = 0;
+    av::Ptr<AVPacket> packet;
+};
+
+/// What the packets of a file tell of its time.
+struct PacketSpan {
+    double first = std::numeric_limits<double>::infinity();
+    double last = 0;
+};
+
+}  // namespace
+
+RecordingSource::RecordingSource(Recording recording, const SourceOptions& options)
+    : recording_(std::move(recording)), options_(options) {
+    if (!open_next()) {
+        throw Error(ErrorKind::not_video, fmt::format("none of the {} of '{}' can be read: {}",
+                                                      counted(std::ssize(recording_.segments), "file"), recording_.name,
+                                                      problems_.empty() ? "there is none" : problems_.front()));
+    }
+    const SegmentPlace first = info_.segments.front();
+    info_ = segment_->info();
+    info_.segments = {first};
+    info_.name = recording_.name;
+    info_.title = recording_.camera;
+    info_.created = origin_;
+    field_size_ = field_size_for(info_.size, options_.field_size);
+    estimate_length();
+}
+
+/// The length by the headers of a few files; of many by when the last begins.
+void RecordingSource::estimate_length() {
+    const std::vector<Segment>& segments = recording_.segments;
+    const double rate = 1 / frame_duration(info_);
+    if (segments.size() > few) {
+        const auto last = segments.back().begin;
+        const double length = last && origin_ ? static_cast<double>(*last - *origin_) + info_.duration
+                                              : info_.duration * static_cast<double>(segments.size());
+        info_.duration = length;
+        info_.frames = std::llround(length * rate);
+        return;
+    }
+    std::int64_t frames = 0;
+    std::optional<double> end;
+    for (const Segment& segment : segments) {
+        try {
+            const ClipHeader header = header_of(Demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate));
+            const Begin begin = begin_of(segment, end);
+            const double gap = end ? std::max(0.0, begin.time - *end) : 0;
+            frames += header.frames + std::llround(gap * rate);
+            end = begin.time + header.length;
+        } catch (const Error&) {
+            continue;  // it is named when it is read
+        }
+    }
+    info_.duration = end.value_or(0);
+    info_.frames = frames;
+}
+
+/// \param end of the segment before, in seconds of the recording
+RecordingSource::Begin RecordingSource::begin_of(const Segment& segment, std::optional<double> end) const {
+    if (!end) return {};
+    if (!segment.begin || !origin_) return {*end, true, false};
+    const double begin = static_cast<double>(*segment.begin - *origin_);
+    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
+    return {begin, false, begin < *end};
+}
+
+bool RecordingSource::open_next() {
+    while (next_segment_ < recording_.segments.size()) {
+        const Segment& segment = recording_.segments[next_segment_++];
+        try {
+            segment_ = std::make_unique<FileSource>(open_input(segment.path), options_);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
+            problems_.emplace_back(error.what());
+            continue;
+        }
+        const bool is_first = index_ < 0;
+        if (is_first) origin_ = segment.begin;
+        begin_ = begin_of(segment, is_first ? std::nullopt : std::optional(last_ + frame_));
+        frame_ = frame_duration(segment_->info());
+        first_of_segment_ = true;
+        info_.segments.push_back({segment.path, begin_.time, begin_.time, index_ + 1});
+        return true;
+    }
+    return false;
+}
+
+void RecordingSource::close() {
+    const VideoInfo& info = segment_->info();
+    if (const std::int64_t damaged = segment_->damaged(); damaged > 0) {
+        damaged_ += damaged;
+        problems_.push_back(fmt::format("'{}' has {}", info.name, counted(damaged, "damaged packet")));
+    } else if (segment_end_ + tolerance < info.duration) {
+        problems_.push_back(
+            fmt::format("'{}' ends after {:.1f} s, and its header says {:.1f} s; it was not written whole", info.name,
+                        segment_end_, info.duration));
+    }
+    segment_.reset();
+}
+
+std::unique_ptr<DecodedFrame> RecordingSource::next() {
+    while (segment_ || open_next()) {
+        std::unique_ptr<DecodedFrame> frame = segment_->next();
+        if (!frame) {
+            close();
+            continue;
+        }
+        segment_end_ = frame->pts + frame_;
+        const double time = on_clock(begin_.time, frame->pts, segment_->tick());
+        if (first_of_segment_ && begin_.overlaps && time < last_ + frame_ / 2) continue;
+        const bool after_gap = first_of_segment_ && index_ >= 0 && !begin_.follows && !begin_.overlaps;
+        index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : 1;
+        if (first_of_segment_) info_.segments.back().first_frame = index_;
+        first_of_segment_ = false;
+        last_ = std::max(last_, time);
+        info_.segments.back().end = last_ + frame_;
+        frame->index = index_;
+        frame->pts = last_;
+        return frame;
+    }
+    return nullptr;
+}
+
+std::int64_t RecordingSource::damaged() const {
+    return damaged_ + (segment_ ? segment_->damaged() : 0);
+}
+
+void RecordingSource::rewind() {
+    segment_.reset();
+    next_segment_ = 0;
+    last_ = 0;
+    index_ = -1;
+    damaged_ = 0;
+    problems_.clear();
+    info_.segments.clear();
+}
+
+std::vector<Frame> RecordingSource::sample(int count) {
+    rewind();
+    const bool many = std::ssize(recording_.segments) >= std::max(count, static_cast<int>(few));
+    std::vector<Frame> frames = many ? sample_segments(count) : sample_key_frames(count);
+    return frames.empty() ? FrameSource::sample(count) : frames;
+}
+
+/// The first frames of segments that are spread evenly.
+std::vector<Frame> RecordingSource::sample_segments(int count) const {
+    const auto segments = std::ssize(recording_.segments);
+    SourceOptions options = options_;
+    options.threads = 1;
+    Scaler scale(field_size_, options_.colour);
+    std::vector<Frame> frames;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto place = static_cast<std::size_t>(i * (segments - 1) / std::max(1, count - 1));
+        try {
+            FileSource source(open_input(recording_.segments[place].path), options);
+            frames.push_back(scale(*source.next()));
+        } catch (const Error&) {
+            continue;  // it is named when it is read
+        }
+    }
+    return frames;
+}
+
+/// As of one clip: none where there are fewer key frames than asked for, or where they don't decode by themselves.
+std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
+    TimeSampler<KeyPacket> sampler(count);
+    std::int64_t seen = 0;
+    std::optional<double> end;
+    const auto packet = av::make_packet();
+    for (std::size_t i = 0; i < recording_.segments.size(); ++i) {
+        const Segment& segment = recording_.segments[i];
+        try {
+            Demuxer demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate);
+            const double begin = begin_of(segment, end).time;
+            PacketSpan span;
+            double last_key = -std::numeric_limits<double>::infinity();
+            while (demuxer.read(*packet)) {
+                const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+                if (!time) continue;
+                span = {std::min(span.first, *time), std::max(span.last, *time)};
+                if (!(packet->flags & AV_PKT_FLAG_KEY) || *time < last_key) continue;
+                last_key = *time;
+                ++seen;
+                const double at = begin + *time - span.first;
+                if (!sampler.wants(at)) continue;
+                av::Ptr<AVPacket> copy(av_packet_clone(packet.get()));
+                if (!copy) throw Error(ErrorKind::limit, "out of memory while reading the video");
+                sampler.keep(at, {i, std::move(copy)});
+            }
+            if (span.last >= span.first) end = begin + span.last - span.first + demuxer.frame_duration();
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::limit) throw;
+        }
+    }
+    if (seen < count) return {};
+    const std::vector<KeyPacket> keys = sampler.take();
+    Scaler scale(field_size_, options_.colour);
+    std::vector<Frame> frames;
+    for (auto key = keys.begin(); key != keys.end();) {
+        const std::size_t of = key->segment;
+        const std::string& path = recording_.segments[of].path;
+        Demuxer demuxer(open_input(path), Demuxer::Kind::video, options_.rate);
+        Decoder decoder(demuxer, path, 1);
+        for (; key != keys.end() && key->segment == of; ++key) {
+            if (auto image = decoder.decode_alone(*key->packet)) {
+                frames.push_back(scale({0, 0, orientation_of(demuxer.stream()), std::move(image)}));
+            }
+        }
+    }
+    if (frames.size() < keys.size() / 2 + 1) return {};
+    return frames;
+}
+
+}  // namespace vvr

@@ -1,0 +1,45 @@
+#include "core/wall_clock.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "core/local_time.h"
+
+namespace vvr {
+
+double Clock::at(double seconds) const {
+    double shown = static_cast<double>(begin) + seconds;
+    for (const Leap& leap : leaps) {
+        if (seconds >= leap.seconds) shown += static_cast<double>(leap.by);
+    }
+    return shown;
+}
+
+std::string Clock::iso(double seconds) const {
+    const double shown = at(seconds);
+    const std::string text =
+        fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(std::floor(shown + 1e-6))));
+    if (!ahead) return text;
+    const auto offset = *ahead + std::llround(shown - static_cast<double>(begin) - seconds);
+    const auto minutes = std::abs(offset) / 60;
+    return text + fmt::format("{}{:02}:{:02}", offset < 0 ? '-' : '+', minutes / 60, minutes % 60);
+}
+
+Clock local_clock(std::int64_t begin, double length) {
+    const std::vector<ZoneChange> changes = zone_changes(begin, begin + std::llround(std::ceil(length)));
+    Clock clock(begin + changes.front().offset);
+    clock.ahead = changes.front().offset;
+    clock.zone = zone_text(begin);
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+        clock.leaps.push_back(
+            {static_cast<double>(changes[i].from - begin), changes[i].offset - changes[i - 1].offset});
+        clock.zone += fmt::format(", then {}", zone_text(changes[i].from));
+    }
+    return clock;
+}
+
+}  // namespace vvr

@@ -1,0 +1,277 @@
+"""Many files are one recording: what a recorder writes in segments is drawn as one clip."""
+
+import datetime
+import json
+import os
+import shutil
+import subprocess
+import time
+
+import pytest
+from harness import check, moving_clip
+
+MIDNIGHT = datetime.datetime(2026, 11, 21, 23, 59, 40)
+LOOK = ("--size", "320x200", "--backend", "software", "--title", "gate", "--start-time", "none")
+
+
+def whole_clip(t, seconds=40):
+    """A square that crosses the scene again and again; key frames each second."""
+    t.ffmpeg("-f", "lavfi", "-i", f"color=gray:size=96x64:rate=10:duration={seconds}", "-f", "lavfi", "-i",
+             f"color=white:size=16x16:rate=10:duration={seconds}", "-filter_complex",
+             "[0][1]overlay=x='mod(12*t,120)-20':y=20:eval=frame", "-c:v", "mpeg4", "-g", "10", "-q:v", "3", "whole.mkv")
+    return "whole.mkv"
+
+
+def cut(t, clip="whole.mkv", seconds=10, begin=MIDNIGHT, folder="day", layout="%Y-%m-%d/%H/gate/%M.%S.mkv"):
+    """The files that a recorder would have written, as Frigate names them."""
+    t.path("cut").mkdir(exist_ok=True)
+    t.ffmpeg("-i", clip, "-c", "copy", "-f", "segment", "-segment_time", str(seconds), "-reset_timestamps", "1", "cut/%04d.mkv")
+    names = []
+    for number, piece in enumerate(sorted(t.path("cut").iterdir())):
+        at = begin + datetime.timedelta(seconds=number * seconds)
+        name = f"{folder}/{at.strftime(layout)}"
+        t.path(name).parent.mkdir(parents=True, exist_ok=True)
+        piece.rename(t.path(name))
+        names.append(name)
+    return names
+
+
+def report_of(t, name="r.json"):
+    return json.loads(t.path(name).read_text(encoding="utf-8"))
+
+
+def test_recording_of_segments_equals_the_whole_clip(t):
+    whole_clip(t)
+    t.render("whole.mkv", *LOOK, output="whole.png").expect(0, "400 frames")
+    names = cut(t)
+    check(len(names) == 4, f"{names}")
+    t.write("day/all.txt", "# of the gate\n" + "\n".join(name.removeprefix("day/") for name in reversed(names)) + "\n")
+    for number, given in enumerate([["day"], names, list(reversed(names)), ["day/*/*/gate"], ["day/*/*/*/*.mkv"], ["day/all.txt"]]):
+        t.render(*given, *LOOK, output=f"{number}.png").expect(0, "400 frames")
+        check(t.path(f"{number}.png").read_bytes() == t.path("whole.png").read_bytes(), f"{given} make another picture")
+    # The reference is learnt of key frames where there are enough of them, else of all frames.
+    t.render("whole.mkv", *LOOK, "--end", "20s", output="short.png").expect(0)
+    t.render("day", *LOOK, "--end", "20s", output="short day.png").expect(0)
+    check(t.path("short.png").read_bytes() == t.path("short day.png").read_bytes(), "another picture of the first 20 s")
+    for command in (["extract", "whole.mkv", "-o", "a"], ["extract", "day", "-o", "b"]):
+        t.vvr(*command).expect(0, "400 frames")
+    t.render("a", *LOOK, output="a.png").expect(0)
+    t.render("b", *LOOK, output="b.png").expect(0)
+    check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), "data files make another picture")
+    t.vvr("inspect", "day", "--frame", "25s", "-o", "i.png").expect(0, "frame 250 at 25.000 s")
+    told = json.loads(t.vvr("info", "day", "--json").expect(0, out=None).out)
+    check(told["frames"] == 400 and told["recorded"] == "2026-11-21 23:59:40", f"{told}")
+
+
+def test_recording_has_gaps_where_files_are_missing(t):
+    whole_clip(t)
+    names = cut(t)
+    t.path(names[1]).unlink()
+    t.render("day", *LOOK, "--report", "r.json").expect(0, "300 frames in 400 layers")
+    report = report_of(t)
+    check(any(label["text"] == "no signal" for label in report["labels"]), f"{report['labels']}")
+    check([segment["first_frame"] for segment in report["segments"]] == [0, 200, 300], f"{report['segments']}")
+    check(report["problems"] == [], f"{report['problems']}")
+    check(report["span"]["last"] == 39.9, f"{report['span']}")
+
+
+def test_recording_goes_on_past_damaged_files(t):
+    whole_clip(t)
+    names = cut(t)
+    data = t.path(names[2]).read_bytes()
+    t.write(names[1], b"no video" * 100)
+    t.write(names[2], data[: len(data) // 2])
+    done = t.render("day", *LOOK, "--report", "r.json").expect(0, f"warning: '{names[1]}' is not a video that libav knows",
+                                                                f"warning: '{names[2]}' ends after ", "and its header says 10.0 s", "in 400 layers")
+    report = report_of(t)
+    check(any(names[1] in problem for problem in report["problems"]), f"{report['problems']}")
+    check(220 <= report["frames"]["used"] <= 260 and report["span"]["last"] == 39.9, f"{done}")
+    for name in names:
+        t.write(name, b"")
+    t.render("day").expect(3, "none of the 4 files of 'day' can be read", "is empty")
+
+
+def test_recording_joins_overlaps_and_takes_other_sizes(t):
+    whole_clip(t)
+    names = cut(t)
+    # A recorder that begins each file some seconds before the end of the one before.
+    t.ffmpeg("-ss", "16", "-t", "14", "-i", "whole.mkv", "-c:v", "mpeg4", "-q:v", "3", "day/2026-11-21/23/gate/59.56.mkv")
+    t.path(names[2]).unlink()
+    t.render("day", *LOOK, "--report", "r.json").expect(0, "400 frames in 400 layers")
+    check([segment["first_frame"] for segment in report_of(t)["segments"]] == [0, 100, 200, 300], "overlaps count twice")
+    t.ffmpeg("-i", names[1], "-vf", "scale=192:128", "-r", "5", "-c:v", "ffv1", "other.mkv")
+    t.path("other.mkv").rename(t.path(names[1]))
+    t.render("day", *LOOK, "--report", "r.json").expect(0)
+    check(report_of(t)["frames"]["used"] == 350, "a file at half the rate has half the frames")
+
+
+def test_recording_tells_which_file_an_event_is_in(t):
+    moving_clip(t, frames=400)
+    t.ffmpeg("-i", "clip.mkv", "-c:v", "mpeg4", "-g", "10", "-q:v", "3", "whole.mkv")
+    names = cut(t)
+    t.vvr("render", "day", "--report", "r.json").expect(0)
+    report = report_of(t)
+    check(report["events"], "no event")
+    places = {segment["file"]: segment for segment in report["segments"]}
+    for event in report["events"]:
+        for end in ("first", "last"):
+            moment = event[end]
+            check(moment["file"] in names, f"{moment}")
+            check(abs(places[moment["file"]]["first"] + moment["offset"] - moment["seconds"]) < 0.002, f"{moment}")
+    t.render("day", output="day.html").expect(0)
+    text = t.path("day.html").read_text(encoding="utf-8")
+    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    check(data["clip"] is None and [row[0] for row in data["segments"]] == [f"./{name}" for name in names], f"{data['segments']}")
+    check([row[1:] for row in data["segments"]] == [[0, 10], [10, 10], [20, 10], [30, 10]], f"{data['segments']}")
+
+
+def test_recording_is_ordered_by_what_tells_the_time(t):
+    whole_clip(t)
+    names = cut(t, layout="%d-%H.%M.%S.mkv", folder="plain")
+    # Names of no known layout, containers without a time: when they were written counts.
+    for number, name in enumerate(names):
+        os.utime(t.path(name), (1795300000 + 10 * (number + 1),) * 2)
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': neither names nor containers tell when", "400 frames")
+    check(report_of(t)["input"]["recorded"] is not None, "the clock is known")
+    # All written at once: by their names.
+    for name in names:
+        os.utime(t.path(name), (1795300000,) * 2)
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "they follow each other by their names", "400 frames in 400 layers")
+    check([segment["file"] for segment in report_of(t)["segments"]] == names, "not in order")
+    t.render("plain", *LOOK, "--names", "%d-%H.%M.%S").expect(1, "a time needs %Y, %m, %d and %H")
+    # What containers tell comes before when they were written.
+    for number, name in enumerate(reversed(names)):
+        t.ffmpeg("-i", name, "-c", "copy", "-metadata", f"creation_time=2026-11-21T08:00:{number}0Z", "stamped.mkv")
+        t.path("stamped.mkv").rename(t.path(name))
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "400 frames in 400 layers")
+    check([segment["file"] for segment in report_of(t)["segments"]] == list(reversed(names)), "containers tell the order")
+    check(report_of(t)["input"]["recorded"] == "2026-11-21 08:00:00", "and the clock")
+
+
+def test_recording_that_cannot_be(t):
+    t.path("a").mkdir()
+    t.clip("a/clip.avi", seconds=1)
+    t.clip("b.avi", seconds=1)
+    t.path("none").mkdir()
+    t.render("b.avi", "none.avi").expect(2, "cannot read 'none.avi': No such file")
+    t.render("b.avi", "none").expect(1, "'none' holds no video files", "give video files, or folders of them")
+    t.render("b.avi", "rtsp://camera/1").expect(1, "'rtsp://camera/1' is a stream, and only files can be one recording")
+    t.write("list.txt", "../b.avi\n")
+    t.render("list.txt").expect(2, "'list.txt', line 1: its path leads out of the folder")
+    t.write("list.txt", "b.avi\n/etc/passwd\n")
+    t.render("list.txt").expect(2, "'list.txt', line 2: its path leads out of the folder")
+    t.write("list.txt", "b.avi\nc.avi\n")
+    t.render("list.txt").expect(2, "'list.txt', line 2: there is no file 'c.avi'")
+    t.path("a/link.avi").symlink_to(t.path("b.avi"))
+    t.write("a/list.txt", "link.avi\n")
+    t.render("a/list.txt").expect(2, "'a/list.txt', line 1: it is a link that leads out of the folder")
+    t.write("list.txt", "# nothing\n")
+    t.render("list.txt").expect(2, "'list.txt' names no file")
+    for camera in ("gate", "hall"):
+        t.path(f"day/2026-11-21/08/{camera}").mkdir(parents=True)
+        t.path(f"day/2026-11-21/08/{camera}/00.00.avi").write_bytes(t.path("b.avi").read_bytes())
+    t.render("day").expect(1, "'day' holds files of 2 cameras: gate, hall; give those of one, for example '2026-11-21/*/gate'")
+    t.render("day/2026-11-21/*/hall").expect(0)
+
+
+def test_recording_has_the_clock_of_the_day(t):
+    whole_clip(t)
+    # Across midnight, and in the zone of the machine: Frigate's names are in UTC.
+    os.environ["TZ"] = "Europe/Berlin"
+    cut(t, begin=datetime.datetime(2026, 11, 21, 22, 59, 40))
+    look = ("--size", "640x400", "--backend", "software", "--report", "r.json")
+    t.render("day", *look).expect(0)
+    report = report_of(t)
+    texts = [label["text"] for label in report["labels"]]
+    check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1)" in texts, f"{texts}")
+    check("00:00:00" in texts and "gate" in texts, f"{texts}")
+    check(report["clock"] == {"first": "2026-11-21T23:59:40+01:00", "last": "2026-11-22T00:00:19+01:00", "zone": "CET, UTC+1"}, f"{report['clock']}")
+    for event in report["events"]:
+        begin = datetime.datetime.fromisoformat(report["clock"]["first"])
+        told = datetime.datetime.fromisoformat(event["first"]["time"])
+        check(abs((told - begin).total_seconds() - event["first"]["seconds"]) <= 1, f"{event['first']}")
+    t.render("day", output="day.html").expect(0)
+    text = t.path("day.html").read_text(encoding="utf-8")
+    data = json.loads(text.split('id="data">')[1].split("</script>")[0])
+    check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1"}, f"{data['clock']}")
+    # To summer time: names on the local clock leap by an hour, time does not.
+    names = []
+    for number, piece in enumerate(sorted(t.path("day").rglob("*.mkv"))):
+        at = ["2026-03-29 01-59-40", "2026-03-29 01-59-50", "2026-03-29 03-00-00", "2026-03-29 03-00-10"][number]
+        t.path("spring").mkdir(exist_ok=True)
+        piece.rename(t.path(f"spring/{at}.mkv"))
+        names.append(f"spring/{at}.mkv")
+    t.render("spring", *look).expect(0, "400 frames in 400 layers")
+    report = report_of(t)
+    check([segment["file"] for segment in report["segments"]] == names and report["span"]["last"] == 39.9, f"{report['segments']}")
+    check(report["clock"]["first"] == "2026-03-29T01:59:40+01:00" and report["clock"]["last"] == "2026-03-29T03:00:19+02:00", f"{report['clock']}")
+    check("03:00:00" in [label["text"] for label in report["labels"]], "no tick on the new clock")
+    del os.environ["TZ"]
+
+
+VISITS = 30
+FRAME_RATE = 2
+
+
+def generated_day(t, segments, folder="day"):
+    """A day at 2 frames per second in files of ten seconds: an empty scene, and visits of eight seconds at known times."""
+    source = ("-f", "lavfi", "-i", f"color=gray:size=96x64:rate={FRAME_RATE}:duration=10")
+    codec = ("-c:v", "mpeg4", "-g", "5", "-q:v", "3")
+    t.ffmpeg(*source, *codec, "empty.mkv")
+    t.ffmpeg(*source, "-f", "lavfi", "-i", f"color=white:size=16x24:rate={FRAME_RATE}:duration=10", "-filter_complex",
+             "[0][1]overlay=x='if(between(t,1,9),10*(t-1)-8,-50)':y=20:eval=frame", *codec, "visit.mkv")
+    begin = datetime.datetime(2026, 11, 21)
+    visited = {segments * (2 * number + 1) // (2 * VISITS) for number in range(VISITS)}
+    for number in range(segments):
+        at = begin + datetime.timedelta(seconds=10 * number)
+        name = t.path(f"{folder}/{at:%Y-%m-%d/%H}/gate/{at:%M.%S}.mkv")
+        name.parent.mkdir(parents=True, exist_ok=True)
+        os.link(t.path("visit.mkv" if number in visited else "empty.mkv"), name)
+    return [begin + datetime.timedelta(seconds=10 * number + 1) for number in sorted(visited)]
+
+
+def check_day(t, segments):
+    os.environ["TZ"] = "UTC"
+    times = generated_day(t, segments)
+    done = subprocess.Popen([t.vvr_path, "render", "day", "-o", "day.png", "--size", "320x200", "--backend", "software", "--report",
+                             "r.json"], cwd=t.folder, stderr=subprocess.PIPE)
+    most_open = 0
+    while done.poll() is None:
+        try:
+            most_open = max(most_open, len(os.listdir(f"/proc/{done.pid}/fd")))
+        except OSError:
+            pass
+        time.sleep(0.05)
+    check(done.returncode == 0, done.stderr.read().decode())
+    report = report_of(t)
+    check(report["frames"]["used"] == segments * 10 * FRAME_RATE, f"{report['frames']}")
+    check(len(report["segments"]) == segments and not report["problems"], "not each file was read once")
+    events = report["events"]
+    check(len(events) == VISITS, f"{len(events)} events")
+    for event, begin in zip(events, times):
+        told = datetime.datetime.fromisoformat(event["first"]["time"]).replace(tzinfo=None)
+        check(abs((told - begin).total_seconds()) <= 1, f"{event['first']} and {begin}")
+        file = begin - datetime.timedelta(seconds=1)
+        check(event["first"]["file"] == f"day/{file:%Y-%m-%d/%H}/gate/{file:%M.%S}.mkv", f"{event['first']} and {file}")
+        check(0 <= event["first"]["offset"] <= 2.1, f"{event['first']}")
+    check(report["volume"]["squeezed"], "nothing is squeezed")
+    del os.environ["TZ"]
+    return report["peak_memory_bytes"], report["seconds"]["total"], most_open
+
+
+def test_recording_of_an_hour_of_segments(t):
+    memory, _, most_open = check_day(t, 360)
+    check(most_open < 60, f"{most_open} files are open")
+    check(memory < 400e6, f"{memory / 1e6:.0f} MB")
+
+
+@pytest.mark.slow
+def test_recording_of_a_day_of_8640_segments(t):
+    hour, hour_took, hour_open = check_day(t, 360)
+    shutil.rmtree(t.path("day"))
+    for name in ("empty.mkv", "visit.mkv"):
+        t.path(name).unlink()
+    day, day_took, day_open = check_day(t, 8640)
+    check(day < 1.1 * hour, f"{hour / 1e6:.0f} MB for an hour, {day / 1e6:.0f} MB for a day")
+    check(day_open <= hour_open + 2, f"{hour_open} and {day_open} open files")
+    check(day_took < 40 * hour_took, f"{hour_took:.0f} s for an hour, {day_took:.0f} s for a day")
