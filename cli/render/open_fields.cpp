@@ -1,6 +1,7 @@
 #include "cli/render/open_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +19,10 @@ namespace vvr {
 
 namespace {
 
+// What `vvr seeds` can do again on a stored flow.
+constexpr std::array settings_of_seeds{setting::grid.name, setting::min_magnitude.name, setting::seed_area.name,
+                                       setting::seed_order.name, setting::seed_select.name};
+
 OpenedFields open_extracted(const RenderJob& job) {
     if (!job.fields.second.empty()) {
         throw Error(
@@ -33,10 +38,12 @@ OpenedFields open_extracted(const RenderJob& job) {
         const auto found = std::ranges::find(source->settings(), name, &Metadata::value_type::first);
         const std::string extracted = found == source->settings().end() ? "" : found->second;
         if (value == extracted) continue;
-        throw Error(ErrorKind::usage,
-                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr extract` with it", name,
-                                value, folders.front(), extracted.empty() ? "none" : extracted),
-                    {name});
+        const bool of_seeds = std::ranges::find(settings_of_seeds, name) != settings_of_seeds.end();
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it", name, value,
+                        folders.front(), extracted.empty() ? "none" : extracted, of_seeds ? "seeds" : "extract"),
+            {name});
     }
     Metadata settings = source->settings();
     return {std::move(source), std::move(settings)};

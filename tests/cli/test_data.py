@@ -147,6 +147,7 @@ def test_extract_replaces_only_its_own(t):
 def test_options_that_an_extraction_decided(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("data", "--filter", "edges").expect(1, "--filter edges: 'data' was extracted with difference")
+    t.render("data", "--grid", "9").expect(1, "--grid 9: 'data' was extracted with 14; leave it out, or run `vvr seeds` with it")
     t.render("data", "--end", "9").expect(1, "--end 9: 'data' was extracted with none", "vvr extract")
 
 
