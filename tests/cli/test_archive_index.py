@@ -23,9 +23,6 @@ class Index(Page):
         self.driver.get(pathlib.Path(path).as_uri())
         self.wait("the list", "return document.querySelector('#days .day, #days .empty') !== null")
 
-    def texts(self, selector):
-        return self.run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
-
     def filter(self, text):
         self.run("const box = document.getElementById('text'); box.value = arguments[0]; box.dispatchEvent(new Event('input'))", text)
         self.wait("the filter", f"return asked.text === {json.dumps(text)}")
