@@ -31,9 +31,9 @@ def with_events(t, name, paths, kind_of=lambda _: "moved"):
 
 
 def crowd(t, count):
-    """The page with so many events of 0.4 s."""
+    """The page with so many events of 0.16 s."""
     firsts = [2 + k * 380 // count for k in range(count)]
-    return with_events(t, "crowd.html", [[[first, 0.1, 0.5], [first + 10, 0.9, 0.5]] for first in firsts],
+    return with_events(t, "crowd.html", [[[first, 0.1, 0.5], [first + 3, 0.9, 0.5]] for first in firsts],
                        lambda k: "left" if k % 100 == 50 else "moved")
 
 
