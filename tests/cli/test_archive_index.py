@@ -80,7 +80,8 @@ def test_index_lists_by_day_and_camera(t):
         page.run("document.querySelector('[value=events]').click()")
         page.run("[...document.querySelectorAll('#cameras button')].find(b => b.textContent.startsWith('gate')).click()")
         page.wait("two", "return document.querySelectorAll('.card').length === 2")
-        # A clip's page, and back to what was asked for.
+        # A clip's page, and back to what was asked for. A page that is still loading would have no place in the history.
+        page.wait("it is loaded", "return document.readyState === 'complete'")
         page.run("document.querySelector('a.card').click()")
         page.wait("the clip's page", "return document.title === 'the page of b'")
         page.run("history.back()")
