@@ -32,7 +32,8 @@ function groundOf(element) {
     return own[3] === 255 ? own : over(own, groundOf(element.parentElement));
 }
 function luminance(colour) {
-    const [red, green, blue] = colour.slice(0, 3).map(byte => byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4);
+    const [red, green, blue] = colour.slice(0, 3).map(byte => byte / 255)
+        .map(share => share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4);
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 const found = [];
@@ -50,7 +51,8 @@ while (texts.nextNode()) {
     const [light, dark] = [luminance(ink), luminance(ground)].sort((a, b) => b - a);
     const contrast = (light + 0.05) / (dark + 0.05);
     ++count;
-    if (contrast < 4.5) found.push(`${element.id || element.className || element.tagName} "${text.slice(0, 30)}": ${contrast.toFixed(2)}`);
+    const name = element.id || element.className || element.tagName;
+    if (contrast < 4.5) found.push(`${name} "${text.slice(0, 30)}": ${contrast.toFixed(2)}`);
 }
 return [found, count];
 """
@@ -75,7 +77,8 @@ def driver_of(folder, *arguments):
     for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1440,900",
                      # A mouse, which a machine without a screen has not.
                      "--blink-settings=primaryHoverType=2,availableHoverTypes=2,primaryPointerType=4,availablePointerTypes=4",
-                     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", f"--user-data-dir={folder}", "--no-first-run", *arguments):
+                     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", f"--user-data-dir={folder}", "--no-first-run",
+                     *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
@@ -176,6 +179,23 @@ class Page:
     def text(self, name):
         return self.run("return document.getElementById(arguments[0]).textContent", name)
 
+    def texts(self, selector):
+        """Of every element that is like that."""
+        return self.run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
+
+    def count(self, selector):
+        return self.run("return document.querySelectorAll(arguments[0]).length", selector)
+
+    def box(self, selector):
+        """Where an element is in the window: left, top, right, bottom."""
+        return self.run("const b = document.querySelector(arguments[0]).getBoundingClientRect();"
+                        "return [b.left, b.top, b.right, b.bottom]", selector)
+
+    def set(self, name, value):
+        """Takes another value of a list of choices."""
+        self.run("const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))",
+                 name, value)
+
     def text_of(self, selector):
         return self.run("return document.querySelector(arguments[0]).textContent", selector)
 
@@ -212,11 +232,10 @@ class Page:
         """Presses on an element, moves on and lets go; each place is given by shares of the element's width and height."""
         from selenium.webdriver.common.actions.action_builder import ActionBuilder
         from selenium.webdriver.common.actions.pointer_input import PointerInput
-        left, top, wide, high = self.run("const b = document.querySelector(arguments[0]).getBoundingClientRect();"
-                                         "return [b.left, b.top, b.width, b.height]", selector)
+        left, top, right, bottom = self.box(selector)
         actions = ActionBuilder(self.driver, mouse=PointerInput(kind, kind), duration=0)
         for k, (x, y) in enumerate(places):
-            actions.pointer_action.move_to_location(round(left + x * wide), round(top + y * high))
+            actions.pointer_action.move_to_location(round(left + x * (right - left)), round(top + y * (bottom - top)))
             if k == 0:
                 actions.pointer_action.pointer_down()
         actions.pointer_action.pointer_up()

@@ -23,9 +23,6 @@ class Index(Page):
         self.driver.get(pathlib.Path(path).as_uri())
         self.wait("the list", "return document.querySelector('#days .day, #days .empty') !== null")
 
-    def texts(self, selector):
-        return self.run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
-
     def filter(self, text):
         self.run("const box = document.getElementById('text'); box.value = arguments[0]; box.dispatchEvent(new Event('input'))", text)
         self.wait("the filter", f"return asked.text === {json.dumps(text)}")
@@ -83,7 +80,8 @@ def test_index_lists_by_day_and_camera(t):
         page.run("document.querySelector('[value=events]').click()")
         page.run("[...document.querySelectorAll('#cameras button')].find(b => b.textContent.startsWith('gate')).click()")
         page.wait("two", "return document.querySelectorAll('.card').length === 2")
-        # A clip's page, and back to what was asked for.
+        # A clip's page, and back to what was asked for. A page that is still loading would have no place in the history.
+        page.wait("it is loaded", "return document.readyState === 'complete'")
         page.run("document.querySelector('a.card').click()")
         page.wait("the clip's page", "return document.title === 'the page of b'")
         page.run("history.back()")

@@ -11,9 +11,6 @@ from test_archive_index import HOUR, NOW, Index, known, opened, write_index
 
 pytestmark = pytest.mark.browser
 
-STILL = {"still": "x.still.jpg"}
-
-
 def wander(chance, begin, lasts=200):
     """A path as a sidecar has it: tenths of a second and thousandths of the scene, one after the other."""
     times = sorted(chance.sample(range(begin, begin + lasts), chance.randint(1, 6)))
@@ -24,10 +21,6 @@ def cards(page):
     """Of each card: name, badges."""
     return page.run("return [...document.querySelectorAll('.card')].map(card => [card.querySelector('.name').textContent,"
                     "[...card.querySelectorAll('.badge')].map(b => b.textContent)])")
-
-
-def choose(page, name, value):
-    page.run("const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))", name, value)
 
 
 def test_index_tells_what_was_left(t):
@@ -45,13 +38,13 @@ def test_index_tells_what_was_left(t):
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
         check(cards(page) == [["a.avi", ["left 26 s", "1 event"]], ["b.avi", ["taken", "stood 3:05 min", "3 events"]],
                               ["c.avi", ["9 events"]], ["d.avi", ["no events"]], ["bad.avi", []]], str(cards(page)))
-        for kind, names in (("left", ["a.avi", "b.avi"]), ("stood", ["b.avi"]), ("events", ["a.avi", "b.avi", "c.avi"]), ("failed", ["bad.avi"])):
+        for kind, names in (("left", "a b"), ("stood", "b"), ("events", "a b c"), ("failed", "bad")):
             page.run(f"document.querySelector('[value={kind}]').click()")
-            page.wait(kind, f"return document.querySelectorAll('.card').length === {len(names)}")
-            check([name for name, _ in cards(page)] == names, f"{kind}: {cards(page)}")
+            page.wait(kind, f"return document.querySelectorAll('.card').length === {len(names.split())}")
+            check([name for name, _ in cards(page)] == [f"{name}.avi" for name in names.split()], f"{kind}: {cards(page)}")
         page.run("document.querySelector('[value=all]').click()")
         for order, names in (("left", "ab"), ("stood", "b"), ("events", "cbad"), ("newest", "abcd")):
-            choose(page, "order", order)
+            page.set("order", order)
             page.wait("cards", "return document.querySelectorAll('.card').length === 5")
             found = [name for name, _ in cards(page)]
             check(found[:len(names)] == [f"{name}.avi" for name in names] and found[-1] == "bad.avi", f"{order}: {found}")
@@ -66,8 +59,8 @@ def test_index_finds_names_as_people_write_them(t):
         known(t, name, NOW)
     write_index(t)
     with opened(t) as page:
-        for text, count in (("uebergabe", 1), ("ubergabe", 1), ("Übergabe", 1), ("U\u0308BERGABE", 1), ("strasse", 1), ("STRAßE", 1), ("cafe", 1),
-                            ("hall/pl", 1), ("straße 7", 1), ("xyz", 0), ("avi", 3)):
+        for text, count in (("uebergabe", 1), ("ubergabe", 1), ("Übergabe", 1), ("U\u0308BERGABE", 1), ("strasse", 1),
+                            ("STRAßE", 1), ("cafe", 1), ("hall/pl", 1), ("straße 7", 1), ("xyz", 0), ("avi", 3)):
             page.filter(text)
             page.wait(f"{text}: {count}", f"return document.querySelectorAll('.card').length === {count}", 5)
 
@@ -82,14 +75,14 @@ def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
     t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0").expect(0)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 3")
-        gone = page.run("return [...document.querySelectorAll('.card')].filter(c => c.querySelector('.gone')).map(c => c.querySelector('.name').textContent)")
-        check(gone == ["gone.avi"], f"{gone}")
+        check(page.texts(".card:has(.gone) .name") == ["gone.avi"], str(page.texts(".card:has(.gone) .name")))
         check(" · 1 gone" in page.text("summary"), page.text("summary"))
-        check(page.run("return document.querySelectorAll('.new').length") == 3, "not all are new")
+        check(page.count(".new") == 3, "not all are new")
         page.run("[...document.querySelectorAll('a.card')].find(c => c.textContent.includes('gone.avi')).click()")
         page.wait("the clip's page", "return document.title === 'the page of gone.avi'")
         page.open(t.path("out/index.html"))
-        page.wait("two are new", "return document.querySelectorAll('.card').length === 3 && document.querySelectorAll('.new').length === 2")
+        page.wait("cards", "return document.querySelectorAll('.card').length === 3")
+        check(page.count(".new") == 2, f"{page.count('.new')} of 3 are new")
         page.run("document.querySelector('[value=unseen]').click()")
         page.wait("two are left", "return document.querySelectorAll('.card').length === 2")
 
@@ -97,8 +90,8 @@ def test_index_keeps_what_was_seen_and_marks_what_is_gone(t):
 def test_index_leads_from_clip_to_clip(t):
     t.path("clips/gate").mkdir(parents=True)
     t.path("clips/hall").mkdir(parents=True)
-    for hour, name in enumerate(("gate/20261120T080000.avi", "hall/20261120T083000.avi", "gate/20261120T090000.avi", "gate/20261120T100000.avi")):
-        t.clip(f"clips/{name}", 2)
+    for name in ("gate/20261120T080000", "hall/20261120T083000", "gate/20261120T090000", "gate/20261120T100000"):
+        t.clip(f"clips/{name}.avi", 2)
     t.vvr("archive", "clips", "-o", "out", "--size", "320x200", "--settle", "0", "--backend", "software").expect(0)
     with opened(t) as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 4")
@@ -118,24 +111,23 @@ def test_index_leads_from_clip_to_clip(t):
 
 
 def test_index_by_days(t):
+    left = ["l", 1, 0, 0, 1, 1, 260, 1, 1]
     for day in range(40):
         for camera in ("gate", "hall"):
             if camera == "gate" or day % 3 == 0:
-                known(t, f"{camera}/{day}.avi", NOW - day * 24 * HOUR, events=day % 4, found=[["l", 1, 0, 0, 1, 1, 260, 1, 1]] if day == 5 else [])
+                known(t, f"{camera}/{day}.avi", NOW - day * 24 * HOUR, events=day % 4, found=[left] if day == 5 else [])
     write_index(t)
     with opened(t) as page:
         page.press("#views [value=days]")
         page.wait("days", "return document.querySelectorAll('#overview th[scope=row]').length === 40")
         check(page.texts("#overview th[scope=col]") == ["gate", "hall"], str(page.texts("#overview th[scope=col]")))
         check(page.texts("#overview .month")[:1] == ["November 2026"], str(page.texts("#overview .month")))
-        check(page.run("return document.querySelectorAll('#overview td button').length") == 40 + 14, "cells")
-        check(page.run("return document.querySelectorAll('#overview td button .hours i').length") == 24 * 54, "hours")
-        left = page.run("return [...document.querySelectorAll('#overview .left')].map(b => b.closest('tr').querySelector('th').textContent + b.textContent)")
-        check(left == ["Mon 16left 26 s"], f"{left}")
+        check(page.count("#overview td button") == 40 + 14, "cells")
+        check(page.count("#overview td button .hours i") == 24 * 54, "hours")
+        check(page.texts("#overview tr:has(.left) th") == ["Mon 16"] and page.texts("#overview .left") == ["left 26 s"], "what was left")
         page.run("document.querySelector('#overview .left').closest('button').click()")
         page.wait("the day's clips", "return document.querySelectorAll('.card').length === 1")
         check(page.text("count") == "1 of 54 clips on 2026-11-16", page.text("count"))
-        page.run("history.back()")
 
 
 def scene_page(t, clips=30, of_each=20):
@@ -174,7 +166,7 @@ def brute_line(path, a, b):
 
 def answered(page):
     page.wait("an answer", "return document.getElementById('foundheading').textContent.includes('event')")
-    return {(clip, number) for clip, number in page.run("return answer.found.map(({event}) => [event.clip.url.replace(/^\\.\\//, ''), event.number])")}
+    return {(clip, number) for clip, number in page.run("return answer.found.map(({event}) => [event.clip.path, event.number])")}
 
 
 def test_index_asks_the_scene_over_all_days(t):
@@ -203,13 +195,15 @@ def test_index_asks_the_scene_over_all_days(t):
         found = answered(page)
         wanted = {key for key, path in paths.items() if brute_line(path, *page.run("return [place.from, place.to]"))}
         check(found == wanted and found, f"missing {wanted - found}, surplus {found - wanted}")
-        check(all(re.search("crossed [→↘↓↙←↖↑↗]", text) for text in page.texts("#found a")), str(page.texts("#found a")[:3]))
+        words = page.texts("#found a small")
+        check(all(re.fullmatch("crossed [→↘↓↙←↖↑↗]", text) for text in words), f"{words}")
         # A day alone, and nothing drawn.
         page.press("#askall")
         page.press("#day")
         page.wait("a day", f"return document.getElementById('foundheading').textContent !== '{len(paths)} events'")
         day = page.run("return data.days.at(-1)")
-        check(all(text.startswith(day) for text in page.texts("#found a b")) and page.texts("#found a"), str(page.texts("#found a b")))
+        times = page.texts("#found a b")
+        check(times and all(text.startswith(day) for text in times), f"{times}")
         check(page.run("return document.querySelector('#found a').href").split("#")[1].startswith("event="), "no link to the event")
 
 
@@ -226,7 +220,8 @@ def test_index_answers_a_hundred_thousand_events_at_once(t):
         page.press("#views [value=scene]")
         page.wait("all events", "return document.getElementById('foundheading').textContent === '100,000 events'", 60)
         took = []
-        for tool, begin, end in (("#askbox", (0.3, 0.3), (0.6, 0.6)), ("#askline", (0.1, 0.9), (0.9, 0.2)), ("#askbox", (0.1, 0.1), (0.2, 0.2)), ("#askbox", (0.2, 0.4), (0.6, 0.9))):
+        for tool, begin, end in (("#askbox", (0.3, 0.3), (0.6, 0.6)), ("#askline", (0.1, 0.9), (0.9, 0.2)),
+                                 ("#askbox", (0.1, 0.1), (0.2, 0.2)), ("#askbox", (0.2, 0.4), (0.6, 0.9))):
             page.press(tool)
             page.run("answer.took = null")
             page.drag("#stage", begin, end)
@@ -239,15 +234,16 @@ def test_index_answers_a_hundred_thousand_events_at_once(t):
 
 
 def test_index_of_ten_thousand_clips_opens_at_once(t):
+    stood = ["s", 1, 90, 0, 1, 1, 100, 5, 5]
     for number in range(10_000):
-        known(t, f"cam {number % 8}/{number:05}.avi", NOW - 600 * number, events=number % 3, found=[["s", 1, 90, 0, 1, 1, 100, 5, 5]] if number % 50 == 0 else [])
+        known(t, f"cam {number % 8}/{number:05}.avi", NOW - 600 * number, events=number % 3, found=[] if number % 50 else [stood])
     write_index(t)
     with opened(t) as page:
         took = []
         for _ in range(3):
             page.open(t.path("out/index.html"))
-            took.append(page.run("return performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? performance.timing.domContentLoadedEventEnd"
-                                 " - performance.timing.navigationStart"))
+            page.wait("it is painted", "return performance.getEntriesByName('first-contentful-paint').length > 0")
+            took.append(page.run("return performance.getEntriesByName('first-contentful-paint')[0].startTime"))
         print(f"first paint after {[round(ms) for ms in took]} ms, {t.path('out/index.html').stat().st_size} bytes")
         check("10,000 clips · 8 cameras" in page.text("summary"), page.text("summary"))
         check(min(took) < 3000, f"it opens in {took} ms")

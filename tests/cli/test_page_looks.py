@@ -6,6 +6,7 @@ and the order in which Tab goes.
 
 import os
 import re
+import time
 
 import pytest
 from browser import Page
@@ -27,11 +28,17 @@ class Plain(Page):
         self.wait("the page is there", "return document.readyState === 'complete'")
 
 
+def ground_of(page, element):
+    """Red, green and blue behind it."""
+    colour = page.run(f"return getComputedStyle({element}).backgroundColor")
+    return [int(number) for number in re.findall(r"\d+", colour)[:3]]
+
+
 def expect_readable(page, least):
     """Light is light, dark is dark, and every text can be read."""
     for scheme in SCHEMES:
         page.media(scheme=scheme)
-        ground = [int(number) for number in re.findall(r"\d+", page.run("return getComputedStyle(document.documentElement).backgroundColor"))[:3]]
+        ground = ground_of(page, "document.documentElement")
         check(max(ground) < 64 if scheme == "dark" else min(ground) > 200, f"{scheme}: the ground is {ground}")
         faint, count = page.faint()
         check(count >= least, f"{scheme}: only {count} texts")
@@ -40,13 +47,15 @@ def expect_readable(page, least):
 
 def expect_names(page):
     """Everything that can be used has a name, no id comes twice, no Tab order is forced, and headings and landmarks are there."""
-    nameless = page.run("""return [...document.querySelectorAll('a[href], button, input, select, textarea, video, [tabindex]')].filter(e =>
-        e.checkVisibility() && !e.closest('[aria-hidden=true]') && !(e.ariaLabel || e.labels?.[0]?.textContent.trim() || e.textContent.trim() || e.title)).map(e => e.outerHTML.slice(0, 80))""")
+    nameless = page.run("""const used = [...document.querySelectorAll('a[href], button, input, select, textarea, video, [tabindex]')];
+        const nameOf = e => e.ariaLabel || e.labels?.[0]?.textContent.trim() || e.textContent.trim() || e.title;
+        return used.filter(e => e.checkVisibility() && !e.closest('[aria-hidden=true]') && !nameOf(e)).map(e => e.outerHTML.slice(0, 80));""")
     check(nameless == [], f"without a name: {nameless}")
-    check(page.run("const ids = [...document.querySelectorAll('[id]')].map(e => e.id); return ids.filter((id, k) => ids.indexOf(id) !== k)") == [], "an id twice")
+    ids = page.run("return [...document.querySelectorAll('[id]')].map(e => e.id)")
+    check(len(ids) == len(set(ids)), "an id twice")
     check(page.run("return [...document.querySelectorAll('[tabindex]')].every(e => e.tabIndex <= 0)"), "a forced order")
-    check(page.run("return [document.documentElement.lang, document.title !== '', document.querySelectorAll('h1').length, document.querySelectorAll('main').length > 0]")
-          == ["en", True, 1, True], "language, title, heading, main")
+    check(page.run("return [document.documentElement.lang, document.title !== '']") == ["en", True], "language, title")
+    check(page.count("h1") == 1 and page.count("main:not([hidden])") == 1, "heading, main")
     check(page.run("return [...document.images].every(i => i.hasAttribute('alt'))"), "a picture without alt")
 
 
@@ -71,13 +80,27 @@ def test_page_of_a_dark_picture_stays_one_page(t):
     with Page(t, "out.html") as page:
         for scheme in SCHEMES:
             page.media(scheme=scheme)
-            ground = page.run("return getComputedStyle(view).backgroundColor")
-            check(max(map(int, re.findall(r"\d+", ground)[:3])) < 64, f"{scheme}: a dark picture stands on {ground}")
+            ground = ground_of(page, "view")
+            check(max(ground) < 64, f"{scheme}: a dark picture stands on {ground}")
+
+
+VIEWS = {"clips": "days", "days": "overview", "scene": "scene"}  # on the button, and in the page
+
+
+def expect_fits(page, width):
+    """A phone would make its window wider for a page that does not fit."""
+    page.wait(f"it fits into {width}", f"return innerWidth === {width} && document.documentElement.scrollWidth <= {width}", 5)
+
+
+def show_view(page, view):
+    page.press(f"#views [value={view}]")
+    page.wait(view, f"const shown = document.getElementById('{VIEWS[view]}'); return !shown.hidden && shown.textContent.length > 20")
 
 
 def index_of_all_kinds(t):
     """An index with a card of each kind."""
-    known(t, "gate/a.avi", NOW, events=3, found=[["l", 1, 0, 0, 100, 100, 260, 100, 100], ["s", 2, 90, 0, 5, 5, 100, 500, 900], ["t", 3, 0, 0, 1, 1, 9, 9, 9]])
+    left, stood, taken = ["l", 1, 0, 0, 100, 100, 260, 100, 100], ["s", 2, 90, 0, 5, 5, 100, 500, 900], ["t", 3, 0, 0, 1, 1, 9, 9, 9]
+    known(t, "gate/a.avi", NOW, events=3, found=[left, stood, taken])
     known(t, "hall/b.avi", NOW - HOUR, events=0)
     known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
     write_index(t)
@@ -87,14 +110,13 @@ def index_of_all_kinds(t):
 
 def test_index_is_readable_light_and_dark(t):
     with Index(t, index_of_all_kinds(t)) as page:
-        for view in ("clips", "days", "scene"):
-            page.press(f"#views [value={view}]")
-            page.wait("the view", f"return document.getElementById({{clips: 'days', days: 'overview', scene: 'scene'}}['{view}']).textContent.length > 20")
+        for view in VIEWS:
+            show_view(page, view)
             expect_readable(page, 18)
             expect_names(page)
             for width, height, mobile in WINDOWS:
                 page.window(width, height, mobile)
-                page.wait(f"{view} fits into {width}", f"return innerWidth === {width} && document.documentElement.scrollWidth <= {width}", 5)
+                expect_fits(page, width)
             page.window(1440, 900)
         page.press("#views [value=clips]")
         page.filter("nothing is like this")
@@ -114,7 +136,8 @@ def cut_off(page):
     """What stands out of the window at its sides."""
     return page.run("""return [...document.querySelectorAll('body *')].filter(e => {
         const box = e.getBoundingClientRect();
-        return e.checkVisibility() && box.width > 2 && !e.closest('#view, #strip, svg, #tip, .unseen') && (box.left < -1 || box.right > innerWidth + 1);
+        const counts = e.checkVisibility() && box.width > 2 && !e.closest('#view, #strip, svg, #tip, .unseen');
+        return counts && (box.left < -1 || box.right > innerWidth + 1);
     }).map(e => e.id || e.className || e.tagName)""")
 
 
@@ -123,27 +146,29 @@ def test_page_fits_every_window(t):
     with Page(t, crowd(t, 60)) as page:
         for width, height, mobile in WINDOWS:
             page.window(width, height, mobile)
-            page.wait(f"it fits into {width}", f"return innerWidth === {width} && document.documentElement.scrollWidth <= {width}", 5)
+            expect_fits(page, width)
             check(cut_off(page) == [], f"{width}x{height}: cut off: {cut_off(page)}")
-            ticks = page.run("const s = strip.getBoundingClientRect(); return [...document.querySelectorAll('#ticks span')].map(e => e.getBoundingClientRect())"
-                             ".filter(b => b.left < s.left || b.right > s.right).length")
-            check(ticks == 0, f"{width}x{height}: {ticks} times in the strip are cut off")
+            left, _, right, _ = page.box("#strip")
+            ends = page.run("""const boxes = [...document.querySelectorAll('#ticks span')].map(e => e.getBoundingClientRect());
+                return boxes.map(b => [b.left, b.right]);""")
+            check(all(left <= a and b <= right for a, b in ends), f"{width}x{height}: times in the strip are cut off: {ends}")
             high = page.run("return view.getBoundingClientRect().height")
             check(high > 90, f"{width}x{height}: the picture has {high} pixels")
             check((page.run("return document.querySelector('.keys').checkVisibility()")) == (not mobile), f"{width}: hints of keys")
             # The picture is cropped to its contents.
-            box, whole = page.run("const b = picture.getBoundingClientRect(), v = view.getBoundingClientRect();"
-                                  "const [l, t, r, u] = contents; return [[(r - l) / width * b.width, (u - t) / height * b.height], [v.width, v.height]]")
-            check(max(box[0] / whole[0], box[1] / whole[1]) > 0.97, f"{width}: what is drawn takes {box} of {whole}")
+            used = page.run("""const b = picture.getBoundingClientRect();
+                const [left, top, right, bottom] = contents;
+                return [(right - left) / width * b.width / view.clientWidth, (bottom - top) / height * b.height / view.clientHeight];""")
+            check(0.97 < max(used) < 1.03, f"{width}: what is drawn takes {used} of the view")
 
 
 def touch(page, kind, *points):
     page.cdp("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
 
 
-def in_sight(page):
-    top, bottom, height = page.run("const b = document.getElementById('screen').getBoundingClientRect(); return [b.top, b.bottom, innerHeight]")
-    return top >= -1 and bottom <= height + 1
+def expect_in_sight(page):
+    page.wait("the player is in sight", """const box = document.getElementById('screen').getBoundingClientRect();
+        return box.top >= -1 && box.bottom <= innerHeight + 1;""", 5)
 
 
 @pytest.mark.parametrize("width, height", [(390, 844), (800, 600)])
@@ -152,21 +177,21 @@ def test_page_on_touch_keeps_what_plays_in_sight(t, width, height):
     with Page(t, "out.html") as page:
         page.window(width, height, mobile=True)
         page.wait("the window", f"return innerWidth === {width}")
-        x, y = page.run("""scrollTo(0, 0); const b = picture.getBoundingClientRect(), v = view.getBoundingClientRect();
-            for (let k = frames.length >> 1; k < frames.length; ++k) {
-                const [x, y] = [b.left + (k % width + 0.5) / width * b.width, b.top + (Math.floor(k / width) + 0.5) / height * b.height];
-                if (frames[k] >= 0 && x > v.left && x < v.right && y > v.top && y < Math.min(v.bottom, innerHeight)) return [x, y];
-            }""")
+        page.run("scrollTo(0, 0)")
+        pixel, wide, high = page.run("return [frames.findIndex((frame, k) => k > frames.length / 2 && frame >= 0), width, height]")
+        left, top, right, bottom = page.box("#picture")
+        x, y = left + (pixel % wide + 0.5) / wide * (right - left), top + (pixel // wide + 0.5) / high * (bottom - top)
         touch(page, "touchStart", (x, y))
         touch(page, "touchEnd")
         page.wait("it goes there", "return moved", 5)
-        page.wait("the player is in sight", "const b = document.getElementById('screen').getBoundingClientRect(); return b.top >= -1 && b.bottom <= innerHeight + 1", 5)
-        page.run("scrollTo(0, document.documentElement.scrollHeight); document.querySelector('#events li:last-child button').click()")
-        page.wait("the player is in sight", "const b = document.getElementById('screen').getBoundingClientRect(); return b.top >= -1 && b.bottom <= innerHeight + 1", 5)
+        expect_in_sight(page)
+        page.run("scrollTo(0, document.documentElement.scrollHeight)")
+        page.run("document.querySelector('#events li:last-child button').click()")
+        expect_in_sight(page)
         # Two fingers zoom, about the place between them.
         page.run("scrollTo(0, 0)")
-        left, top, wide, high = page.run("const b = view.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
-        mid = (left + wide / 2, top + high / 2)
+        left, top, right, bottom = page.box("#view")
+        mid = ((left + right) / 2, (top + bottom) / 2)
         before = page.run("return scale")
         touch(page, "touchStart", (mid[0] - 20, mid[1]), (mid[0] + 20, mid[1]))
         for apart in range(25, 85, 5):
@@ -185,15 +210,16 @@ def test_page_is_printed_whole(t):
             page.media("print")
             page.wait("the paper", f"return innerWidth === {width}")
             check(page.run("return document.documentElement.scrollWidth") <= width, "wider than the paper")
-            shown = page.run("""return ['picture', 'video', 'play', 'strip', 'closer', 'copylink', 'next', 'keys', 'filters', 'order'].filter(id =>
-                document.getElementById(id).checkVisibility())""")
+            parts = ["picture", "video", "play", "strip", "closer", "copylink", "next", "keys", "filters", "order"]
+            shown = page.run("return arguments[0].filter(id => document.getElementById(id).checkVisibility())", parts)
             check(shown == ["picture"], f"printed: {shown}")
-            box = page.run("const b = picture.getBoundingClientRect(); return [b.left, b.right, b.width / b.height, width / height]")
-            check(box[0] >= 0 and box[1] <= width and box[1] - box[0] > 0.9 * width and abs(box[2] / box[3] - 1) < 0.02, f"the picture is at {box}")
-            cut = page.run("""const l = document.getElementById('events'), b = l.getBoundingClientRect();
-                const rows = [...l.querySelectorAll('button')].map(e => e.getBoundingClientRect());
-                return [rows.length, rows.filter(r => r.height < 10 || r.right > innerWidth + 1 || r.bottom > b.bottom + 1).length, l.scrollHeight - l.clientHeight]""")
-            check(cut[0] == 60 and cut[1] == 0 and cut[2] <= 1, f"rows, those that are cut, what scrolls: {cut}")
+            left, top, right, bottom = box = page.box("#picture")
+            check(left >= 0 and right <= width and right - left > 0.9 * width, f"the picture is at {box}")
+            check(abs((right - left) / (bottom - top) - 1.6) < 0.02, f"the picture of 640x400 is at {box}")
+            *_, end = page.box("#events")
+            rows = page.run("""const boxes = [...document.querySelectorAll('#events button')].map(e => e.getBoundingClientRect());
+                return boxes.map(b => [b.height, b.right, b.bottom]);""")
+            check(len(rows) == 60 and all(high > 10 and right <= width and low <= end for high, right, low in rows), f"{end}: {rows}")
             faint, _ = page.faint()
             check(faint == [], f"{faint}")
         page.media("print", "dark")
@@ -217,10 +243,11 @@ def test_index_is_printed_whole(t):
         for view, name in (("clips", "days"), ("days", "overview")):
             page.press(f"#views [value={view}]")
             page.media("print")
-            check(page.run("return [document.getElementById('tools').checkVisibility(), document.querySelector('nav').checkVisibility()]") == [False, False],
+            check(not page.run("return document.getElementById('tools').checkVisibility() || document.querySelector('nav').checkVisibility()"),
                   "tools are printed")
-            check(page.run("return document.documentElement.scrollWidth <= innerWidth && [...document.querySelectorAll('.card, table, td')].filter(e => e.checkVisibility()).every(e =>"
-                           f"e.getBoundingClientRect().right <= innerWidth)"), f"{name}: cut at the right")
+            far = page.run("""const parts = [...document.querySelectorAll('.card, table, td')].filter(e => e.checkVisibility());
+                return Math.max(...parts.map(e => e.getBoundingClientRect().right));""")
+            check(300 < far <= 718, f"{name}: it goes to {far} of 718")
             page.media()
 
 
@@ -231,8 +258,12 @@ def test_page_without_scripts(t):
     with Page(t, "out.html") as page:
         page.cdp("Emulation.setScriptExecutionDisabled", value=True)
         page.driver.get(t.path("out.html").as_uri())
+        is_listed = re.compile(r"2\. [\d.:]+( s)? to .*left behind")
+        end = time.monotonic() + 10
+        while not is_listed.search(visible_text(page)) and time.monotonic() < end:
+            time.sleep(0.1)  # rows are laid out when they come into sight
         text = visible_text(page)
-        check(re.search(r"2\. [\d.:]+( s)? to .*left behind", text), text)
+        check(is_listed.search(text), text)
         check("Without JavaScript" in text, text)
         for dead in ("▶", "Copy", "In an area", "Space", "1×", "Point"):
             check(dead not in text, f"{dead} is shown, and dead: {text}")
@@ -261,7 +292,8 @@ def count_boxes(page, selector):
 
 
 RLO, ISOLATE = "\u202e", "\u2067"
-TURNED = [name.replace("/", "\u2215") for name in (f"a{RLO}gpj.avi", f"b{ISOLATE}x\u202a.avi", "</title><script>document.title='evil'</script>.avi", "{{list}}<b>c.avi")]
+EVIL = "</title><script>document.title='evil'</script>.avi".replace("/", "\u2215")
+TURNED = [f"a{RLO}gpj.avi", f"b{ISOLATE}x\u202a.avi", EVIL, "{{list}}<b>c.avi"]
 
 
 def test_page_of_names_that_turn_the_writing(t):
@@ -272,12 +304,13 @@ def test_page_of_names_that_turn_the_writing(t):
         t.path(name).rename(t.path("plain.avi"))
     for number, name in enumerate(TURNED):
         with Page(t, f"{number}.html") as page:
-            check(page.run("return [document.scripts.length, document.querySelectorAll('b').length <= 3 + data.events.length]") == [2, True], "a name became markup")
-            check("evil" not in page.run("return document.title") or name in page.run("return document.title"), "a name became a script")
+            check(page.count("script") == 2 and page.count("h1 *") == 0, "a name became markup")
+            check(page.run("return document.title") == page.text_of("h1"), "a name became a script")
             expect_upright(page)
             check(("[U+202E]gpj.avi" in page.text_of("h1")) == (number == 0), page.text_of("h1"))
             page.run("choose(0)" if page.run("return data.events?.length > 0") else "0")
-            check(number > 1 or page.run("return document.getElementById('copycut').disabled"), "a command that reads otherwise than it is")
+            disabled = page.run("return document.getElementById('copycut').disabled")
+            check(disabled or number > 1, "a command that reads otherwise than it is")
 
 
 def expect_upright(page):
@@ -287,7 +320,8 @@ def expect_upright(page):
         const found = marks.test(document.title) ? [document.title] : [];
         while (walker.nextNode()) {
             const parent = walker.currentNode.parentElement;
-            if (marks.test(walker.currentNode.data) && !parent.closest('script, style, noscript')) found.push(parent.outerHTML.slice(0, 80));
+            const turns = marks.test(walker.currentNode.data) && !parent.closest('script, style, noscript');
+            if (turns) found.push(parent.outerHTML.slice(0, 80));
         }
         return found;""")
     check(turned == [], f"{turned}")
@@ -301,9 +335,8 @@ def test_index_of_names_that_turn_the_writing(t):
     os.environ["TZ"] = "UTC"
     with Index(t, "out/index.html") as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
-        for view in ("clips", "days", "scene"):
-            page.press(f"#views [value={view}]")
-            page.wait("the view", f"return !document.getElementById({{clips: 'days', days: 'overview', scene: 'scene'}}['{view}']).hidden")
+        for view in VIEWS:
+            show_view(page, view)
             expect_upright(page)
         page.press("#views [value=clips]")
         check("[U+202E]gpj.avi" in page.text("days") and "[U+202E]bad.avi' is not a video" in page.text("days"), page.text("days"))
