@@ -110,6 +110,19 @@ std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const Arch
     return planned;
 }
 
+std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
+    const auto now = std::chrono::system_clock::now();
+    std::vector<PlannedClip> planned;
+    for (const auto& [path, day] : job.days) {
+        const std::optional<Sidecar> sidecar = read_sidecar(job.out, path);
+        planned.push_back(
+            {day.clip, need_of_day(day.clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
+    }
+    std::ranges::stable_sort(planned, std::greater(),
+                             [](const PlannedClip& planned_day) { return planned_day.clip.modified; });
+    return planned;
+}
+
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
                           const Environment& environment) {
     Account account(clips.size(), environment.log);
@@ -152,7 +165,9 @@ void write_index(const ArchiveJob& job, const RecorderNames& names, const Enviro
 std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
                   const Environment& environment) {
     std::vector<Sidecar> sidecars = list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
+    std::erase_if(sidecars, [&](const Sidecar& sidecar) {
+        return !shard.holds(sidecar.clip.path) || job.days.contains(sidecar.clip.path);
+    });
     const Gone gone = find_gone(job.in, sidecars, clips_there);
     for (const std::string& folder : gone.empty_folders) {
         environment.log.warn(

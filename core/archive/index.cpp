@@ -44,7 +44,7 @@ struct Place {
 };
 
 Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
-    return {names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
+    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
 }
 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras) {
@@ -79,7 +79,8 @@ Json zone_of(const std::vector<Place>& places) {
 
 std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
     const std::int64_t written = sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
-    if (const auto named = names.read(sidecar.clip.path).begin) return utc_of(*named, written);
+    const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
+    if (named) return utc_of(*named, written);
     if (sidecar.recorded) {
         if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
     }
@@ -94,8 +95,15 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
     const std::vector<std::string> cameras(found.begin(), found.end());
     Json json{{"cameras", Json::array()}, {"zone", zone_of(places)}, {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
+    json["days"] = Json::array();
     for (std::size_t i = 0; i < places.size(); ++i) {
-        json["clips"].push_back(row_of(sidecars[i], places[i], cameras));
+        const Json row = row_of(sidecars[i], places[i], cameras);
+        const auto& day = sidecars[i].day;
+        if (day) {
+            json["days"].push_back({{"date", day->date}, {"clips", day->clips}, {"row", row}});
+        } else {
+            json["clips"].push_back(row);
+        }
     }
     return fill(index_files::index_html, {
                                              {"script policy", policy_hash(index_files::index_js)},
