@@ -17,6 +17,9 @@ constexpr Setting output{"output", "DIR", "folder for pictures, pages and their 
 constexpr Setting match{"match", "GLOB",
                         "which files are clips: *.avi, or with folders cam?/*.avi; can be given several times; if not "
                         "given, those that end in "};
+constexpr Setting exclude{"exclude", "GLOB", "which of these are none all the same; can be given several times"};
+constexpr Setting per{"per", "NAME", "what gets a picture"};
+constexpr Setting redraw{"redraw", "TIME", "draw a day anew once so much has been added, or nothing for as long"};
 constexpr Setting settle{"settle", "TIME", "leave files that changed less than this ago: they are still being written"};
 constexpr Setting tries{"tries", "COUNT", "in how many runs a clip that fails is tried", {1, 1000}};
 constexpr Setting shard{"shard", "I/N", "only this share of the clips, 1/N to N/N"};
@@ -40,6 +43,11 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
     line.path(archive, options.out, text::output,
               {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", index_name)});
     line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video_endings(), " "))});
+    line.list(archive, options.exclude, text::exclude);
+    line.choice(archive, groupings, groupings.front().name, text::per,
+                [&options](const GroupingRow& row) { options.per = row.grouping; });
+    line.value(archive, text::redraw, "15m",
+               [&options](const std::string& given) { options.redraw = parse_duration(given); });
     line.value(archive, text::settle, "60s",
                [&options](const std::string& given) { options.settle = parse_duration(given); });
     line.number(archive, options.tries, text::tries);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -245,11 +246,19 @@ Objects shown_objects(const LookOptions& look, std::span<const Event> events, do
     Objects objects;
     objects.clock = clock;
     const std::vector<int> colours = colours_of(events);
+    std::map<std::size_t, std::size_t> places;  // of those that are shown
     for (std::size_t k = 0; k < events.size(); ++k) {
         if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
+        places[k] = objects.events.size();
         objects.events.push_back(part_of(events[k], begin, end));
         objects.numbers.push_back(k + 1);
         objects.colours.push_back(look.theme.objects[static_cast<std::size_t>(colours[k])]);
+    }
+    for (Event& event : objects.events) {
+        for (std::optional<std::size_t>* const other : {&event.from, &event.into, &event.by}) {
+            const auto place = *other ? places.find(**other) : places.end();
+            *other = place == places.end() ? std::nullopt : std::optional(place->second);
+        }
     }
     return objects;
 }

@@ -33,6 +33,12 @@ double frames_of_brick(const BrickOptions& bricks, const FieldSource& source) {
 
 }  // namespace
 
+bool is_short_recording(const FieldSource& source) {
+    const double rate = source.info().rate;
+    const std::int64_t frames = source.expected_frames();
+    return rate > 0 && frames > 0 && static_cast<double>(frames) <= short_recording * rate;
+}
+
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames) {
     if (bricks.step > 0) return bricks.step;
     return std::max<std::int64_t>(1, (frames + bricks.max_layers - 1) / bricks.max_layers);

@@ -8,6 +8,12 @@
 // How frames become layers, and layers bricks and textures.
 namespace vvr {
 
+/// Clips of up to so many seconds have even time, unless busy time is asked for.
+inline constexpr double short_recording = 120;
+
+/// Whether a clip is that short, as far as its header tells.
+bool is_short_recording(const FieldSource& source);
+
 /// The frames that each layer takes, from what the container says of the clip's length; 0 = unknown.
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames);
 

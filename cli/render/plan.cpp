@@ -38,7 +38,9 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
     // Unequal layers are half as many again while they are read, and `auto` holds even ones beside them. Where room is
     // given to motion, most of them hold little.
-    const std::int64_t held_layers = products.series || job.bricks.time == TimeScale::even ? 1 : 2;
+    const bool is_even =
+        job.bricks.time == TimeScale::even || (job.bricks.time == TimeScale::automatic && is_short_recording(source));
+    const std::int64_t held_layers = products.series || is_even ? 1 : 2;
     // The flow of about a hundred frames, in half floats.
     const std::int64_t flow_bytes = job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
     // Per pixel of the field: since when it has its value, and whose it is.

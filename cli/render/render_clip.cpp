@@ -42,9 +42,6 @@ struct Fields {
     Crops crops{};
 };
 
-/// Recordings of up to so many seconds have even time, unless busy time is asked for.
-constexpr double short_recording = 120;
-
 /// A clip in layers of even time and in layers that go where something moves: which of them is better is known at its
 /// end.
 class Scales {
@@ -53,7 +50,7 @@ class Scales {
         const VideoInfo& info = source.info();
         if (info.rate > 0) length_ = static_cast<double>(source.expected_frames()) / info.rate;
         time_ = job.bricks.time;
-        if (time_ == TimeScale::automatic && length_ > 0 && length_ <= short_recording) time_ = TimeScale::even;
+        if (time_ == TimeScale::automatic && is_short_recording(source)) time_ = TimeScale::even;
         if (time_ != TimeScale::busy) even_.emplace(empty);
         if (time_ == TimeScale::even) return;
         busy_.emplace(empty);

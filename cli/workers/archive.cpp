@@ -53,6 +53,7 @@ ArchiveJob job_of(const ArchiveOptions& options) {
     job.rules.version = version();
     job.rules.tries = options.tries;
     job.rules.settle = options.settle;
+    job.rules.redraw = options.redraw;
     job.options = options.worker_options;
     return job;
 }
@@ -90,6 +91,7 @@ std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOut
         {count(planned, Need::nothing), "done before"},
         {count(planned, Need::given_up), "failed too often (--tries)"},
         {count(planned, Need::still_written), "still being written (--settle)"},
+        {count(planned, Need::later), "with more clips by now (--redraw)"},
         {outcome.elsewhere, "left to another run or gone"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
@@ -106,14 +108,29 @@ struct Survey {
     std::vector<PlannedClip> planned;
 };
 
-Survey survey(const ArchiveOptions& options, const ArchiveJob& job, spdlog::logger& log) {
-    Scan scan = scan_archive(job.in, job.out, ClipNames(options.match));
+Survey survey(const ArchiveOptions& options, const RecorderNames& names, ArchiveJob& job, spdlog::logger& log) {
+    Scan scan = scan_archive(job.in, job.out, ClipNames(options.match, options.exclude));
+    std::vector<PlannedClip> days;
+    // Days are grouped for every run: else it would prune those of another.
+    const auto settled = std::chrono::system_clock::now() - options.settle;
+    const std::int64_t before = std::chrono::nanoseconds(settled.time_since_epoch()).count();
+    std::vector<ScanProblem> ungrouped;
+    for (CameraDay& day : group_by_day(scan.clips, names, before, ungrouped)) {
+        if (!options.shard.holds(day.clip.path)) continue;
+        std::string path = day.clip.path;
+        job.days.emplace(std::move(path), std::move(day));
+    }
+    if (options.per != Grouping::clip) {
+        days = plan_days(job);
+        scan.problems.insert(scan.problems.end(), ungrouped.begin(), ungrouped.end());
+    }
     for (const ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
     Survey survey{scan.clips.size(), scan.problems.size(), {}};
     std::erase_if(scan.clips, [&](const Clip& clip) { return !options.shard.holds(clip.path); });
-    survey.planned = plan_archive(scan.clips, job);
+    if (options.per != Grouping::day) survey.planned = plan_archive(scan.clips, job);
+    survey.planned.insert(survey.planned.end(), days.begin(), days.end());
     return survey;
 }
 
@@ -129,7 +146,7 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
         return ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const Survey found = survey(options, job, environment.log);
+    const Survey found = survey(options, names, job, environment.log);
     if (options.dry_run) {
         print_plan(found.planned);
         if (options.prune) prune(job, options.shard, found.clips_there, true, environment);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/environment.h"
@@ -13,6 +15,21 @@
 
 namespace vvr {
 
+/// What gets a picture.
+enum class Grouping { clip, day, both };
+
+struct GroupingRow {
+    Grouping grouping;
+    std::string_view name;
+    std::string_view help;
+};
+
+inline constexpr std::array groupings{
+    GroupingRow{Grouping::clip, "clip", "each clip"},
+    GroupingRow{Grouping::day, "day", "all clips of a camera that begin on a day, as one recording"},
+    GroupingRow{Grouping::both, "both", "each clip, and each day of a camera"},
+};
+
 /// Which clips of an archive are drawn, where to, and what each may take.
 struct ArchiveOptions {
     std::filesystem::path in;
@@ -20,6 +37,9 @@ struct ArchiveOptions {
     std::vector<std::string> match;  ///< patterns of clips; none = by their endings
     std::vector<std::string> names;  ///< layouts of clips' names, before those that are known
     Shard shard;
+    std::vector<std::string> exclude;  ///< patterns of what is no clip all the same
+    Grouping per = Grouping::clip;
+    std::chrono::seconds redraw{900};  ///< of a day to which clips are added
     std::chrono::seconds settle{60};
     int tries = 3;
     bool dry_run = false;

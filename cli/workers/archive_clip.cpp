@@ -106,6 +106,11 @@ std::string ClipTurn::file_name() const {
     return fs::path(clip_.path).filename().string();
 }
 
+const CameraDay* ClipTurn::day() const {
+    const auto found = job_->days.find(clip_.path);
+    return found == job_->days.end() ? nullptr : &found->second;
+}
+
 std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string& path) {
     const fs::path folder = sidecar_path(job.out, path).parent_path();
     const std::string name = fs::path(path).filename().string();
@@ -120,10 +125,14 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     if (!claim) return std::nullopt;
     if (claim->was_left_behind()) remove_leftovers(folder, written_names(name));
     // It may have changed, or been done, since it was found.
-    std::optional<Clip> clip = look_at_clip(job.in, path);
+    const auto day = job.days.find(path);
+    const bool is_day = day != job.days.end();
+    std::optional<Clip> clip = is_day ? day->second.clip : look_at_clip(job.in, path);
     if (!clip) return std::nullopt;
     std::optional<Sidecar> before = read_sidecar(job.out, path);
-    if (!wants_work(need_of(*clip, before, job.out, job.rules, std::chrono::system_clock::now()))) return std::nullopt;
+    const auto now = std::chrono::system_clock::now();
+    const Need need = (is_day ? need_of_day : need_of)(*clip, before, job.out, job.rules, now);
+    if (!wants_work(need)) return std::nullopt;
     return ClipTurn(job, std::move(*clip), std::move(before), std::move(*claim));
 }
 
@@ -132,11 +141,14 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         std::pair{OutputKind::picture, "--output="}, std::pair{OutputKind::page, "--page="},
         std::pair{OutputKind::thumbnail, "--thumbnail="}, std::pair{OutputKind::report, "--report="},
         std::pair{OutputKind::still, "--still="}};
-    const std::string clip = (job_->in / clip_.path).string();
-    // So that no name is taken for an option or a list.
-    const bool plain = clip.front() != '-' && clip.front() != '[';
-    std::vector<std::string> arguments{"render", plain ? clip : "./" + clip, "--quiet", "--plain-name",
-                                       fmt::format("--threads={}", job_->threads)};
+    std::vector<std::string> arguments{"render", "--quiet", "--plain-name", fmt::format("--threads={}", job_->threads)};
+    for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path}) {
+        const std::string clip = (job_->in / file).string();
+        // So that no name is taken for an option or a list.
+        const bool plain = clip.front() != '-' && clip.front() != '[';
+        arguments.push_back(plain ? clip : "./" + clip);
+    }
+    if (day() != nullptr && !day()->camera.empty()) arguments.push_back("--title=" + text_of_path(day()->camera));
     for (const auto& [kind, option] : options) {
         if (std::ranges::count(job_->rules.files, kind) == 0) continue;
         arguments.push_back(option + output_path(job_->out, clip_.path, kind).string());
@@ -153,6 +165,7 @@ Sidecar ClipTurn::finish(const WorkerEnd& end, bool counts) {
     if (end.status >= killed) remove_leftovers(folder(), written_names(file_name()));
     Sidecar sidecar;
     sidecar.clip = clip_;
+    if (day() != nullptr) sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files)};
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();
     sidecar.took = std::round(end.seconds * 1000) / 1000;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/workers/worker.h"
 #include "core/archive/claim.h"
+#include "core/archive/days.h"
 #include "core/archive/verdict.h"
 #include "core/error.h"
 
@@ -19,7 +21,8 @@ struct ArchiveJob {
     ArchiveRules rules;
     std::vector<std::string> options;  ///< that workers are given as they stand
     WorkerLimits limits;
-    int threads = 1;  ///< a worker
+    int threads = 1;                          ///< a worker
+    std::map<std::string, CameraDay> days{};  ///< by where their files stand
 };
 
 /// One clip's turn: nobody else writes its files as long as this is there.
@@ -47,6 +50,7 @@ class ClipTurn {
 
     std::filesystem::path folder() const;
     std::string file_name() const;
+    const CameraDay* day() const;
 
     const ArchiveJob* job_;
     Clip clip_;

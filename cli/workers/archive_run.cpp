@@ -106,7 +106,7 @@ std::set<std::string> gone_of(const fs::path& in, const std::vector<Sidecar>& si
     std::error_code none;
     if (in.empty() || !fs::is_directory(in, none) || fs::is_empty(in, none)) return gone;
     for (const Sidecar& sidecar : sidecars) {
-        if (is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
+        if (!sidecar.day && is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
     }
     return gone;
 }
@@ -135,6 +135,19 @@ std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const Arch
     // What has just happened is what people want to see.
     std::ranges::stable_sort(planned, std::greater(),
                              [](const PlannedClip& planned_clip) { return planned_clip.clip.modified; });
+    return planned;
+}
+
+std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
+    const auto now = std::chrono::system_clock::now();
+    std::vector<PlannedClip> planned;
+    for (const auto& [path, day] : job.days) {
+        const std::optional<Sidecar> sidecar = read_sidecar(job.out, path);
+        planned.push_back(
+            {day.clip, need_of_day(day.clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
+    }
+    std::ranges::stable_sort(planned, std::greater(),
+                             [](const PlannedClip& planned_day) { return planned_day.clip.modified; });
     return planned;
 }
 
@@ -181,7 +194,9 @@ void write_index(const ArchiveJob& job, const RecorderNames& names, const Enviro
 std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
                   const Environment& environment) {
     std::vector<Sidecar> sidecars = list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
+    std::erase_if(sidecars, [&](const Sidecar& sidecar) {
+        return !shard.holds(sidecar.clip.path) || job.days.contains(sidecar.clip.path);
+    });
     const Gone gone = find_gone(job.in, sidecars, clips_there);
     for (const std::string& folder : gone.empty_folders) {
         environment.log.warn(

@@ -37,7 +37,10 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 /// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
 void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment);
 
-/// Removes the files of clips that have gone.
+/// What is to become of each day of a camera, the newest first.
+std::vector<PlannedClip> plan_days(const ArchiveJob& job);
+
+/// Removes the files of clips that have gone, and of days of which no clip is left.
 /// \returns how many clips there were
 std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
                   const Environment& environment);

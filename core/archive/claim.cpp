@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "core/plain_name.h"
 #include "core/error.h"
 #include "core/file_lock.h"
 #include "core/fnv.h"
+#include "core/plain_name.h"
 
 namespace vvr {
 

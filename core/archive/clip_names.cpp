@@ -14,15 +14,19 @@ std::string_view file_name(std::string_view path) {
     return path.substr(path.rfind('/') + 1);
 }
 
+bool fits(const std::string& pattern, const std::string& clip) {
+    const bool whole = pattern.find('/') != std::string::npos;
+    return ::fnmatch(pattern.c_str(), (whole ? clip : std::string(file_name(clip))).c_str(),
+                     whole ? FNM_PATHNAME : 0) == 0;
+}
+
 }  // namespace
 
 bool ClipNames::matches(const std::string& clip) const {
-    const std::string name(file_name(clip));
-    if (patterns_.empty()) return is_video_name(name);
-    return std::ranges::any_of(patterns_, [&](const std::string& pattern) {
-        const bool whole = pattern.find('/') != std::string::npos;
-        return ::fnmatch(pattern.c_str(), (whole ? clip : name).c_str(), whole ? FNM_PATHNAME : 0) == 0;
-    });
+    const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
+    if (std::ranges::any_of(excluded_, fits_clip)) return false;
+    if (patterns_.empty()) return is_video_name(std::string(file_name(clip)));
+    return std::ranges::any_of(patterns_, fits_clip);
 }
 
 }  // namespace vvr

@@ -11,12 +11,15 @@ class ClipNames {
   public:
     /// \param patterns for `fnmatch`: one with a `/` is for the path below the archive's folder, others are for the
     ///        file's name; none = the endings of video files
-    explicit ClipNames(std::vector<std::string> patterns = {}) : patterns_(std::move(patterns)) {}
+    /// \param excluded patterns of what is no clip all the same
+    explicit ClipNames(std::vector<std::string> patterns = {}, std::vector<std::string> excluded = {})
+        : patterns_(std::move(patterns)), excluded_(std::move(excluded)) {}
 
     bool matches(const std::string& clip) const;
 
   private:
     std::vector<std::string> patterns_;
+    std::vector<std::string> excluded_;
 };
 
 }  // namespace vvr

@@ -47,7 +47,7 @@ struct Place {
 };
 
 Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
-    return {names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
+    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
 }
 
 /// Seconds of what lay there for longest and of what stood for longest, and how many things were taken; null where it
@@ -119,7 +119,8 @@ std::string day_of(std::int64_t utc) {
 
 std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
     const std::int64_t written = sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
-    if (const auto named = names.read(sidecar.clip.path).begin) return utc_of(*named, written);
+    const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
+    if (named) return utc_of(*named, written);
     if (sidecar.recorded) {
         if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
     }
@@ -127,9 +128,14 @@ std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
 }
 
 DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const RecorderNames& names) {
+    // Where clips of a camera are there one by one, a picture of its whole day would tell of them again.
+    std::set<std::string> one_by_one;
+    for (const Sidecar& sidecar : sidecars) {
+        if (!sidecar.day) one_by_one.insert(names.camera_of(sidecar.clip.path));
+    }
     std::map<std::string, Json> days;
     for (const Sidecar& sidecar : sidecars) {
-        if (sidecar.found.empty()) continue;
+        if (sidecar.found.empty() || (sidecar.day && one_by_one.contains(sidecar.day->camera))) continue;
         Json events = Json::array();
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
         Json& day = days[day_of(begin_of(sidecar, names))];
@@ -161,8 +167,14 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
     const std::vector<std::string> cameras(found.begin(), found.end());
     Json json{{"cameras", Json::array()}, {"zone", zone_of(places)}, {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
+    json["recordings"] = Json::array();
     for (std::size_t i = 0; i < places.size(); ++i) {
-        json["clips"].push_back(row_of(sidecars[i], places[i], cameras, gone.contains(sidecars[i].clip.path)));
+        const Json row = row_of(sidecars[i], places[i], cameras, gone.contains(sidecars[i].clip.path));
+        if (const auto& day = sidecars[i].day) {
+            json["recordings"].push_back({{"date", day->date}, {"clips", day->clips}, {"row", row}});
+        } else {
+            json["clips"].push_back(row);
+        }
     }
     std::set<std::string> days;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "core/archive/names.h"
-#include "core/plain_name.h"
 #include "core/error.h"
+#include "core/plain_name.h"
 #include "core/video/playlist.h"
 
 namespace vvr {

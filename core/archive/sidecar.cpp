@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/plain_name.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/json_text.h"
+#include "core/plain_name.h"
 
 namespace vvr {
 
@@ -76,6 +76,10 @@ std::optional<Sidecar> parse(const std::string& text) {
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
     sidecar.took = json.at("took_seconds").get<double>();
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
+    if (const auto day = json.find("day"); day != json.end()) {
+        sidecar.day = Sidecar::Day{path_of_text(day->at("camera").get<std::string>()),
+                                   day->at("date").get<std::string>(), day->at("clips").get<std::int64_t>()};
+    }
     if (sidecar.state == Sidecar::State::failed) return sidecar;
     sidecar.frames = json.at("frames").get<std::int64_t>();
     sidecar.damaged = json.at("damaged").get<std::int64_t>();
@@ -115,6 +119,10 @@ std::string format_sidecar(const Sidecar& sidecar) {
               {"status", sidecar.status},
               {"reason", sidecar.reason.empty() ? Json() : Json(sidecar.reason)},
               {"took_seconds", sidecar.took}};
+    if (sidecar.day) {
+        json["day"] = {
+            {"camera", text_of_path(sidecar.day->camera)}, {"date", sidecar.day->date}, {"clips", sidecar.day->clips}};
+    }
     if (done) {
         json["frames"] = sidecar.frames;
         json["damaged"] = sidecar.damaged;

@@ -26,6 +26,14 @@ struct Sidecar {
     std::vector<OutputKind> files;
     double took = 0;  ///< seconds that the last try took
 
+    /// Of a day of a camera; none = it is a clip.
+    struct Day {
+        std::string camera;
+        std::string date;
+        std::int64_t clips = 0;
+    };
+    std::optional<Day> day;
+
     // Once it is done.
     std::int64_t frames = 0;
     std::int64_t damaged = 0;

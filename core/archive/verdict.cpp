@@ -19,6 +19,7 @@ constexpr std::array rows{
     NeedRow{Need::changed, "changed", true},       NeedRow{Need::settings, "other settings", true},
     NeedRow{Need::missing, "files missing", true}, NeedRow{Need::retry, "failed, again", true},
     NeedRow{Need::given_up, "given up", false},    NeedRow{Need::still_written, "still written", false},
+    NeedRow{Need::later, "later", false},
 };
 
 const NeedRow& row_of(Need need) {
@@ -55,6 +56,21 @@ Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std:
     // A clock that runs far ahead of ours must not keep a clip waiting for years.
     const bool fresh = modified > now - rules.settle && modified < now + rules.settle;
     return fresh ? Need::still_written : need;
+}
+
+Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
+                 const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
+    const Need need = need_of(day, sidecar, out, rules, now);
+    if (need != Need::changed || sidecar->state != Sidecar::State::done || sidecar->settings != rules.settings ||
+        !files_there(*sidecar, out, rules)) {
+        return need;
+    }
+    // The recorder removes its oldest files; what is seen of them stays.
+    if (day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size) return Need::nothing;
+    const std::chrono::nanoseconds added{day.modified - sidecar->clip.modified};
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(day.modified)};
+    const bool waits = added >= std::chrono::nanoseconds(0) && added < rules.redraw && modified > now - rules.redraw;
+    return waits ? Need::later : need;
 }
 
 bool wants_work(Need need) {

@@ -195,16 +195,23 @@ Json json_of(const PageContent& content) {
     return json;
 }
 
+/// A moment as the page's script writes it: "1:15.2", tenths cut off as clocks do.
+std::string moment_text(double seconds, const WallClock& clock) {
+    const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
+    return fmt::format("{}.{}", format_moment(static_cast<double>(tenths / 10), clock), tenths % 10);
+}
+
 /// What there is to read where no script runs: each event in a line.
 std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
     for (const Event& event : *content.events) {
         const double still = still_seconds(event);
-        list += fmt::format("<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
-                            format_span(event.first.seconds, event.last.seconds, content.clock),
-                            event.kind == EventKind::left ? std::string_view("left behind") : name_of(event.kind),
-                            still > 0 ? fmt::format(", still for {:.1f} s", still) : "");
+        list += fmt::format(
+            "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
+            moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
+            event.kind == EventKind::left ? std::string_view("left behind") : name_of(event.kind),
+            still > 0 ? fmt::format(", still for {:.1f} s", still) : "");
     }
     return list;
 }

@@ -1,6 +1,7 @@
 #include "core/video/recording.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -100,9 +101,14 @@ bool is_of_others(const std::string& name) {
     });
 }
 
+/// Whether it is a text: a video may have any name.
 bool is_list(const std::string& name) {
     std::error_code none;
-    return ending_of(name) == list_ending && fs::is_regular_file(name, none);
+    if (ending_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
+    std::array<char, 512> begin{};
+    std::ifstream file(name, std::ios::binary);
+    file.read(begin.data(), begin.size());
+    return std::none_of(begin.begin(), begin.begin() + file.gcount(), [](char c) { return c >= 0 && c < '\t'; });
 }
 
 void add_files(const std::string& name, std::vector<std::string>& files) {

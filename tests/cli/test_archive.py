@@ -610,3 +610,62 @@ def test_archive_draws_no_playlists(t):
     result = t.vvr("archive", "in", "-o", "out", "--settle", "0s", "--size", "160x100", "--match", "*.ts", "--match", "*.m3u8")
     result.expect(6, "list.m3u8", "it is a playlist, and an archive draws only video files")
     check(t.path("out/seg.ts.png").exists(), "the video was not drawn")
+
+
+def frigate(t, *names):
+    """Segments of two seconds of two cameras, in Frigate's layout."""
+    t.clip("one.avi", seconds=2)
+    for name in names:
+        t.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
+        t.path(f"in/{name}").write_bytes(t.path("one.avi").read_bytes())
+    t.path("one.avi").unlink()
+    age(t, *[f"in/{name}" for name in names])
+
+
+def days_of(t):
+    text = t.path("out/index.html").read_text()
+    data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+    return {(data["cameras"][day["row"][0]], day["date"]): day for day in data["days"]}, data
+
+
+def test_archive_draws_days_of_cameras(t):
+    os.environ["TZ"] = "UTC"
+    segments = [f"2026-11-21/08/{camera}/00.{second:02}.avi" for camera in ("gate", "hall") for second in (0, 2, 4)]
+    frigate(t, *segments, "2026-11-22/00/gate/00.00.avi")
+    archive(t, "--per", "day", "--dry-run").expect(0, out=None)
+    archive(t, "--per", "day").expect(0, "gate/2026-11-21: ", "hall/2026-11-21: ", "3 clips drawn, 0 failed")
+    expected = sorted(f"{day}{ending}" for day in ("gate/2026-11-21", "gate/2026-11-22", "hall/2026-11-21") for ending in ENDINGS)
+    check(outputs(t) == sorted([*expected, "index.html"]), f"{outputs(t)}")
+    known = sidecar(t, "gate/2026-11-21")
+    check(known["day"] == {"camera": "gate", "date": "2026-11-21", "clips": 3} and known["frames"] == 60, f"{known}")
+    check(known["recorded"] == "2026-11-21 08:00:00", f"{known}")
+    days, data = days_of(t)
+    check(set(days) == {("gate", "2026-11-21"), ("gate", "2026-11-22"), ("hall", "2026-11-21")}, f"{days}")
+    check(days["gate", "2026-11-21"]["row"][2] == 1795248000 and data["clips"] == [], f"{days}")
+    archive(t, "--per", "day").expect(0, "nothing to do; 3 done before")
+    # Segments come: the day is drawn again when enough has come, or nothing more.
+    frigate(t, "2026-11-21/08/gate/00.06.avi")
+    os.utime(t.path("in/2026-11-21/08/gate/00.06.avi"), (time.time() - 70, time.time() - 70))
+    archive(t, "--per", "day", "--redraw", "2d").expect(0, "1 with more clips by now (--redraw)")
+    check(sidecar(t, "gate/2026-11-21")["frames"] == 60, "drawn again too soon")
+    archive(t, "--per", "day", "--redraw", "60s").expect(0, "1 clip drawn")
+    check(sidecar(t, "gate/2026-11-21")["frames"] == 80, "not drawn again")
+    # What the recorder removes stays in the picture of a day, until the day has gone.
+    t.path("in/2026-11-21/08/gate/00.00.avi").unlink()
+    archive(t, "--per", "day", "--prune").expect(0, "nothing to do; 3 done before")
+    t.path("in/2026-11-22/00/gate/00.00.avi").unlink()
+    archive(t, "--per", "day", "--prune").expect(0, "gate/2026-11-22: the clip has gone")
+    check("gate/2026-11-22.png" not in outputs(t) and "gate/2026-11-21.png" in outputs(t), f"{outputs(t)}")
+    # Beside a picture of each clip.
+    archive(t, "--per", "both", "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
+    check("2026-11-21/08/gate/00.02.avi.png" in outputs(t) and "2026-11-21/08/hall/00.02.avi.png" not in outputs(t), f"{outputs(t)}")
+    archive(t, "--per", "week").expect(1, "--per: there is no 'week'")
+    del os.environ["TZ"]
+
+
+def test_archive_takes_no_camera_for_a_way_out(t):
+    frigate(t, "cam .. 2026-11-21 08.00.avi", "cam .x 2026-11-21 08.00.avi", "cam a 2026-11-21 08.00.avi")
+    result = archive(t, "--per", "day", "--names", "cam {camera} %Y-%m-%d %H.%M").expect(6, "its camera '..' cannot be the name of a folder",
+                                                                                     "its camera '.x' cannot be", "1 clip drawn")
+    check(outputs(t) == sorted([f"a/2026-11-21{ending}" for ending in ENDINGS] + ["index.html"]), f"{outputs(t)} {result}")
+    check(not list(t.folder.glob("2026*")), f"{t.files()}")

@@ -59,12 +59,14 @@ function folded(text) {
 // seconds for which something was left and stood and how many things were taken, and of a failure its status, its reason
 // and the number of tries.
 const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone] = [1, 2, 4, 16, 256];
-const clips = data.clips.map(([camera, url, begins, seconds, events, files, badges, status, reason, tries]) => {
+// A recording is all that a camera recorded on a day, in one picture.
+const rows = [...data.clips.map(row => ({row})), ...data.recordings];
+const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badges, status, reason, tries], date: wholeDay, clips: of}) => {
     const date = wallOf(begins);
     const path = readable(url).replace(/^\.\//, '');
     const [left, stood, taken] = badges ?? [0, 0, 0];
     const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason: reason && upright(reason), tries,
-                  name: path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: dayOf(date), hour: date.getUTCHours()};
+                  wholeDay, of, name: wholeDay ? many(of, 'clip') : path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: wholeDay ?? dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
     clip.gone = (files & hasGone) !== 0;
     clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? ''].join(' '));

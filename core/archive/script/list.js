@@ -15,7 +15,7 @@ function badgesOf(clip) {
 function factsOf(clip) {
     const facts = element('span', 'facts');
     const first = element('span', 'first');
-    first.append(element('b', '', clip.time));
+    first.append(element('b', '', clip.wholeDay ? 'the whole day' : clip.time));
     if (!clip.failed) first.append(element('small', '', lengthOf(clip.seconds)));
     if (!clip.failed && !seen.has(clip.url)) {
         const dot = element('i', 'new', '●');

@@ -1,14 +1,17 @@
 
 // ---- Days: a row for each, cameras as columns, in each cell the hours
 
-function cellOf(clipsOf, most) {
+function cellOf(all, most) {
     const cell = element('td');
-    if (!clipsOf.length) return cell;
+    if (!all.length) return cell;
+    const recording = all.find(clip => clip.wholeDay && !clip.failed);
+    const single = all.filter(clip => !clip.wholeDay);
+    const clipsOf = single.length ? single : all;
     const button = element('button');
     button.type = 'button';
     const hours = element('span', 'hours');
     const counts = new Array(24).fill(null);
-    for (const clip of clipsOf) counts[clip.hour] = (counts[clip.hour] ?? 0) + (clip.events ?? 0);
+    for (const clip of single) counts[clip.hour] = (counts[clip.hour] ?? 0) + (clip.events ?? 0);
     for (const count of counts) {
         const hour = element('i', count === null ? 'nothing' : count === 0 ? 'quiet' : 'busy');
         if (count) hour.style.opacity = 0.25 + 0.75 * Math.sqrt(count / most);
@@ -27,6 +30,12 @@ function cellOf(clipsOf, most) {
     button.ariaLabel = `${cameraName(clipsOf[0].camera)}, ${clipsOf[0].day}: ${words.textContent}`;
     button.addEventListener('click', () => ask({view: 'clips', camera: clipsOf[0].camera, day: clipsOf[0].day}));
     cell.append(button);
+    if (recording) {
+        const link = element('a', 'wholeday', 'the whole day');
+        link.href = pageOf(recording);
+        link.addEventListener('click', () => see(recording));
+        cell.append(link);
+    }
     return cell;
 }
 
@@ -41,7 +50,7 @@ function showDays(list) {
     }));
     table.append(head);
     const byHour = new Map();
-    for (const clip of list) {
+    for (const clip of list.filter(other => !other.wholeDay)) {
         const key = `${clip.camera} ${clip.day} ${clip.hour}`;
         byHour.set(key, (byHour.get(key) ?? 0) + (clip.events ?? 0));
     }

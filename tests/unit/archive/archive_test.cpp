@@ -12,9 +12,9 @@
 
 #include "core/archive/claim.h"
 #include "core/archive/clip_names.h"
+#include "core/archive/days.h"
 #include "core/archive/index.h"
 #include "core/archive/names.h"
-#include "core/plain_name.h"
 #include "core/archive/prune.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"
@@ -23,6 +23,7 @@
 #include "core/error.h"
 #include "core/fnv.h"
 #include "core/image/atomic_file.h"
+#include "core/plain_name.h"
 
 namespace vvr {
 namespace {
@@ -354,6 +355,48 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     EXPECT_FALSE(fs::exists(out() / "gone.avi.png"));
     EXPECT_FALSE(fs::exists(out() / "gone.avi.json"));
     EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
+}
+
+TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
+    using std::chrono::minutes;
+    const auto ns = [](std::chrono::system_clock::time_point at) {
+        return std::chrono::nanoseconds(at.time_since_epoch()).count();
+    };
+    const auto now = std::chrono::system_clock::now();
+    ArchiveRules rules;
+    rules.redraw = minutes(15);
+    Sidecar before;
+    before.clip = {"gate/2026-11-21", 100, ns(now - minutes(20))};
+    before.settings = rules.settings;
+    const auto need = [&](std::int64_t size, std::chrono::system_clock::time_point newest) {
+        return need_of_day({"gate/2026-11-21", size, ns(newest)}, before, out(), rules, now);
+    };
+    EXPECT_EQ(need_of_day(before.clip, {}, out(), rules, now), Need::added);
+    EXPECT_EQ(need(100, now - minutes(20)), Need::nothing);
+    EXPECT_EQ(need(120, now - minutes(10)), Need::later) << "ten minutes more, a while ago";
+    EXPECT_EQ(need(150, now - minutes(2)), Need::changed) << "eighteen minutes more";
+    EXPECT_EQ(need(90, now - minutes(20)), Need::nothing) << "the recorder removed some";
+    before.clip.modified = ns(now - minutes(40));
+    EXPECT_EQ(need(120, now - minutes(30)), Need::changed) << "nothing has come since";
+}
+
+TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
+    ::setenv("TZ", "Europe/Berlin", 1);
+    ::tzset();
+    std::vector<ScanProblem> problems;
+    const std::vector<Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
+                                  {"2026-11-21/23/gate/00.00.mp4", 7, 20},
+                                  {"2026-11-21/23/gate/00.10.mp4", 9, 30},
+                                  {"hall/x.mp4", 1, 20}};
+    const auto days = group_by_day(clips, RecorderNames(), 20, problems);
+    ASSERT_EQ(days.size(), 3U);
+    EXPECT_EQ(days[0].clip.path, "gate/2026-11-21");
+    EXPECT_EQ(days[1].clip.path, "gate/2026-11-22") << "Frigate's hour 23 is past midnight in Berlin";
+    EXPECT_EQ(days[1].files.size(), 1U) << "the newest is still being written";
+    EXPECT_EQ(days[2].clip.path, "hall/1970-01-01") << "by when it was written";
+    EXPECT_TRUE(problems.empty());
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
 }
 
 TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
