@@ -245,7 +245,11 @@ std::vector<Squeezed> squeezed_stretches(const Volume& volume) {
     std::vector<Squeezed> stretches;
     for (std::int64_t i = 0; i < volume.layers();) {
         std::int64_t end = i;
-        const auto counts = [](const Layer& layer) { return is_idle(layer) && layer.missing < layer.frames; };
+        // A long idle time may have taken in the last frames of what moved before.
+        constexpr std::int64_t least_share = 10;
+        const auto counts = [](const Layer& layer) {
+            return layer.moving * least_share <= layer.frames && layer.missing < layer.frames;
+        };
         while (end < volume.layers() && counts(volume.layer(end))) ++end;
         if (end == i) {
             ++i;

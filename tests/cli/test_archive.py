@@ -625,7 +625,7 @@ def frigate(t, *names):
 def days_of(t):
     text = t.path("out/index.html").read_text()
     data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
-    return {(data["cameras"][day["row"][0]], day["date"]): day for day in data["days"]}, data
+    return {(data["cameras"][day["row"][0]], day["date"]): day for day in data["recordings"]}, data
 
 
 def test_archive_draws_days_of_cameras(t):
