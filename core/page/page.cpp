@@ -216,10 +216,10 @@ std::string list_of(const PageContent& content) {
     return list;
 }
 
-/// Seconds of the last frame.
+/// When the last frame has been shown.
 double end_of(const std::vector<SteadyFrames>& times) {
     const SteadyFrames& last = times.back();
-    return last.at(last.first + last.count - 1);
+    return last.at(last.first + last.count);
 }
 
 /// The page's script, of its pieces.
@@ -251,7 +251,9 @@ std::string make_page(const PageContent& content) {
             {"style policy", policy_hash(page_files::page_css)},
             {"connect", content.live ? "; connect-src 'self'" : ""},
             {"name", html_text(name)},
-            {"summary", format_span(content.moments.times.front().begin, end_of(content.moments.times), content.clock)},
+            {"summary",
+             fmt::format("{} to {}", format_moment(std::floor(content.moments.times.front().begin), content.clock),
+                         format_moment(std::floor(end_of(content.moments.times) + 1e-4), content.clock))},
             {"way", way_of_time(content.settings)},
             {"list", list_of(content)},
             {"style", std::string(page_files::page_css)},
