@@ -216,6 +216,14 @@ std::string list_of(const PageContent& content) {
     return list;
 }
 
+/// The picture: as `-o FILE.png` writes it, or small where it is sent again and again.
+std::string url_of_picture(const PageContent& content) {
+    constexpr int live_quality = 88;
+    if (!content.live) return data_url("image/png", encode_picture("page.png", content.picture, content.settings));
+    const Picture colours{content.picture.pixels, content.picture.encoding, {}};
+    return data_url("image/jpeg", encode_picture("page.jpg", colours, content.settings, live_quality));
+}
+
 /// When the last frame has been shown.
 double end_of(const std::vector<SteadyFrames>& times) {
     const SteadyFrames& last = times.back();
@@ -258,7 +266,7 @@ std::string make_page(const PageContent& content) {
             {"list", list_of(content)},
             {"style", std::string(page_files::page_css)},
             {"script", script},
-            {"picture", data_url("image/png", encode_picture("page.png", content.picture, content.settings))},
+            {"picture", url_of_picture(content)},
             {"width", fmt::to_string(size.width)},
             {"height", fmt::to_string(size.height)},
             {"data", script_json(json_text(data, -1, true))},
