@@ -6,8 +6,8 @@
 namespace vvr {
 
 /// Text as a terminal, a log or a report may show it, whoever wrote it: control characters, marks that turn the
-/// direction of writing, line separators and bytes that are not UTF-8 become escapes (`\n`, `\x1b`, `\u202e`). So nothing
-/// forges a line, moves the cursor, or shows a name as another.
+/// direction of writing, line separators and bytes that are not UTF-8 become escapes (`\n`, `\x1b`, `\u202e`). So
+/// nothing forges a line, moves the cursor, or shows a name as another.
 std::string shown_text(std::string_view text);
 
 /// The same for text that has lines of its own: line feeds stay.

@@ -13,9 +13,9 @@
 
 #include "cli/render/event_times.h"
 #include "cli/render/open_fields.h"
-#include "cli/render/tell_problems.h"
 #include "cli/render/render_clip.h"
 #include "cli/render/shown_name.h"
+#include "cli/render/tell_problems.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/image/codec.h"
-#include "core/read_file.h"
 #include "core/image/pixel_data_channels.h"
+#include "core/read_file.h"
 
 namespace vvr {
 
