@@ -21,7 +21,7 @@ double Clock::at(double seconds) const {
 
 std::string Clock::iso(double seconds) const {
     const double shown = at(seconds);
-    const std::string text =
+    std::string text =
         fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(std::floor(shown + 1e-6))));
     if (!ahead) return text;
     const auto offset = *ahead + std::llround(shown - static_cast<double>(begin) - seconds);

@@ -30,6 +30,8 @@ class Claim {
 
     Claim(Claim&& other) noexcept;
     Claim& operator=(Claim&&) = delete;
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
     ~Claim();
 
     /// Whether the program that had it before was killed. Then there may be files that it was writing.

@@ -40,7 +40,7 @@ std::vector<CameraDay> group_by_day(const std::vector<Clip>& clips, const Record
         const auto named = names.read(clip.path).begin;
         const std::string camera = names.camera_of(clip.path);
         const std::string date = date_of(named ? utc_of(*named, written) : written);
-        const std::string path = camera.empty() ? date : camera + '/' + date;
+        const std::string path = camera.empty() ? date : fmt::format("{}/{}", camera, date);
         if (!can_be_folder(path) || paths.contains(path)) {
             if (refused.insert(camera).second) {
                 problems.push_back(

@@ -87,7 +87,7 @@ class Walk {
             if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
         }
         std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
-        for (const auto& [name, type] : entries) add(folder.empty() ? name : folder + '/' + name, type);
+        for (const auto& [name, type] : entries) add(folder.empty() ? name : fmt::format("{}/{}", folder, name), type);
         if (error) scan_.problems.push_back({folder, error.message()});
     }
 

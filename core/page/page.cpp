@@ -198,7 +198,8 @@ Json json_of(const PageContent& content) {
 /// A moment as the page's script writes it: "1:15.2", tenths cut off as clocks do.
 std::string moment_text(double seconds, const WallClock& clock) {
     const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
-    return fmt::format("{}.{}", format_moment(static_cast<double>(tenths / 10), clock), tenths % 10);
+    const std::int64_t whole = tenths / 10;
+    return fmt::format("{}.{}", format_moment(static_cast<double>(whole), clock), tenths % 10);
 }
 
 /// What there is to read where no script runs: each event in a line.
