@@ -26,11 +26,12 @@ update_package_lists() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update >&2
 }
 
-# The packages of packages.txt that are not installed, one per line: those without a group, and those of GROUP...
+# The packages of packages.txt that are not installed, one per line: those without a group, of the group run, and those
+# of GROUP...
 missing_packages() {
     local wanted
     wanted=$(sed 's/#.*//' scripts/packages.txt |
-        awk -F': *' -v groups=" $* " 'NF == 1 || index(groups, " " $1 " ") {print $NF}')
+        awk -F': *' -v groups=" run $* " 'NF == 1 || index(groups, " " $1 " ") {print $NF}')
     # dpkg-query fails when it has never heard of a package, which is an answer too.
     # shellcheck disable=SC2086
     { dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |

@@ -1,0 +1,81 @@
+"""Manual pages: vvr(1) for the program, vvr-COMMAND(1) for each command."""
+
+import datetime
+import re
+
+
+def write_man_pages(folder, commands, version, epoch, cli_page):
+    """\param epoch the date of the pages, seconds since 1970
+    \param cli_page the text of docs/cli.md, where config files and exit statuses are described"""
+    date = datetime.datetime.fromtimestamp(epoch, datetime.timezone.utc).date().isoformat()
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def write(name, body):
+        title = f'.TH {name.upper()} 1 {date} "vvr {version}" "vvr"\n'
+        (folder / f"{name}.1").write_text(title + body, encoding="utf-8")
+
+    write("vvr", program_page(commands, cli_page))
+    for command in commands:
+        write(f"vvr-{command.name}", command_page(command))
+
+
+def program_page(commands, cli_page):
+    text = ".SH NAME\nvvr \\- surveillance video as one still picture\n"
+    text += ".SH SYNOPSIS\n.B vvr\n.I COMMAND\n.RI [ OPTIONS ]\n"
+    text += ".SH COMMANDS\n"
+    for command in commands:
+        text += f".TP\n.BR vvr\\-{escape(command.name)} (1)\n{paragraph(command.help)}"
+    text += ".SH CONFIG FILES\n"
+    prose, example = re.search(r"## Config files\n\n(.*?)\n```toml\n(.*?)```", cli_page, flags=re.DOTALL).groups()
+    text += ".PP\n".join(paragraph(block.replace("\n", " ")) for block in prose.strip().split("\n\n"))
+    text += ".PP\n.nf\n" + "".join(paragraph(line) for line in example.splitlines()) + ".fi\n"
+    text += ".SH EXIT STATUS\n"
+    statuses = re.findall(r"^\| ([\d, ]+) \| (.*) \|$", cli_page.split("## Exit status")[1], flags=re.MULTILINE)
+    if not statuses:
+        raise ValueError("docs/cli.md lists no exit status")
+    for status, meaning in statuses:
+        text += f".TP\n.B {status}\n{paragraph(meaning)}"
+    text += ".SH SEE ALSO\n" + see_also([f"vvr-{command.name}" for command in commands])
+    return text
+
+
+def command_page(command):
+    text = f".SH NAME\nvvr\\-{escape(command.name)} \\- {escape(command.help)}\n"
+    text += f".SH SYNOPSIS\n.B vvr {escape(command.name)}\n{paragraph(command.usage.split(command.name, 1)[1].strip())}"
+    if command.arguments:
+        text += ".SH ARGUMENTS\n"
+        for name, explained in command.arguments:
+            text += f".TP\n.I {escape(name)}\n{paragraph(explained)}"
+    text += ".SH OPTIONS\n"
+    for title, options in command.groups.items():
+        text += f".SS {escape(title)}\n" + "".join(map(option_entry, options))
+    return text + ".SH EXIT STATUS\n.BR vvr (1)\nlists them.\n.SH SEE ALSO\n" + see_also(["vvr"])
+
+
+def option_entry(option):
+    text = ".TP\n"
+    names = ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
+    text += "\\fB" + "\\fR, \\fB".join(map(escape, names)) + "\\fR"
+    if option.unit:
+        text += f" \\fI{escape(option.unit)}\\fR"
+    if option.bracket:
+        text += f" [{escape(option.bracket)}]"
+    text += f"\n{paragraph(option.help)}"
+    explained = [(name, help_) for name, help_ in option.values if help_]
+    if explained:
+        text += ".RS\n" + "".join(f".TP\n.B {escape(name)}\n{paragraph(help_)}" for name, help_ in explained) + ".RE\n"
+    return text
+
+
+def see_also(names):
+    return ",\n".join(f".BR {escape(name)} (1)" for name in sorted(names)) + "\n"
+
+
+def paragraph(text):
+    return escape(text.replace("`", "'")) + "\n"
+
+
+def escape(text):
+    """Text as roff takes it: no escapes, no requests, and hyphens that can be copied."""
+    text = text.replace("\\", "\\e").replace("-", "\\-")
+    return re.sub(r"^(?=[.'])", r"\\&", text, flags=re.MULTILINE)
