@@ -25,8 +25,8 @@ function cameraButton(camera, name, of) {
     button.type = 'button';
     button.camera = camera;
     button.append(element('bdi', '', name));
-    const failed = of.filter(clip => clip.failed).length;
-    const counts = element('i', '', of.length.toLocaleString('en'));
+    const failed = counted(of).filter(clip => clip.failed).length;
+    const counts = element('i', '', counted(of).length.toLocaleString('en'));
     if (failed) {
         const bad = element('span', 'bad', ` ✕${failed}`);
         bad.title = `${failed} failed`;
@@ -43,11 +43,11 @@ const ofCamera = grouped(clips, 'camera');
 at('cameras').append(cameraButton(null, 'All cameras', clips),
                      ...data.cameras.map((_, camera) => cameraButton(camera, cameraName(camera), ofCamera.get(camera) ?? [])));
 
-const failures = clips.filter(clip => clip.failed).length;
+const failures = counted(clips).filter(clip => clip.failed).length;
 const gone = clips.filter(clip => clip.gone).length;
-const events = clips.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
+const events = counted(clips).reduce((sum, clip) => sum + (clip.events ?? 0), 0);
 const zones = [...new Set(zone.map(([, , name]) => name))].join(', then ');
-at('summary').textContent = [many(clips.length, 'clip'), many(data.cameras.length, 'camera'), many(events, 'event'),
+at('summary').textContent = [many(counted(clips).length, 'clip'), many(data.cameras.length, 'camera'), many(events, 'event'),
                              failures ? many(failures, 'failure') : '', gone ? `${gone} gone` : '',
                              'times are those of ' + zones].filter(Boolean).join(' · ');
 

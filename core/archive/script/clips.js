@@ -73,6 +73,12 @@ const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badg
     return clip;
 }).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
 
+/// Clips are counted one by one where they are there; a picture of a whole day tells of them again.
+const counted = list => {
+    const single = list.filter(clip => !clip.wholeDay);
+    return single.length ? single : list;
+};
+
 const clipOfUrl = new Map(clips.map(clip => [clip.url, clip]));
 const cameraName = camera => data.cameras[camera] === '' ? '(top folder)' : upright(data.cameras[camera]);
 const pageOf = clip => clip.url + (clip.files & hasPage ? '.html' : '.png');

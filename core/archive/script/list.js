@@ -80,7 +80,9 @@ const orders = {
     stood: (a, b) => b.stood - a.stood,
     events: (a, b) => (b.events ?? 0) - (a.events ?? 0),
 };
-const lastFailed = list => [...list.filter(clip => !clip.failed), ...list.filter(clip => clip.failed)];
+/// Pictures of whole days come first, what failed last.
+const placeInList = clip => clip.failed ? 2 : clip.wholeDay ? 0 : 1;
+const lastFailed = list => [...list].sort((a, b) => placeInList(a) - placeInList(b));
 
 function sectionOf(title, clipsOf, columns) {
     const block = element('section', 'camera');
@@ -105,7 +107,7 @@ function showClips(list) {
             const section = element('section', 'day');
             section.append(element('h2', '', weekday(day) + ', ' + day));
             const cameras = [...grouped(ofDay, 'camera')].sort((a, b) => a[0] - b[0]);
-            for (const [camera, ofCamera] of cameras) section.append(sectionOf(`${cameraName(camera)} · ${ofCamera.length}`, lastFailed(ofCamera), columns));
+            for (const [camera, ofCamera] of cameras) section.append(sectionOf(`${cameraName(camera)} · ${counted(ofCamera).length}`, lastFailed(ofCamera), columns));
             sections.push(section);
         }
     }
