@@ -1,6 +1,7 @@
 # What the scripts share. To be sourced; leaves the caller in the project's root folder.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export VVR_CONFIG= # what the scripts draw does not depend on this machine's config files
 
 say() { printf '==> %s\n' "$*" >&2; }
 

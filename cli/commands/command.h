@@ -35,6 +35,9 @@ struct CommandRow {
 /// Every command.
 std::span<const CommandRow> commands();
 
+/// \throws Error usage when there is no command of that name
+const CommandRow& find_command(const std::string& name);
+
 /// Runs the command that the first argument names, with the others; --help as well.
 ExitStatus run_command(Arguments arguments, const Environment& environment);
 
@@ -47,6 +50,7 @@ std::unique_ptr<Command> make_cut();
 std::unique_ptr<Command> make_archive();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_info();
+std::unique_ptr<Command> make_config();
 std::unique_ptr<Command> make_doctor();
 
 }  // namespace vvr

@@ -24,6 +24,7 @@ constexpr std::array table{
     CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
     CommandRow{"compare", "compare two pictures within a tolerance", make_compare},
     CommandRow{"info", "describe a video, and what a render of it would do and need", make_info},
+    CommandRow{"config", "say which config file is in force, and what it sets", make_config},
     CommandRow{"doctor", "say what this machine can do, and how to fix what it cannot", make_doctor},
 };
 
@@ -40,6 +41,15 @@ std::span<const CommandRow> commands() {
     return table;
 }
 
+const CommandRow& find_command(const std::string& name) {
+    const auto row = std::ranges::find(table, name, &CommandRow::name);
+    if (row == table.end()) {
+        throw Error(ErrorKind::usage, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
+                                                  did_you_mean(name, names_of(table))));
+    }
+    return *row;
+}
+
 ExitStatus run_command(Arguments arguments, const Environment& environment) {
     if (arguments.empty()) throw Error(ErrorKind::usage, "no command; `vvr --help` lists them");
     const std::string& name = arguments.front();
@@ -51,14 +61,10 @@ ExitStatus run_command(Arguments arguments, const Environment& environment) {
         print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return ExitStatus::done;
     }
-    const auto row = std::ranges::find(table, name, &CommandRow::name);
-    if (row == table.end()) {
-        throw Error(ErrorKind::usage, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
-                                                  did_you_mean(name, names_of(table))));
-    }
-    const std::unique_ptr<Command> command = row->make();
+    const CommandRow& row = find_command(name);
+    const std::unique_ptr<Command> command = row.make();
     TalkOptions talk;
-    CommandLine line(name, std::string(row->help));
+    CommandLine line(name, std::string(row.help));
     command->add_options(line);
     add_talk_options(line, talk);
     if (!line.parse(arguments.subspan(1))) return ExitStatus::done;

@@ -1,11 +1,14 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands/command.h"
 #include "cli/options/job_options.h"
 #include "cli/print.h"
 #include "cli/versions.h"
+#include "core/json_text.h"
+#include "core/version.h"
 #include "gl/context.h"
 
 namespace vvr {
@@ -26,21 +29,53 @@ std::string describe(const BackendReport& report) {
     return text;
 }
 
+nlohmann::ordered_json json_of(const BackendReport& report) {
+    const auto known = [](const std::string& text) {
+        return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+    };
+    return {{"name", report.name},
+            {"what", report.what},
+            {"works", report.works},
+            {"renderer", known(report.renderer)},
+            {"version", known(report.version)},
+            {"reason", known(report.reason)},
+            {"fix_with", known(report.advice)},
+            {"devices", report.devices}};
+}
+
+std::string as_json(const std::vector<BackendReport>& reports) {
+    nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
+    for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
+    nlohmann::ordered_json backends = nlohmann::ordered_json::array();
+    for (const BackendReport& report : reports) backends.push_back(json_of(report));
+    return json_text({{"vvr", version()}, {"libraries", libraries}, {"backends", backends}}, 2) + "\n";
+}
+
+std::string as_text(const std::vector<BackendReport>& reports) {
+    std::string text = version_text();
+    for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
+    return text;
+}
+
+constexpr Setting json_option{"json", "", "for programs: null where there is nothing to say"};
+
 class Doctor final : public Command {
   public:
-    void add_options(CommandLine& line) override { add_thread_options(line, threads_); }
+    void add_options(CommandLine& line) override {
+        line.flag(Group::output, json_, json_option);
+        add_thread_options(line, threads_);
+    }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
-        std::string text = version_text();
         const std::vector<BackendReport> reports = probe_backends();
-        for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
-        print(text);
+        print(json_ ? as_json(reports) : as_text(reports));
         if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
         environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
         return ExitStatus::backend;
     }
 
   private:
+    bool json_ = false;
     int threads_ = 0;  // taken for config files that hold for all commands
 };
 

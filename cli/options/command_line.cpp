@@ -19,8 +19,9 @@ namespace vvr {
 
 namespace {
 
-constexpr Setting config{"config", "FILE",
-                         "read long option names and values, as `size = 1280x800`; the command line wins"};
+constexpr Setting config_option{"config", "FILE",
+                                "read long option names and values, as `size = 1280x800`; the command line wins"};
+constexpr Setting no_config_option{"no-config", "", "read no config file, wherever one is"};
 
 template <class T>
 struct Unwrapped {
@@ -43,6 +44,18 @@ std::string flag_of(const Setting& setting, char letter) {
     return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
 }
 
+/// Whether an option stands among the arguments.
+bool is_given(const CLI::Option& option, std::span<const std::string> arguments) {
+    return std::ranges::any_of(arguments, [&](const std::string& argument) {
+        return std::ranges::any_of(option.get_lnames(),
+                                   [&](const std::string& name) {
+                                       return argument == "--" + name || argument.starts_with("--" + name + "=");
+                                   }) ||
+               std::ranges::any_of(option.get_snames(),
+                                   [&](const std::string& name) { return argument.starts_with("-" + name); });
+    });
+}
+
 /// Calls `action`; whatever is wrong is about the setting.
 template <class Action>
 void as_setting(const Setting& setting, Action action) {
@@ -61,6 +74,8 @@ struct CommandLine::Impl {
     CLI::App app;
     HelpText::Ranges ranges{};
     std::map<const CLI::Option*, bool> files{};
+    ConfigChoice config{};
+    bool reads_config = true;
 
     CLI::Option* option(const Setting& setting) { return app.get_option("--" + std::string(setting.name)); }
 
@@ -176,25 +191,56 @@ void CommandLine::exclude(const Setting& a, const Setting& b) {
     impl_->option(a)->excludes(impl_->option(b));
 }
 
+void CommandLine::only_find_config() {
+    impl_->reads_config = false;
+}
+
+const ConfigChoice& CommandLine::config() const {
+    return impl_->config;
+}
+
 bool CommandLine::parse(std::span<const std::string> arguments) {
     CLI::App& app = impl_->app;
     // Added last, so that they stand last in the help.
-    app.set_help_flag("-h,--help", "print this and end")->group(title_of(Group::run));
-    app.set_config(flag_of(config, 0), "", std::string(config.help))
-        ->type_name(std::string(config.unit))
+    CLI::Option* const help = app.set_help_flag("-h,--help", "print this and end");
+    help->group(title_of(Group::run));
+    CLI::Option* const file = impl_->reads_config
+                                  ? app.set_config(flag_of(config_option, 0), "", std::string(config_option.help))
+                                  : app.add_option(flag_of(config_option, 0))
+                                        ->description(std::string(config_option.help))
+                                        ->configurable(false);
+    file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
+    app.add_flag(flag_of(no_config_option, 0))
+        ->description(std::string(no_config_option.help))
+        ->configurable(false)
+        ->excludes(file)
         ->group(title_of(Group::run));
-    app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command));
-    // CLI11 takes them from the back.
+    impl_->config = find_config(arguments);
+    const std::string config_name = impl_->config.file.string();
+    app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name));
     std::vector<std::string> reversed = with_preset(arguments);
+    // Help is there for whoever wants to mend a config file too.
+    const bool found = !config_name.empty() && !is_given(*file, arguments);
+    if (found && impl_->reads_config && !is_given(*help, arguments)) {
+        reversed.insert(reversed.begin(), "--config=" + config_name);
+    }
+    // CLI11 takes them from the back.
     std::ranges::reverse(reversed);
     try {
         app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
         print(app.help());
         return false;
-    } catch (const CLI::FileError& error) {
-        throw Error(ErrorKind::io, fmt::format("cannot read config file '{}'; check the name and its permissions",
-                                               app.get_config_ptr()->as<std::string>()));
+    } catch (const Error& error) {
+        // Whoever reads this may not know of the config file, nor that it sets the option.
+        const auto names = error.about().names();
+        const CLI::Option* const wrong = names.empty() ? nullptr : app.get_option_no_throw("--" + names.front());
+        if (config_name.empty() || wrong == nullptr || is_given(*wrong, arguments)) throw;
+        throw Error(error.kind(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
+                    error.about());
+    } catch (const CLI::FileError&) {
+        throw Error(ErrorKind::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
+                                               config_name, impl_->config.why));
     } catch (const CLI::ParseError& error) {
         throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
     }

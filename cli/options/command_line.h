@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/options/find_config.h"
 #include "cli/options/group.h"
 #include "core/choice.h"
 #include "core/setting.h"
@@ -107,7 +108,13 @@ class CommandLine {
     /// Two options that can't both be given.
     void exclude(const Setting& a, const Setting& b);
 
-    /// Reads arguments, then the config file for what they leave open.
+    /// For a command that tells of the config file instead of obeying it.
+    void only_find_config();
+
+    /// The config file that is in force, once parsed.
+    const ConfigChoice& config() const;
+
+    /// Reads arguments, then the config file for what they leave open: the one that they name, or that is found.
     /// \returns false when help was asked for, and printed
     /// \throws Error usage, or io when the config file can't be read
     bool parse(std::span<const std::string> arguments);

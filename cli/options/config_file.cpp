@@ -21,8 +21,8 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
                     names.push_back(known->get_lnames().front());
                 }
             }
-            throw Error(ErrorKind::usage, fmt::format("the config file sets '{}', which `vvr {}` does not have{}",
-                                                      item.name, command_, did_you_mean(item.name, names)));
+            throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', which `vvr {}` does not have{}",
+                                                      file_, item.name, command_, did_you_mean(item.name, names)));
         }
         kept.push_back(std::move(item));
     }

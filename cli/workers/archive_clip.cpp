@@ -141,7 +141,8 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         std::pair{OutputKind::picture, "--output="}, std::pair{OutputKind::page, "--page="},
         std::pair{OutputKind::thumbnail, "--thumbnail="}, std::pair{OutputKind::report, "--report="},
         std::pair{OutputKind::still, "--still="}};
-    std::vector<std::string> arguments{"render", "--quiet", "--plain-name", fmt::format("--threads={}", job_->threads)};
+    std::vector<std::string> arguments{"render", "--no-config", "--quiet", "--plain-name",
+                                       fmt::format("--threads={}", job_->threads)};
     for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path}) {
         const std::string clip = (job_->in / file).string();
         // So that no name is taken for an option or a list.

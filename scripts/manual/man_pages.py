@@ -27,7 +27,7 @@ def program_page(commands, cli_page):
         text += f".TP\n.BR vvr\\-{escape(command.name)} (1)\n{paragraph(command.help)}"
     text += ".SH CONFIG FILES\n"
     prose, example = re.search(r"## Config files\n\n(.*?)\n```toml\n(.*?)```", cli_page, flags=re.DOTALL).groups()
-    text += ".PP\n".join(paragraph(block.replace("\n", " ")) for block in prose.strip().split("\n\n"))
+    text += "".join(map(prose_block, prose.strip().split("\n\n"))).removeprefix(".PP\n")
     text += ".PP\n.nf\n" + "".join(paragraph(line) for line in example.splitlines()) + ".fi\n"
     text += ".SH EXIT STATUS\n"
     statuses = re.findall(r"^\| ([\d, ]+) \| (.*) \|$", cli_page.split("## Exit status")[1], flags=re.MULTILINE)
@@ -65,6 +65,13 @@ def option_entry(option):
     if explained:
         text += ".RS\n" + "".join(f".TP\n.B {escape(name)}\n{paragraph(help_)}" for name, help_ in explained) + ".RE\n"
     return text
+
+
+def prose_block(block):
+    """A paragraph or a list of Markdown."""
+    if not block.startswith("- "):
+        return f".PP\n{paragraph(block.replace(chr(10), ' '))}"
+    return "".join(f".IP \\(bu 2\n{paragraph(item.replace(chr(10), ' '))}" for item in block[2:].split("\n- "))
 
 
 def see_also(names):

@@ -16,6 +16,8 @@ BUILD = SOURCE / "build" / "release"
 os.environ.setdefault("VVR", str(BUILD / "cli" / "vvr"))
 os.environ.setdefault("VVR_SCENE", str(BUILD / "tests" / "scene" / "vvr-scene"))
 
+os.environ["VVR_CONFIG"] = ""  # what the machine's own config file says shall decide nothing here
+
 SKIPPED = 77  # the exit status by which ctest knows that a test was skipped
 
 

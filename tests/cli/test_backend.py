@@ -1,5 +1,6 @@
 """OpenGL backends: there, not there, and alike."""
 
+import json
 import os
 
 from harness import check
@@ -15,6 +16,16 @@ def test_backend_that_is_not_there(t):
     t.render("clip.avi", "--backend", "egl", "--device", "99").expect(
         4, "no OpenGL context from backend egl, device 99; tried:", "egl:", "vvr doctor")
     t.expect_files("clip.avi")
+
+
+def test_doctor_tells_programs(t):
+    text = t.vvr("doctor").expect(0, out=None).out
+    said = json.loads(t.vvr("doctor", "--json").expect(0, out=None).out)
+    check(said["vvr"] in text and set(said["libraries"]) == {"FFmpeg", "OpenImageIO", "OpenCV"}, f"{said}")
+    for backend in said["backends"]:
+        check(f"{backend['name']:<14} {'works' if backend['works'] else 'does not work'}: {backend['what']}" in text, text)
+        check((backend["renderer"] is not None) == backend["works"] == (backend["reason"] is None), f"{backend}")
+    check(any(backend["works"] for backend in said["backends"]), f"{said}")
 
 
 def test_doctor_tells_of_every_backend(t):

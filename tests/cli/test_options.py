@@ -113,8 +113,8 @@ def test_config_file(t):
 def test_config_file_with_errors(t):
     t.clip()
     t.write("typo.conf", "szie = 40x30\n")
-    t.render("clip.avi", "--config", "typo.conf").expect(1, "config file sets 'szie'", "did you mean 'size'?")
+    t.render("clip.avi", "--config", "typo.conf").expect(1, "config file 'typo.conf' sets 'szie'", "did you mean 'size'?")
     t.write("value.conf", "alpha = lots\n")
-    t.render("clip.avi", "--config", "value.conf").expect(1, "--alpha: 'lots' is not a number")
-    t.render("clip.avi", "--config", "none.conf").expect(2, "cannot read config file 'none.conf'")
+    t.render("clip.avi", "--config", "value.conf").expect(1, "--alpha: 'lots' is not a number", "; the config file 'value.conf' sets it")
+    t.render("clip.avi", "--config", "none.conf").expect(2, "cannot read config file 'none.conf', named by --config")
     t.expect_files("clip.avi", "typo.conf", "value.conf")

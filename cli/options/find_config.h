@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vvr {
+
+/// Which config file is in force, and why.
+struct ConfigChoice {
+    std::filesystem::path file;                 ///< empty = none
+    std::string why;                            ///< why, as a person would say it: "named by --config"
+    std::vector<std::filesystem::path> places;  ///< that were looked at, in turn
+};
+
+/// --config of the arguments, else VVR_CONFIG of the environment, else the first of the user's and the machine's that
+/// is there. --no-config and an empty VVR_CONFIG mean none. Whether a file that was named can be read is not looked at.
+ConfigChoice find_config(std::span<const std::string> arguments);
+
+}  // namespace vvr

@@ -1,0 +1,93 @@
+"""Where a config file is found, and what `vvr config` says of it."""
+
+import os
+import re
+
+import pytest
+from harness import check
+
+
+@pytest.fixture(name="places")
+def made_places(t):
+    """A clip, and config files in the places where they are found; the environment that leads to them."""
+    t.clip()
+    for folder, size in (("home/.config/vvr", "40x30"), ("xdg/vvr", "50x30")):
+        t.path(folder).mkdir(parents=True)
+        t.write(f"{folder}/vvr.toml", f'[render]\nsize = "{size}"\n')
+    t.write("named.toml", '[render]\nsize = "60x30"\n')
+    environment = {name: value for name, value in os.environ.items() if name not in ("VVR_CONFIG", "XDG_CONFIG_HOME")}
+    return environment | {"HOME": str(t.path("home"))}
+
+
+def size_drawn(t, environment, *arguments):
+    t.vvr("render", "clip.avi", "-o", "out.png", *arguments, env=environment).expect(0)
+    return t.picture_size("out.png")
+
+
+def test_config_file_is_found(t, places):
+    # A relative folder of that name is there too, and must not be read.
+    xdg = places | {"XDG_CONFIG_HOME": str(t.path("xdg"))}
+    named = xdg | {"VVR_CONFIG": "named.toml"}
+    t.write("own.toml", '[render]\nsize = "70x30"\n')
+    for environment, arguments, expected in [
+        (places, [], (40, 30)),
+        (xdg, [], (50, 30)),
+        (places | {"XDG_CONFIG_HOME": "xdg"}, [], (40, 30)),  # a relative one counts for nothing
+        (named, [], (60, 30)),
+        (named, ["--config", "own.toml"], (70, 30)),
+        (named, ["--size", "80x30"], (80, 30)),
+        (named, ["--no-config"], (1280, 800)),
+        (named | {"VVR_CONFIG": ""}, [], (1280, 800)),
+    ]:
+        found = size_drawn(t, environment, *arguments)
+        check(found == expected, f"{arguments}: the picture is {found}, not {expected}")
+
+
+def test_found_config_file_with_errors(t, places):
+    def render(**environment):
+        return t.vvr("render", "clip.avi", "-o", "out.png", env=places | environment)
+
+    render(VVR_CONFIG="none.toml").expect(2, "cannot read config file 'none.toml', named by VVR_CONFIG; check")
+    found = t.path("home/.config/vvr/vvr.toml")
+    found.write_text("szie = 1\n")
+    render().expect(1, f"the config file '{found}' sets 'szie'", "did you mean 'size'?")
+    t.vvr("render", "--help", env=places).expect(0, out=None)
+    found.write_text("[render]\nalpha = lots\n")
+    render().expect(1, "--alpha: 'lots' is not a number", f"; the config file '{found}' sets it")
+    result = t.vvr("render", "clip.avi", "-o", "out.png", "--alpha", "few", env=places)
+    check("sets it" not in result.expect(1, "'few' is not a number").err, str(result))
+    t.vvr("render", "clip.avi", "-o", "out.png", "--no-config", "--config", "named.toml").expect(1, "--no-config")
+    check(not t.path("out.png").exists(), "a picture all the same")
+
+
+def test_workers_of_an_archive_read_no_config_file(t, places):
+    """What an archive is drawn with stands in its sidecars; a [render] of its own is not among that."""
+    t.path("in").mkdir()
+    t.clip("in/a.avi")
+    t.vvr("archive", "in", "-o", "drawn", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
+    check(t.picture_size("drawn/a.avi.png") == (90, 60), "the size that archive was given")
+    t.path("home/.config/vvr/vvr.toml").write_text("[render]\nplain-nonsense = 1\n")
+    t.vvr("archive", "in", "-o", "again", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
+
+
+def test_config_says_what_is_in_force(t, places):
+    found = t.path("home/.config/vvr/vvr.toml")
+    said = t.vvr("config", env=places).expect(0, out=None).out
+    check(said == f"config file: {found} (found there)\nvvr render: size = 40x30\n", said)
+    said = t.vvr("config", "render", env=places).expect(0, out=None).out
+    check(re.search(r"^size +40x30 \(config file\)$", said, flags=re.MULTILINE), said)
+    check(re.search(r"^filter +difference \(default\)$", said, flags=re.MULTILINE), said)
+    said = t.vvr("config", "--config", "named.toml", env=places).expect(0, out=None).out
+    check(said == "config file: named.toml (named by --config)\nvvr render: size = 60x30\n", said)
+    t.vvr("config", "--no-config", env=places).expect(0, out="config file: none (because of --no-config)\n")
+    t.vvr("config").expect(0, out="config file: none (because VVR_CONFIG is empty)\n")
+    found.write_text("size = 40x30\n")
+    said = t.vvr("config", env=places).expect(0, out=None).out
+    check("vvr render: size = 40x30\n" in said, said)
+    check(f"vvr doctor: the config file '{found}' sets 'size', which `vvr doctor` does not have" in said, said)
+
+
+def test_config_with_errors(t):
+    t.vvr("config", "rendr").expect(1, "there is no command 'rendr' (did you mean 'render'?)")
+    t.vvr("config", "render", "info").expect(1, "'info' is one argument too many")
+    t.vvr("config", "--config", "none.toml").expect(2, "cannot read config file 'none.toml', named by --config; check")
