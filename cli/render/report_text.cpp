@@ -241,8 +241,7 @@ std::string summary_of(const std::vector<Event>& events) {
     const auto longest = std::ranges::max_element(events, {}, length_of);
     std::string text = fmt::format("{}; the longest from {:.1f} s to {:.1f} s", counted(std::ssize(events), "event"),
                                    longest->first.seconds, longest->last.seconds);
-    double still = 0;
-    for (const Stay& stay : longest->stays) still += stay.last.seconds - stay.first.seconds;
+    const double still = still_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
     return text;
 }

@@ -15,6 +15,7 @@
 #include "core/page/text.h"
 #include "index_files.h"
 #include "index_script.h"
+#include "shared_files.h"
 
 namespace vvr {
 
@@ -97,13 +98,6 @@ Json zone_of(const std::vector<Place>& places) {
     return zone;
 }
 
-/// The index's script, of its pieces.
-std::string script_text() {
-    std::string text;
-    for (const auto& [name, piece] : index_script::files) text += piece;
-    return text;
-}
-
 constexpr std::string_view day_file_begin = "index.";
 constexpr std::string_view day_file_end = ".js";
 
@@ -181,11 +175,13 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
         if (!sidecars[i].found.empty()) days.insert(day_of(places[i].begin));
     }
     json["days"] = days;
-    const std::string script = script_text();
+    const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);
+    const std::string script =
+        joined(std::string(shared_files::common_js) + std::string(shared_files::place_js), index_script::files);
     return fill(index_files::index_html, {
                                              {"script policy", policy_hash(script)},
-                                             {"style policy", policy_hash(index_files::index_css)},
-                                             {"style", std::string(index_files::index_css)},
+                                             {"style policy", policy_hash(style)},
+                                             {"style", style},
                                              {"script", script},
                                              {"data", script_json(json_text(json, -1, true))},
                                          });

@@ -79,4 +79,7 @@ struct Event {
     std::vector<std::size_t> tracks;     ///< the numbers that its pixels have in `FrameLabels`
 };
 
+/// Seconds for which it kept its place.
+double still_seconds(const Event& event);
+
 }  // namespace vvr

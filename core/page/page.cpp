@@ -13,6 +13,7 @@
 #include "core/page/text.h"
 #include "page_files.h"
 #include "page_script.h"
+#include "shared_files.h"
 
 namespace vvr {
 
@@ -126,12 +127,6 @@ Json json_of(const std::vector<PathPoint>& path, Size field) {
     return json;
 }
 
-double still_seconds(const Event& event) {
-    double still = 0;
-    for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
-    return still;
-}
-
 Json json_of(const Event& event, Size field) {
     return {{"kind", name_of(event.kind)},   {"first", event.first.frame},
             {"last", event.last.frame},      {"still", rounded(still_seconds(event))},
@@ -231,13 +226,6 @@ double end_of(const std::vector<SteadyFrames>& times) {
     return last.at(last.first + last.count);
 }
 
-/// The page's script, of its pieces.
-std::string script_text() {
-    std::string text;
-    for (const auto& [name, piece] : page_script::files) text += piece;
-    return text;
-}
-
 /// In which direction time runs in the picture, for people.
 std::string way_of_time(const Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &Metadata::value_type::first);
@@ -250,14 +238,16 @@ std::string way_of_time(const Metadata& settings) {
 std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
-    const std::string script = script_text();
+    const std::string style = std::string(shared_files::theme_css) + std::string(page_files::page_css);
+    const std::string script =
+        joined(std::string(shared_files::common_js) + std::string(shared_files::place_js), page_script::files);
     // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
     const std::string name = Json::parse(json_text(content.name));
     return fill(
         page_files::page_html,
         {
             {"script policy", policy_hash(script)},
-            {"style policy", policy_hash(page_files::page_css)},
+            {"style policy", policy_hash(style)},
             {"connect", content.live ? "; connect-src 'self'" : ""},
             {"name", html_text(name)},
             {"summary",
@@ -265,7 +255,7 @@ std::string make_page(const PageContent& content) {
                          format_moment(std::floor(end_of(content.moments.times) + 1e-4), content.clock))},
             {"way", way_of_time(content.settings)},
             {"list", list_of(content)},
-            {"style", std::string(page_files::page_css)},
+            {"style", style},
             {"script", script},
             {"picture", url_of_picture(content)},
             {"width", fmt::to_string(size.width)},

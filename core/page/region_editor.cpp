@@ -7,6 +7,7 @@
 #include "core/json_text.h"
 #include "core/page/text.h"
 #include "page_files.h"
+#include "shared_files.h"
 
 namespace vvr {
 
@@ -17,14 +18,16 @@ std::string make_region_editor(const RegionEditorContent& content) {
                                       {"regions", masks ? content.mask : content.roi}};
     // Bytes that are not UTF-8 become U+FFFD.
     const std::string name = nlohmann::ordered_json::parse(json_text(content.name));
+    const std::string style = std::string(shared_files::theme_css) + std::string(page_files::region_editor_css);
+    const std::string script = std::string(shared_files::common_js) + std::string(page_files::region_editor_js);
     return fill(page_files::region_editor_html,
                 {
-                    {"script policy", policy_hash(page_files::region_editor_js)},
-                    {"style policy", policy_hash(page_files::region_editor_css)},
+                    {"script policy", policy_hash(script)},
+                    {"style policy", policy_hash(style)},
                     {"name", html_text(name)},
                     {"moment", html_text(content.moment)},
-                    {"style", std::string(page_files::region_editor_css)},
-                    {"script", std::string(page_files::region_editor_js)},
+                    {"style", style},
+                    {"script", script},
                     {"frame", data_url("image/jpeg", encode_picture("frame.jpg", content.frame, quality))},
                     {"width", fmt::to_string(content.frame.width())},
                     {"height", fmt::to_string(content.frame.height())},

@@ -1,8 +1,3 @@
-'use strict';
-
-const data = JSON.parse(document.getElementById('data').textContent);
-const at = id => document.getElementById(id);
-const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 const drawing = at('drawing');
 const width = Number(at('frame').getAttribute('width'));

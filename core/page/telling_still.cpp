@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/glance/objects.h"
+
 namespace vvr {
 
 namespace {
@@ -15,24 +17,12 @@ constexpr int line = 2;  // pixels
 /// What tells more is greater.
 auto worth(const Event& event) {
     constexpr std::array rank{0, 1, 3, 2};  // in the order of EventKind
-    double still = 0;
-    for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
-    return std::tuple(rank[static_cast<std::size_t>(event.kind)], still, event.last.seconds - event.first.seconds);
+    return std::tuple(rank[static_cast<std::size_t>(event.kind)], still_seconds(event),
+                      event.last.seconds - event.first.seconds);
 }
 
 const Still& nearest_to(std::span<const Still> stills, std::int64_t frame) {
     return *std::ranges::min_element(stills, {}, [frame](const Still& still) { return std::abs(still.frame - frame); });
-}
-
-/// Where an event was in a frame of its time: on its path.
-glm::dvec2 place_at(const Event& event, std::int64_t frame) {
-    const auto next = std::ranges::find_if(event.path, [frame](const PathPoint& at) { return at.at.frame >= frame; });
-    if (next == event.path.end()) return event.path.back().place;
-    if (next == event.path.begin()) return next->place;
-    const PathPoint& before = *std::prev(next);
-    const double share =
-        static_cast<double>(frame - before.at.frame) / static_cast<double>(next->at.frame - before.at.frame);
-    return before.place + share * (next->place - before.place);
 }
 
 void outline(Plane<Bgr>& picture, const PixelBox& box) {
@@ -57,7 +47,7 @@ std::optional<Still> telling_still(std::span<const Still> stills, std::span<cons
     if (still.frame < event->first.frame || still.frame > event->last.frame) return still;
     const double scale = static_cast<double>(still.picture.size().width) / field.width;
     const PixelBox& seen = event->portrait ? event->portrait->box : event->box;
-    const glm::dvec2 place = place_at(*event, still.frame) * scale;
+    const glm::dvec2 place = place_at(*event, still.seconds) * scale;
     const double half = std::max(8.0, 0.6 * scale * std::max(seen.width(), seen.height()));
     const auto at = [](double value) { return static_cast<int>(std::lround(value)); };
     outline(still.picture, {at(place.x - half), at(place.y - half), at(place.x + half), at(place.y + half)});

@@ -36,4 +36,8 @@ std::string url_of_path(std::string_view path);
 /// \throws std::out_of_range for a name that has no value
 std::string fill(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values);
 
+/// Texts one after the other.
+/// \param files name and text of each, as they are embedded
+std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files);
+
 }  // namespace vvr

@@ -52,20 +52,6 @@ function chosenDays() {
     return data.days.filter(day => (!at('from').value || day >= at('from').value) && (!at('to').value || day <= at('to').value));
 }
 
-function partInBox(x, y, toX, toY, box) {
-    let [begin, end] = [0, 1];
-    for (const [from, by, low, high] of [[x, toX - x, box[0], box[2]], [y, toY - y, box[1], box[3]]]) {
-        if (by === 0) {
-            if (from < low || from > high) return null;
-            continue;
-        }
-        const [a, b] = by > 0 ? [(low - from) / by, (high - from) / by] : [(high - from) / by, (low - from) / by];
-        begin = Math.max(begin, a);
-        end = Math.min(end, b);
-    }
-    return begin <= end ? [begin, end] : null;
-}
-
 /// Seconds that a path was in a box; null = never. And when it first was, in tenths.
 function inBox(path, box) {
     let tenths = 0;
@@ -81,35 +67,26 @@ function inBox(path, box) {
     return first === null ? null : {seconds: tenths / 10, at: first / 10};
 }
 
-const sideOf = (ax, ay, bx, by, x, y) => (bx - ax) * (y - ay) - (by - ay) * (x - ax);
-
 /// Whether and when a path first crossed a line, and to which side: 1 or -1.
-function acrossLine(path, [ax, ay], [bx, by]) {
+function acrossLine(path, from, to) {
     for (let k = 0; k + 5 < path.length; k += 3) {
-        const [x, y, toX, toY] = [path[k + 1], path[k + 2], path[k + 4], path[k + 5]];
-        const [before, after] = [sideOf(ax, ay, bx, by, x, y), sideOf(ax, ay, bx, by, toX, toY)];
-        if ((before < 0) === (after < 0)) continue;
-        if ((sideOf(x, y, toX, toY, ax, ay) < 0) === (sideOf(x, y, toX, toY, bx, by) < 0)) continue;
-        const share = before / (before - after);
-        return {side: after < 0 ? -1 : 1, at: (path[k] + share * (path[k + 3] - path[k])) / 10};
+        const crossing = crossingOf(path[k + 1], path[k + 2], path[k + 4], path[k + 5], from, to);
+        if (crossing) return {side: crossing.side, at: (path[k] + crossing.share * (path[k + 3] - path[k])) / 10};
     }
     return null;
 }
 
-const arrowOf = (x, y) => '→↘↓↙←↖↑↗'[(Math.round(Math.atan2(y, x) / (Math.PI / 4)) + 8) % 8];
-
 /// What an event has to do with the place that is asked for: when, how long, in words; null = nothing.
 function answerOf(event) {
     if (!place) return {at: event.path[0] / 10, seconds: (event.path.at(-3) - event.path[0]) / 10, words: ''};
-    const {kind, from, to} = place;
-    const box = [Math.min(from[0], to[0]), Math.min(from[1], to[1]), Math.max(from[0], to[0]), Math.max(from[1], to[1])];
+    const box = sidesOf(place);
     if (!meets(event.bounds, box)) return null;
-    if (kind === 'box') {
+    if (place.kind === 'box') {
         const found = inBox(event.path, box);
         return found && {...found, words: 'here ' + lengthOf(found.seconds)};
     }
-    const found = acrossLine(event.path, from, to);
-    return found && {at: found.at, seconds: 0, words: 'crossed ' + arrowOf(-(to[1] - from[1]) * found.side, (to[0] - from[0]) * found.side)};
+    const found = acrossLine(event.path, place.from, place.to);
+    return found && {at: found.at, seconds: 0, words: 'crossed ' + arrowAcross(place, found.side, [at('ground').naturalWidth || 4, at('ground').naturalHeight || 3])};
 }
 
 let asking = 0;  // counts questions: an answer to an older one is not shown
@@ -217,19 +194,8 @@ function pointOnScene(event) {
     return [clamp((event.clientX - box.left) / box.width, 0, 1) * 1000, clamp((event.clientY - box.top) / box.height, 0, 1) * 1000];
 }
 
-function drawPlace(shown) {
-    const drawing = at('drawing');
-    drawing.setAttribute('viewBox', '0 0 1000 1000');
-    drawing.replaceChildren();
-    if (!shown) return;
-    const [[x, y], [toX, toY]] = [shown.from, shown.to];
-    const shape = document.createElementNS('http://www.w3.org/2000/svg', shown.kind === 'box' ? 'rect' : 'line');
-    const values = shown.kind === 'box'
-        ? {x: Math.min(x, toX), y: Math.min(y, toY), width: Math.abs(toX - x), height: Math.abs(toY - y)}
-        : {x1: x, y1: y, x2: toX, y2: toY};
-    for (const [name, value] of Object.entries(values)) shape.setAttribute(name, value);
-    drawing.append(shape);
-}
+/// Places are in thousandths of the scene.
+const drawPlace = shown => drawShape(at('drawing'), shown, [1000, 1000], 1000);
 
 function askPlace(asked_for) {
     place = asked_for;

@@ -1,8 +1,4 @@
-'use strict';
 
-const data = JSON.parse(document.getElementById('data').textContent);
-const at = id => document.getElementById(id);
-const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 document.documentElement.dataset.script = '';  // shows what needs a script
 
 // ---- Times: stretches of [first frame, count, seconds of the first, seconds per frame]
@@ -51,8 +47,6 @@ let begins = secondsOf(firstFrame);
 let ends = secondsOf(lastFrame) + lengthOf(lastFrame);
 let lasts = Math.max(secondsOf(lastFrame) - begins, 0.001);
 
-const digits = number => String(number).padStart(2, '0');
-
 /// 75.25 as 1:15.2; tenths are cut off, as clocks do.
 function clipTime(seconds, tenths = true) {
     const all = Math.floor(seconds * 10 + 1e-4);
@@ -88,17 +82,6 @@ function spanOf(seconds) {
     const all = Math.round(seconds);
     return all < 3600 ? Math.floor(all / 60) + ':' + digits(all % 60) + ' min'
                       : Math.floor(all / 3600) + ':' + digits(Math.floor(all / 60) % 60) + ' h';
-}
-
-/// Marks that turn the direction of writing would let a name show another ending: they are shown as what they are.
-const upright = text => text.replace(/[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/g,
-                                     mark => `[U+${mark.charCodeAt(0).toString(16).toUpperCase().padStart(4, '0')}]`);
-
-function element(tag, className, text) {
-    const made = document.createElement(tag);
-    if (className) made.className = className;
-    if (text !== undefined) made.textContent = text;
-    return made;
 }
 
 /// Tells screen readers.
