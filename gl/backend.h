@@ -12,7 +12,7 @@ namespace vvr {
 struct Backend {
     std::string name;
     std::string what;
-    std::unique_ptr<Context> (*open)(int device);
+    std::unique_ptr<Context> (*open)(int device, bool debug);
     std::vector<std::string> (*devices)();  ///< what `device` counts; empty for a backend without devices
     std::string advice;                     ///< the command that makes it work on Debian
 };

@@ -1,6 +1,7 @@
 #include "gl/context.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,27 @@ std::vector<Backend> backends() {
     return {egl_hardware_backend(), egl_software_backend(), osmesa_backend()};
 }
 
+struct MessageKind {
+    GLenum type;
+    std::string_view name;
+};
+
+constexpr std::array message_kinds = {
+    MessageKind{GL_DEBUG_TYPE_ERROR, "error"},
+    MessageKind{GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR, "deprecated"},
+    MessageKind{GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, "undefined behaviour"},
+    MessageKind{GL_DEBUG_TYPE_PORTABILITY, "portability"},
+    MessageKind{GL_DEBUG_TYPE_PERFORMANCE, "performance"},
+};
+
+void GLAD_API_PTR tell(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei length,
+                       const GLchar* text, const void* messages) {
+    const auto* kind = std::ranges::find(message_kinds, type, &MessageKind::type);
+    (*static_cast<const DriverMessages*>(messages))(
+        fmt::format("OpenGL, {}: {}", kind != message_kinds.end() ? kind->name : "note",
+                    std::string_view(text, static_cast<std::size_t>(length))));
+}
+
 }  // namespace
 
 void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user) {
@@ -26,12 +48,23 @@ void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load
     version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
 }
 
-std::unique_ptr<Context> open_context(std::string_view name, int device) {
+void Context::listen(DriverMessages messages) {
+    if (!gl_.KHR_debug) throw Error(ErrorKind::backend, "the driver has no GL_KHR_debug, so it can't be heard");
+    messages_ = std::move(messages);
+    gl_.Enable(GL_DEBUG_OUTPUT);
+    gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl_.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+    gl_.DebugMessageCallback(tell, &messages_);
+}
+
+std::unique_ptr<Context> open_context(std::string_view name, int device, DriverMessages messages) {
     std::string tried;
     for (const Backend& backend : backends()) {
         if (name != "auto" && name != backend.name) continue;
         try {
-            return backend.open(device);
+            std::unique_ptr<Context> context = backend.open(device, messages != nullptr);
+            if (messages) context->listen(std::move(messages));
+            return context;
         } catch (const Error& error) {
             tried += fmt::format("\n  {}: {}", backend.name, error.what());
         }
@@ -56,7 +89,7 @@ std::vector<BackendReport> probe_backends() {
         report.what = backend.what;
         try {
             report.devices = backend.devices();
-            const auto context = backend.open(-1);
+            const auto context = backend.open(-1, false);
             report.works = true;
             report.renderer = context->renderer();
             report.version = context->version();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,6 +10,9 @@
 #include <glad/gl.h>
 
 namespace vvr {
+
+/// Hears one message of an OpenGL driver.
+using DriverMessages = std::function<void(const std::string&)>;
 
 /// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress. It is
 /// opened, used and closed on one thread.
@@ -22,6 +26,10 @@ class Context {
     const std::string& backend() const { return backend_; }    ///< its name in the backend table
     const std::string& renderer() const { return renderer_; }  ///< GL_RENDERER
     const std::string& version() const { return version_; }    ///< GL_VERSION
+
+    /// From now on each message of the driver goes to `messages`, within the call that caused it, whatever its
+    /// severity. \throws Error backend when the driver has no GL_KHR_debug
+    void listen(DriverMessages messages);
 
   protected:
     /// \param backend its name in the backend table
@@ -38,6 +46,7 @@ class Context {
     std::string backend_;
     std::string renderer_;
     std::string version_;
+    DriverMessages messages_;
 };
 
 /// What `vvr doctor` prints of one backend.
@@ -54,8 +63,9 @@ struct BackendReport {
 
 /// Opens a context. `backend` is a name in the backend table or "auto", which tries each row in order.
 /// \param device number of an EGL device among those that `probe_backends` lists, or -1 for the first that works
+/// \param messages if given, the context is a debug context, and its driver's messages go here
 /// \throws Error backend, with every attempt and why it failed, when there is none
-std::unique_ptr<Context> open_context(std::string_view backend = "auto", int device = -1);
+std::unique_ptr<Context> open_context(std::string_view backend = "auto", int device = -1, DriverMessages messages = {});
 
 /// The names of the backend table, "auto" first.
 std::vector<std::string> backend_names();

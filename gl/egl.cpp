@@ -81,12 +81,13 @@ std::vector<Device> list_devices(const Egl& egl) {
 
 class EglContext final : public Context {
   public:
-    EglContext(std::string backend, Egl egl, const Device& device) : Context(std::move(backend)), egl_(std::move(egl)) {
+    EglContext(std::string backend, Egl egl, const Device& device, bool debug)
+        : Context(std::move(backend)), egl_(std::move(egl)) {
         display_ = egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
         if (display_ == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
         if (!egl_.initialize(display_, nullptr, nullptr)) fail("eglInitialize");
         try {
-            create();
+            create(debug);
         } catch (...) {
             close();
             throw;
@@ -97,7 +98,7 @@ class EglContext final : public Context {
     EglContext& operator=(const EglContext&) = delete;
 
   private:
-    void create() {
+    void create(bool debug) {
         if (!has_word(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
             throw Error(ErrorKind::backend, "the driver has no EGL_KHR_surfaceless_context");
         }
@@ -109,9 +110,16 @@ class EglContext final : public Context {
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &configs)) fail("eglChooseConfig");
         if (configs == 0) throw Error(ErrorKind::backend, "eglChooseConfig: no configuration with desktop OpenGL");
 
-        const std::array<EGLint, 7> attributes = {
-            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        // The flags go last, so that drivers which don't know them are asked only where they are needed.
+        const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                                  3,
+                                                  EGL_CONTEXT_MINOR_VERSION,
+                                                  3,
+                                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                  debug ? EGL_CONTEXT_FLAGS_KHR : EGL_NONE,
+                                                  EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
+                                                  EGL_NONE};
         context_ = egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext (OpenGL 3.3 core)");
         if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
@@ -144,7 +152,7 @@ std::vector<std::string> device_names() {
 }
 
 /// The first device of the wanted kind that gives a context, or device number `number` if it is of that kind.
-std::unique_ptr<Context> open_kind(const std::string& backend, bool software, int number) {
+std::unique_ptr<Context> open_kind(const std::string& backend, bool software, int number, bool debug) {
     const std::vector<Device> devices = list_devices(Egl{});
     if (number >= static_cast<int>(devices.size())) {
         throw Error(ErrorKind::backend,
@@ -159,7 +167,7 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
             continue;
         }
         try {
-            return std::make_unique<EglContext>(backend, Egl{}, device);
+            return std::make_unique<EglContext>(backend, Egl{}, device, debug);
         } catch (const Error& error) {
             tried.push_back(fmt::format("device {} ({}): {}", i, device.name, error.what()));
         }
@@ -174,15 +182,15 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
 }  // namespace
 
 Backend egl_hardware_backend() {
-    return {"egl", "a GPU through EGL, no display needed", [](int device) { return open_kind("egl", false, device); },
-            device_names,
+    return {"egl", "a GPU through EGL, no display needed",
+            [](int device, bool debug) { return open_kind("egl", false, device, debug); }, device_names,
             "install the GPU vendor's driver with its EGL library (Mesa's: apt-get install libegl1 libegl-mesa0 "
             "libgl1-mesa-dri)"};
 }
 
 Backend egl_software_backend() {
     return {"software", "Mesa's software rasteriser through EGL, on any CPU",
-            [](int device) { return open_kind("software", true, device); }, device_names,
+            [](int device, bool debug) { return open_kind("software", true, device, debug); }, device_names,
             "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"};
 }
 

@@ -71,7 +71,7 @@ class OSMesaContext final : public Context {
 
 Backend osmesa_backend() {
     return {"osmesa", "Mesa's software rasteriser through OSMesa, for machines without EGL",
-            [](int device) -> std::unique_ptr<Context> {
+            [](int device, bool /*debug*/) -> std::unique_ptr<Context> {
                 if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices to choose from");
                 return std::make_unique<OSMesaContext>();
             },

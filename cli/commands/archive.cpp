@@ -60,7 +60,10 @@ class Archive final : public Command {
             pass_on({std::string(setting::names.name), layout});
         }
         for (const OptionValue& value : line.given({Group::run})) {
-            if (value.name == setting::backend.name || value.name == setting::device.name) pass_on(value);
+            if (value.name == setting::backend.name || value.name == setting::device.name ||
+                value.name == setting::gl_debug.name) {
+                pass_on(value);
+            }
         }
         options_.names = job_.input.layouts;
         options_.threads = job_.fields.threads;

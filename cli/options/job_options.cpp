@@ -133,6 +133,7 @@ void add_picture_options(CommandLine& line, RenderJob& job) {
     add_thread_options(line, job.fields.threads);
     line.name(Group::run, job.backend.name, backend_names(), setting::backend);
     line.number(Group::run, job.backend.device, setting::device);
+    line.flag(Group::run, job.backend.debug, setting::gl_debug);
 }
 
 Metadata shown(const std::vector<OptionValue>& values) {

@@ -27,8 +27,10 @@ Volume rehearsed_volume(VolumeColour colour) {
 
 }  // namespace
 
-void open_context(const RenderJob& job, Drawing& drawing) {
-    drawing.context = open_context(job.backend.name, job.backend.device);
+void open_context(const RenderJob& job, Drawing& drawing, Observer& observer) {
+    const auto warn = [&observer](const std::string& text) { observer.warn(text); };
+    drawing.context =
+        open_context(job.backend.name, job.backend.device, job.backend.debug ? DriverMessages(warn) : DriverMessages());
     check_samples(drawing.context->gl(), job.picture.samples);
 }
 

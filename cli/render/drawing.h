@@ -5,6 +5,7 @@
 
 #include "cli/render/annotate.h"
 #include "cli/render/job.h"
+#include "cli/render/observer.h"
 #include "gl/context.h"
 #include "gl/renderer.h"
 
@@ -19,9 +20,9 @@ struct Drawing {
     std::unique_ptr<BrickWindow> window;
 };
 
-/// Opens a context that can draw what the job asks for.
+/// Opens a context that can draw what the job asks for. It is closed before the observer goes.
 /// \throws Error backend, limit
-void open_context(const RenderJob& job, Drawing& drawing);
+void open_context(const RenderJob& job, Drawing& drawing, Observer& observer);
 
 /// Makes all that does not depend on the clip's fields, in a drawing that has a context.
 /// \param tile_samples as in RenderOptions: more take more memory

@@ -72,7 +72,8 @@ struct LookOptions {
 /// Which OpenGL draws.
 struct BackendOptions {
     std::string name = "auto";
-    int device = -1;  ///< EGL's number; -1 = the first that works
+    int device = -1;     ///< EGL's number; -1 = the first that works
+    bool debug = false;  ///< what the driver says is a warning
 };
 
 /// A whole run: what is read, what is computed, how it is drawn, and where it goes.

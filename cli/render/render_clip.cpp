@@ -285,7 +285,7 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
     const std::int64_t expected = source.expected_frames();
     const Size field_size = source.field_size();
     RenderThread thread;
-    auto opened = thread.start([&job](Drawing& drawing) { open_context(job, drawing); });
+    auto opened = thread.start([&job, &observer](Drawing& drawing) { open_context(job, drawing, observer); });
     // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
     if (expected <= long_read) {
         thread.start([&job, field_size](Drawing& drawing) {

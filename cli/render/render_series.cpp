@@ -285,7 +285,7 @@ RenderReport render_series(const RenderJob& job, const Products& products, Field
     RenderReport begun;
     RenderThread thread;
     thread.run([&](Drawing& drawing) {
-        open_context(job, drawing);
+        open_context(job, drawing, observer);
         describe(source, *drawing.context, begun);
         make_renderer(job, source.field_size(), RenderOptions{}.tile_samples, drawing);
     });

@@ -73,6 +73,7 @@ inline constexpr Setting time_velocity{
     {-1000, 1000}};
 
 inline constexpr Setting backend{"backend", "NAME", "which OpenGL draws"};
+inline constexpr Setting gl_debug{"gl-debug", "", "warn of all that the OpenGL driver reports; slower"};
 inline constexpr Setting device{
     "device", "NUMBER", "EGL device as `vvr doctor` numbers them; -1 = the first that works", {-1, 255}};
 

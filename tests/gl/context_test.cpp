@@ -48,6 +48,17 @@ TEST(Context, MissingDeviceSaysWhatThereIs) {
     }
 }
 
+TEST(Context, TheDriverIsHeard) {
+    for (const char* backend : {"software", "osmesa"}) {
+        std::vector<std::string> messages;
+        const auto context = open_context(backend, -1, [&](const std::string& text) { messages.push_back(text); });
+        EXPECT_EQ(messages, std::vector<std::string>{}) << backend;
+        context->gl().Enable(GL_VENDOR);
+        ASSERT_EQ(messages.size(), 1U) << backend;
+        EXPECT_EQ(messages.front().rfind("OpenGL, error: GL_INVALID_ENUM in glEnable", 0), 0U) << messages.front();
+    }
+}
+
 TEST(Context, ProbeReportsEveryBackend) {
     const std::vector<BackendReport> reports = probe_backends();
     ASSERT_EQ(reports.size(), 3U);
