@@ -1,5 +1,6 @@
 #include "cli/render/shown_name.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/video/input.h"
@@ -12,7 +13,7 @@ std::string shown_name(const std::string& input) {
     std::string path = input;
     if (is_url(input)) {
         path = input.substr(input.find("://") + 3);
-        path = path.substr(0, path.find_first_of("?#"));
+        path.resize(std::min(path.size(), path.find_first_of("?#")));
         path = path.find('/') == std::string::npos ? "" : path.substr(path.find('/'));
     }
     const fs::path whole = fs::path(path).lexically_normal();

@@ -35,7 +35,8 @@ WorkerPool::WorkerPool(int most, Signals& signals)
     signals_.before_end([this] {
         ending_ = true;
         ::eventfd_write(wake_, 1);
-        for (auto waited = 0ms; !ended_ && waited < 2 * patience; waited += 10ms) std::this_thread::sleep_for(10ms);
+        for (auto waited = std::chrono::milliseconds::zero(); !ended_ && waited < 2 * patience; waited += 10ms)
+            std::this_thread::sleep_for(10ms);
     });
 }
 

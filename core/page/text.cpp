@@ -60,7 +60,7 @@ std::string html_text(std::string_view text) {
     });
 }
 
-std::string script_json(std::string json) {
+std::string script_json(const std::string& json) {
     // In JSON these three occur only in strings, where an escape means the same.
     return replaced(json, [](char c) -> std::string_view {
         switch (c) {

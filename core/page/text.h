@@ -15,7 +15,7 @@ namespace vvr {
 std::string html_text(std::string_view text);
 
 /// JSON for use in a <script>: it has no `<`, so it can't end the element.
-std::string script_json(std::string json);
+std::string script_json(const std::string& json);
 
 std::string base64(std::span<const std::byte> bytes);
 

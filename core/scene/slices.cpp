@@ -99,9 +99,11 @@ void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>
         std::size_t found = 0;
         for (std::size_t e = 0; e < hexahedron_edges.size() && found < 2; ++e) {
             if (!borders_on(e, from.face ^ 1) || !beyond->crosses(e, slice)) continue;
-            points[found] = beyond->crossing(e, slice);
-            places[found] = glm::dot(points[found] - from.p, way) / glm::dot(way, way);
-            if (places[found] > 0 && places[found] < 1) ++found;
+            const glm::vec3 point = beyond->crossing(e, slice);
+            const float place = glm::dot(point - from.p, way) / glm::dot(way, way);
+            if (place <= 0 || place >= 1) continue;
+            points[found] = point;
+            places[found++] = place;
         }
         if (found == 2 && places[0] > places[1]) std::swap(points[0], points[1]);
         fan.insert(fan.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(found));

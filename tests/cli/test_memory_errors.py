@@ -1,0 +1,41 @@
+"""Each command under valgrind: no read or write of memory that isn't its own, no decision by what was never written."""
+
+import shutil
+
+import pytest
+from harness import check
+
+COMMANDS = {
+    "render": ("render", "clip.avi", "-o", "out.png", "--size", "64x40", "--report", "out.json"),
+    "page": ("render", "clip.avi", "-o", "out.html", "--size", "64x40"),
+    "series": ("render", "clip.avi", "-o", "out.{brick}.png", "--size", "64x40", "--brick", "5", "--window", "1"),
+    "extract": ("extract", "clip.avi", "-o", "data"),
+    "inspect": ("inspect", "clip.avi", "--frame", "3", "-o", "out.png"),
+    "info": ("info", "clip.avi", "--json"),
+    "seeds": ("seeds", "data", "-o", "lists"),
+    "cut": ("cut", "clip.avi", "--from", "0s", "--to", "0.5s", "--exact", "-o", "out.mp4"),
+    "compare": ("compare", "one.png", "one.png"),
+    "archive": ("archive", "clips", "-o", "pictures", "--size", "64x40", "--jobs", "1", "--settle", "0"),
+    "watch": ("watch", "clip.avi", "-o", "out.png", "--size", "64x40"),
+    "config": ("config", "render"),
+    "doctor": ("doctor", "--json"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", COMMANDS)
+def test_valgrind_finds_nothing_in(t, name):
+    if not shutil.which("valgrind"):
+        pytest.skip("there is no valgrind")
+    t.clip(seconds=1)
+    if name == "seeds":
+        t.vvr("extract", "clip.avi", "-o", "data").expect(0)
+    if name == "compare":
+        t.render("clip.avi", output="one.png").expect(0)
+    if name == "archive":
+        t.path("clips").mkdir()
+        t.clip("clips/a.avi", seconds=1)
+    # The drivers compile code while they run, and the program asks the processor which instructions it has.
+    result = t.run(["valgrind", "--quiet", "--error-exitcode=99", "--trace-children=yes", "--smc-check=all-non-file",
+                    f"--suppressions={t.source / 'tests' / 'valgrind.supp'}", t.vvr_path, *COMMANDS[name]], timeout=1700)
+    check(result.status == 0 and "==" not in result.err, f"{result}")
