@@ -125,7 +125,7 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
     if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::object) {
         entries.push_back(
             {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
-        entries.push_back({{rgba(job.look.theme.nobody)}, "a change that is none", "none"});
+        entries.push_back({{rgba(job.look.theme.nobody)}, "other changes", "other"});
     }
     const bool of_another = job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::time;
     if (job.look.show.has(Part::volume) && of_another) entries = legend_of_colour(job);
@@ -148,7 +148,7 @@ std::string span_of(const Caption& caption, const Volume& volume) {
         fmt::format("{}, {}", counted(caption.frames, "frame"), format_span(caption.begin, caption.end, caption.clock));
     double idle = 0;
     for (const Squeezed& stretch : squeezed_stretches(volume)) idle += stretch.seconds;
-    if (idle > 0) text += fmt::format(", {} without motion squeezed", format_length(idle));
+    if (idle > 0) text += fmt::format(", {} without motion drawn short", format_length(idle));
     return text;
 }
 

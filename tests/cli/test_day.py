@@ -33,10 +33,10 @@ def test_room_goes_where_something_moves(t):
     t.render("day.mkv", "--time", "even", "--report", "even.json", output="even.png").expect(0, "frames share a layer")
     check(report_of(t, "even.json")["volume"]["squeezed"] == [], "even time is squeezed")
     told = t.render("day.mkv", "--size", "640x400", "--report", "busy.json", output="busy.png").expect(
-        0, "'busy.png': 2400 frames", "room along the arc goes where something moves: 36 min without motion are squeezed in 3 places")
+        0, "'busy.png': 2400 frames", "room along the arc goes where something moves: 36 min without motion are drawn short, in 3 places")
     report = report_of(t, "busy.json")
     texts = [label["text"] for label in report["labels"]]
-    check(any(text.endswith("36 min without motion squeezed") for text in texts), f"{texts}")
+    check(any(text.endswith("36 min without motion drawn short") for text in texts), f"{texts}")
     check(any(text.endswith("min idle") for text in texts), f"{texts}")
     check(room_of(report, 300, 420) > 0.7, f"{report['volume']}")
     check(len(report["events"]) == len(report_of(t, "even.json")["events"]), "other events")

@@ -220,7 +220,7 @@ TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
         return std::ranges::any_of(lettering.labels,
                                    [&](const Label& label) { return label.text.find(text) != std::string::npos; });
     };
-    EXPECT_TRUE(tells("3:00 h without motion squeezed"));
+    EXPECT_TRUE(tells("3:00 h without motion drawn short"));
     EXPECT_TRUE(tells("60 min idle"));
     EXPECT_TRUE(tells("with room where something moves"));
 }
