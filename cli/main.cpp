@@ -6,9 +6,11 @@
 #include "cli/report_errors.h"
 #include "cli/signals.h"
 #include "core/machine_memory.h"
+#include "gl/shader_cache.h"
 
 int main(int argc, char** argv) {
     vvr::keep_freed_planes();
+    vvr::choose_shader_cache();
     const auto log = vvr::make_log();
     return static_cast<int>(vvr::report_errors(*log, [&] {
         vvr::Signals signals;

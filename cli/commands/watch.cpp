@@ -37,10 +37,13 @@ class Watch final : public Command {
         StreamWatch watch(job_, options_, console);
         const PoliteStop stop(environment.signals, [&watch] { watch.stop(); });
         if (watch.run() == 0 && !stop.asked()) {
+            const ReferenceRow* const reference = find_reference(job_.fields.reference);
+            const bool learns = reference != nullptr && reference->adapts;
             throw Error(ErrorKind::not_video,
-                        fmt::format("'{}' ended before the first picture: its first two seconds only show what the "
-                                    "empty scene is; watch it for longer, or take --reference first or a picture",
-                                    watch.name()));
+                        fmt::format("'{}' ended before the first picture: {}", watch.name(),
+                                    learns ? "its first two seconds only show what the empty scene is; watch it for "
+                                             "longer, or take --reference first or a picture"
+                                           : "watch it for longer, or take a shorter --brick"));
         }
         return ExitStatus::done;
     }

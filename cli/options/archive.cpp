@@ -64,7 +64,14 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
     line.value(workers, text::timeout, "2h",
                [&options](const std::string& given) { options.timeout = parse_duration(given); });
     line.value(workers, text::max_memory, std::string(text::max_memory.otherwise),
-               [&options](const std::string& given) { options.max_memory = parse_bytes(given); });
+               [&options](const std::string& given) {
+                   constexpr std::int64_t least = 200'000'000;  // of a worker with the smallest clip
+                   options.max_memory = parse_bytes(given);
+                   if (*options.max_memory >= least) return;
+                   throw Error(ErrorKind::usage, fmt::format("'{}' is less than a worker takes to start; give 200M at "
+                                                             "least, 1G for most clips",
+                                                             given));
+               });
 }
 
 void check(const ArchiveOptions& options) {

@@ -1,6 +1,7 @@
 #include "core/archive/scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <deque>
 #include <set>
@@ -8,7 +9,9 @@
 #include <unordered_set>
 #include <utility>
 
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 
 #include <fmt/format.h>
 
@@ -31,6 +34,16 @@ Clip clip_of(const std::string& path, const struct stat& status) {
     return {path, status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
+/// Whether what lies in a folder is made by the kernel when it is looked at, and is no file: /proc, /sys and their
+/// like.
+bool is_of_the_kernel(const fs::path& folder) {
+    constexpr std::array<long, 11> kinds{PROC_SUPER_MAGIC,   SYSFS_MAGIC,         DEBUGFS_MAGIC,      TRACEFS_MAGIC,
+                                         CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC, DEVPTS_SUPER_MAGIC, SECURITYFS_MAGIC,
+                                         BPF_FS_MAGIC,       PSTOREFS_MAGIC,      EFIVARFS_MAGIC};
+    struct statfs status {};
+    return ::statfs(folder.c_str(), &status) == 0 && std::ranges::count(kinds, static_cast<long>(status.f_type)) > 0;
+}
+
 /// Reads folders; those that only links lead to come after all others.
 class Walk {
   public:
@@ -42,6 +55,13 @@ class Walk {
                         fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
                                     "is mounted",
                                     in.string(), errno == 0 ? "it is not a folder" : reason_of(errno)));
+        }
+        // A link to a folder that holds this one would bring in the whole machine.
+        std::error_code none;
+        for (fs::path above = fs::canonical(in, none); above.has_relative_path();) {
+            above = above.parent_path();
+            struct stat folder {};
+            if (::stat(above.c_str(), &folder) == 0) above_.emplace(folder.st_dev, folder.st_ino);
         }
         if (!seen_.emplace(status.st_dev, status.st_ino).second) {
             throw Error(ErrorKind::usage,
@@ -72,7 +92,9 @@ class Walk {
         struct stat status {};
         if (::stat((in_ / folder).c_str(), &status) != 0) {
             scan_.problems.push_back({folder, reason_of(errno)});
-        } else if (seen_.emplace(status.st_dev, status.st_ino).second) {
+        } else if (above_.contains({status.st_dev, status.st_ino})) {
+            scan_.problems.push_back({folder, "it is a link to a folder that holds all clips; remove it"});
+        } else if (!is_of_the_kernel(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
             list(folder);
         }
     }
@@ -116,6 +138,7 @@ class Walk {
     const fs::path& in_;
     const ClipNames& names_;
     std::set<std::pair<dev_t, ino_t>> seen_;
+    std::set<std::pair<dev_t, ino_t>> above_;
     std::deque<std::string> folders_;
     std::deque<std::string> links_;
     Scan scan_;

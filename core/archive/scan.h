@@ -29,7 +29,8 @@ struct Scan {
 };
 
 /// Finds every clip below a folder. Each folder is read once, however many links lead to it, and under its own name
-/// rather than a link's. Hidden files and folders are skipped, and so is `out`.
+/// rather than a link's. Hidden files and folders are skipped, and so are `out` and what the kernel shows as folders
+/// (/proc, /sys). A link to a folder that holds `in` is a problem, and not followed.
 /// \throws Error io when the folder itself can't be read
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 

@@ -21,6 +21,8 @@ constexpr int format_version = 1;
 constexpr std::int64_t largest_side = 65536;
 constexpr std::int64_t largest_count = std::numeric_limits<std::int32_t>::max();
 
+constexpr double longest_time = 9.2e12;  // seconds: all that libav can count in microseconds
+
 /// One object of the file, whose values are asked for by name, kind and range.
 class Reader {
   public:
@@ -51,8 +53,8 @@ class Reader {
 
     double seconds(const char* key) const {
         const Json& value = at(key);
-        if (!value.is_number() || !std::isfinite(value.get<double>()) || value < 0) {
-            fail(fmt::format("'{}{}' is {}, not a number from 0 on", where_, key, value.dump()));
+        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= longest_time)) {
+            fail(fmt::format("'{}{}' is {}, not a number from 0 to {}", where_, key, value.dump(), longest_time));
         }
         return value.get<double>();
     }

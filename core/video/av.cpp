@@ -125,6 +125,11 @@ std::int64_t Log::errors() const {
     return errors_;
 }
 
+bool Log::has_text() const {
+    const std::lock_guard lock(mutex_);
+    return !last_.empty();
+}
+
 std::string Log::text(int code) const {
     {
         const std::lock_guard lock(mutex_);

@@ -64,6 +64,9 @@ class Log {
     /// The logged text where there is one, else the words for `code`.
     std::string text(int code) const;
 
+    /// Whether there is a logged text.
+    bool has_text() const;
+
     /// Errors logged so far.
     std::int64_t errors() const;
 

@@ -1,7 +1,9 @@
 #include "core/video/demuxer.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +15,44 @@ namespace vvr {
 namespace {
 
 constexpr int max_read_errors = 100;  // in a row
+constexpr int greatest_errno = 4096;  // libav's own codes are beyond
+
+/// What a system's code says of a file. libav takes these codes for its own purposes too: a damaged Matroska file is
+/// an "Input/output error", a picture that is too large a "Device or resource busy".
+struct FileTrouble {
+    int code;
+    const char* advice;
+};
+constexpr std::array file_troubles{
+    FileTrouble{ENOENT, "check the name and the folder it is in"},
+    FileTrouble{EACCES, "check the permissions of the file and its folder"},
+    FileTrouble{EMFILE, "raise the limit of open files (`ulimit -n`)"},
+    FileTrouble{ENFILE, "end some programs, as all of the machine's files are in use"},
+};
+
+/// Whether the system itself fails to read a file, of which the first bytes stand for all.
+bool has_read_error(const std::string& name) {
+    constexpr std::size_t looked_at = 1 << 24;
+    std::ifstream file(name, std::ios::binary);
+    std::vector<char> bytes(looked_at);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return file.bad();
+}
+
+[[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
+    const std::string words = log.text(code);
+    const auto trouble = std::ranges::find(file_troubles, AVUNERROR(code), &FileTrouble::code);
+    if (trouble != file_troubles.end()) {
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; {}", input.name, words, trouble->advice));
+    }
+    if (code == AVERROR(EIO) && has_read_error(input.name)) {
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
+    }
+    const bool of_the_system = AVUNERROR(code) > 0 && AVUNERROR(code) < greatest_errno && !log.has_text();
+    throw Error(ErrorKind::not_video,
+                fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name,
+                            of_the_system ? "it is damaged, or its pictures are too large" : words));
+}
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
@@ -35,9 +75,9 @@ constexpr int max_read_errors = 100;  // in a row
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
     }
-    const bool is_io = code == AVERROR(EIO) || code == AVERROR(ENOENT) || code == AVERROR(EACCES) ||
-                       code == AVERROR_PROTOCOL_NOT_FOUND || (is_url(input.url) && code != AVERROR_INVALIDDATA);
-    if (is_io) throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
+    if (is_local(input)) throw_unreadable_file(input, log, code);
+    if (code != AVERROR_INVALIDDATA)
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
     throw Error(
         ErrorKind::not_video,
         fmt::format("'{}' is not a video that libav knows: {}; `ffprobe` on it may say more", input.name, words));

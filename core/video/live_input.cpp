@@ -6,6 +6,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,6 +17,8 @@ extern "C" {
 }
 
 #include "core/error.h"
+#include "core/video/settings.h"
+#include "core/video/watchdog.h"
 
 namespace vvr {
 namespace {
@@ -44,7 +47,23 @@ Input open_pipe(const std::string& name, int fd) {
     return {name, {}, nullptr, std::make_shared<Descriptor>(fd)};
 }
 
-Input open_any(const std::string& name) {
+/// A pipe that nobody writes to opens at once, and then has `watchdog`'s patience for its first bytes.
+Input open_named_pipe(const std::string& name, const Watchdog& watchdog) {
+    Input input = open_pipe(name, ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    constexpr int milliseconds = 100;  // between two looks at the watchdog
+    for (;;) {
+        pollfd waited{input.pipe->get(), POLLIN, 0};
+        if (::poll(&waited, 1, milliseconds) > 0) return input;
+        if (watchdog.bites()) {
+            throw Error(
+                ErrorKind::io,
+                fmt::format("cannot read '{}': nothing came through the pipe in time; start what writes to it", name),
+                {setting::patience.name});
+        }
+    }
+}
+
+Input open_any(const std::string& name, const Watchdog& watchdog) {
     if (name == "-") {
         if (::isatty(STDIN_FILENO)) {
             throw Error(ErrorKind::usage,
@@ -68,7 +87,7 @@ Input open_any(const std::string& name) {
         load_devices(name);
         return {name, name, nullptr, nullptr, "video4linux2"};
     }
-    return open_pipe(name, ::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+    return open_named_pipe(name, watchdog);
 }
 
 }  // namespace
@@ -83,7 +102,7 @@ std::string without_secrets(const std::string& url) {
 }
 
 Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog) {
-    Input input = open_any(name);
+    Input input = open_any(name, *watchdog);
     input.watchdog = std::move(watchdog);
     return input;
 }

@@ -31,6 +31,12 @@ double plausible_rate(const Demuxer& demuxer, double stated) {
     return rate > 0 && rate <= fastest ? rate : 25;
 }
 
+/// Whether the sender has all of it: it says how many bytes there are.
+bool is_finished(const Demuxer& demuxer) {
+    const AVFormatContext& format = demuxer.format();
+    return format.pb != nullptr && !is_playlist_format(*format.iformat) && avio_size(format.pb) > 0;
+}
+
 }  // namespace
 
 LiveSource::LiveSource(const std::string& name, LiveOptions options)
@@ -40,6 +46,10 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
       comes_again_(is_url(input_.url) || !input_.format.empty()),
       waits_(!comes_again_) {
     connect();
+    if (is_finished(*demuxer_)) {
+        comes_again_ = false;
+        waits_ = true;
+    }
     info_ = describe(*demuxer_, input_.name, *first_);
     info_.rate = plausible_rate(*demuxer_, info_.rate);
     info_.frames = 0;

@@ -33,7 +33,8 @@ struct LiveOptions {
 /// The frames of a stream as they come: a URL, a camera's device, a pipe. A connection that breaks is made again, with
 /// pauses that grow; the frames' times go on by the clock meanwhile, and their numbers with them, so that a gap has the
 /// length that it had. Memory is bounded, and so is the delay: frames for which there is no time are dropped and
-/// counted. Frames of a pipe or a file wait; none of them is dropped.
+/// counted. Frames of a pipe or a file wait, of a file on a server too; none of
+/// them is dropped.
 ///
 /// Numbers skip the frames that a gap of a second and more would have held.
 class LiveSource final : public FrameSource {

@@ -77,14 +77,16 @@ bool is_playlist_name(const std::string& name) {
     return extension == ".m3u8" || extension == ".m3u";
 }
 
+bool is_playlist_format(const AVInputFormat& format) {
+    const std::string_view names(format.name);
+    return std::ranges::count(playlist_formats, names.substr(0, names.find(','))) > 0;
+}
+
 std::string allowed_formats(bool playlists) {
     std::string names;
     void* place = nullptr;
     while (const AVInputFormat* format = av_demuxer_iterate(&place)) {
-        const bool is_playlist = std::ranges::any_of(playlist_formats, [&](std::string_view name) {
-            return std::string_view(format->name).substr(0, std::string_view(format->name).find(',')) == name;
-        });
-        if (is_playlist && !(playlists && std::string_view(format->name).starts_with("hls"))) continue;
+        if (is_playlist_format(*format) && !(playlists && std::string_view(format->name).starts_with("hls"))) continue;
         names += names.empty() ? "" : ",";
         names += format->name;
     }

@@ -12,6 +12,9 @@ namespace vvr {
 /// Whether a file is to be read as a playlist (HLS): only its name says so, never its contents.
 bool is_playlist_name(const std::string& name);
 
+/// Whether files of a format name other files.
+bool is_playlist_format(const AVInputFormat& format);
+
 /// libav's names of all containers, as its `format_whitelist` wants them. Playlists are left out unless `playlists`:
 /// a file that names other files is not a clip, whatever its name says.
 std::string allowed_formats(bool playlists);

@@ -26,7 +26,9 @@ Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation
 }
 
 double duration_of(const AVFormatContext& format, const AVStream& stream) {
-    if (stream.duration > 0) return static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    const double stated = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
+    constexpr double longest = 9.2e12;  // seconds: all that libav can count in microseconds
+    if (stated > 0 && stated < longest) return stated;
     return format.duration > 0 ? static_cast<double>(format.duration) / AV_TIME_BASE : 0;
 }
 

@@ -346,7 +346,7 @@ def test_archive_limits_its_workers(t):
         6, "long.avi failed, status 5: it took longer than the 6 s that --timeout allows", "a.avi: ")
     check([name for name in outputs(t) if name.startswith("long")] == ["long.avi.json"], str(outputs(t)))
     t.path("in/long.avi").unlink()
-    t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "60M").expect(6, "a.avi failed, status ", "--max-memory")
+    t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "200M", "--size", "4000x4000").expect(6, "a.avi failed, status ", "--max-memory")
 
 
 def of_shard(t, number, count):
