@@ -17,6 +17,11 @@ constexpr std::string_view kinds = "mslt";
 constexpr double path_tolerance = 12;  // thousandths of the picture: less than a person's width in most scenes
 constexpr std::size_t before_path = 3;
 
+/// The first letter of a kind; of one that is not known, that of what moved.
+char kind_of(const std::string& name) {
+    return !name.empty() && kinds.find(name.front()) != std::string_view::npos ? name.front() : 'm';
+}
+
 int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
@@ -50,7 +55,7 @@ void mark_kept(std::span<const FoundPoint> path, double tolerance, std::vector<b
 
 FoundEvent event_of(const Json& event, double width, double height) {
     FoundEvent found;
-    found.kind = event.at("kind").get<std::string>().at(0);
+    found.kind = kind_of(event.at("kind").get<std::string>());
     found.number = event.at("number").get<int>();
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
@@ -107,8 +112,7 @@ Json json_of(const FoundEvent& event) {
 
 FoundEvent found_event_of(const Json& json) {
     FoundEvent event;
-    const auto kind = json.at(0).get<std::string>();
-    event.kind = kind.size() == 1 && kinds.find(kind) != std::string_view::npos ? kind.front() : 'm';
+    event.kind = kind_of(json.at(0).get<std::string>());
     event.number = json.at(1).get<int>();
     event.still = json.at(2).get<int>();
     for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {

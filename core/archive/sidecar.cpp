@@ -60,7 +60,7 @@ std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
     return kinds;
 }
 
-std::optional<Sidecar> parse(const std::string& text) {
+std::optional<Sidecar> sidecar_of(const std::string& text) {
     const Json json = parse_json(text);
     if (json.at(mark) != format_version) return std::nullopt;
     Sidecar sidecar;
@@ -140,6 +140,14 @@ std::string format_sidecar(const Sidecar& sidecar) {
     return text_of(json);
 }
 
+std::optional<Sidecar> parse_sidecar(const std::string& text) {
+    try {
+        return sidecar_of(text);
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
 void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
     const std::string text = format_sidecar(sidecar);
     replace_file(sidecar_path(out, sidecar.clip.path), std::as_bytes(std::span(text)));
@@ -152,12 +160,8 @@ std::optional<Sidecar> read_sidecar(const fs::path& out, const std::string& clip
 std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string& file) {
     const std::optional<std::string> text = text_of_file(out / file, fmt::format("{{\n  \"{}\"", mark));
     if (!text) return std::nullopt;
-    try {
-        std::optional<Sidecar> sidecar = parse(*text);
-        return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
-    } catch (const Json::exception&) {
-        return std::nullopt;
-    }
+    std::optional<Sidecar> sidecar = parse_sidecar(*text);
+    return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
 }
 
 void take_report(Sidecar& sidecar, const fs::path& report) {

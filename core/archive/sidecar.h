@@ -57,6 +57,9 @@ std::optional<Sidecar> read_sidecar_file(const std::filesystem::path& out, const
 /// What `write_sidecar` writes.
 std::string format_sidecar(const Sidecar& sidecar);
 
+/// The sidecar that a text is; nothing when `format_sidecar` did not make it.
+std::optional<Sidecar> parse_sidecar(const std::string& text);
+
 /// Takes frames, length, events and time of recording from a report of `vvr render --report`.
 /// \throws Error io
 void take_report(Sidecar& sidecar, const std::filesystem::path& report);

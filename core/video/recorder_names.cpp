@@ -197,12 +197,13 @@ class RecorderLayout::Match {
   private:
     bool from(std::size_t part, std::size_t at) {
         if (part == parts_.size()) return at == path_.size();
-        const std::size_t place = part * (path_.size() + 1) + at;
-        if (failed_[place]) return false;
+        if (failed_[place(part, at)]) return false;
         if (here(part, at)) return true;
-        failed_[place] = true;
+        failed_[place(part, at)] = true;
         return false;
     }
+
+    std::size_t place(std::size_t part, std::size_t at) const { return part * (path_.size() + 1) + at; }
 
     bool here(std::size_t part, std::size_t at) {
         const Part& what = parts_[part];
@@ -226,14 +227,18 @@ class RecorderLayout::Match {
         }
     }
 
-    /// Text without a `/`, as little of it as does.
+    /// Text without a `/`, as little of it as does. Where none does, none does from a later place before the `/`
+    /// either.
     bool text_from(std::size_t part, std::size_t at, std::size_t end, std::string* text) {
         for (; end <= path_.size(); ++end) {
-            if (end > at && path_[end - 1] == '/') return false;
-            if (!from(part + 1, end)) continue;
-            if (text != nullptr) *text = path_.substr(at, end - at);
-            return true;
+            if (end > at && path_[end - 1] == '/') break;
+            if (from(part + 1, end)) {
+                if (text != nullptr) *text = path_.substr(at, end - at);
+                return true;
+            }
+            if (failed_[place(part, end)]) break;
         }
+        for (std::size_t k = at; k < std::min(end, path_.size() + 1); ++k) failed_[place(part, k)] = true;
         return false;
     }
 

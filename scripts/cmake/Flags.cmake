@@ -11,6 +11,11 @@ if(VVR_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(VVR_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # See tests/support/keep_libraries.cpp.
 function(vvr_keep_libraries program)
   if(VVR_SANITIZE)

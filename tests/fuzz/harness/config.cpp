@@ -1,0 +1,31 @@
+// Config files, with options of each shape.
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/options/config_file.h"
+#include "tests/fuzz/input.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace vvr;
+    CLI::App app;
+    std::string text;
+    double number = 0;
+    std::vector<std::string> list;
+    bool flag = false;
+    app.add_option("--title", text);
+    app.add_option("--threshold", number);
+    app.add_option("--match", list);
+    app.add_flag("--quiet", flag);
+    app.config_formatter(std::make_shared<ConfigFile>(app, "render", "vvr.toml"));
+    std::istringstream input{std::string(fuzz::text_of(data, size))};
+    try {
+        fuzz::parsed([&] {
+            app.parse_from_stream(input);
+            return 0;
+        });
+    } catch (const CLI::ParseError&) {
+        return 0;
+    }
+    return 0;
+}

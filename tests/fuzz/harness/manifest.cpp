@@ -1,0 +1,15 @@
+// Manifests of data folders.
+#include "core/store/manifest.h"
+
+#include "tests/fuzz/input.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace vvr;
+    const std::string_view text = fuzz::text_of(data, size);
+    const auto manifest = fuzz::parsed([&] { return parse_manifest(text, "manifest.json"); });
+    if (!manifest) return 0;
+    const Manifest again = parse_manifest(format_manifest(*manifest), "again");
+    fuzz::require(again.frames == manifest->frames, "frames are read as they are written");
+    fuzz::require(again.settings.size() == manifest->settings.size(), "settings too");
+    return 0;
+}

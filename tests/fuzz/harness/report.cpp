@@ -1,0 +1,18 @@
+// Reports of a render, as an archive reads them.
+#include <nlohmann/json.hpp>
+
+#include "core/archive/found_event.h"
+#include "core/json_text.h"
+#include "tests/fuzz/input.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace vvr;
+    try {
+        for (const FoundEvent& event : found_events(parse_json(fuzz::text_of(data, size)), 50)) {
+            fuzz::require(found_event_of(json_of(event)) == event, "an event is read as it is written");
+        }
+    } catch (const nlohmann::json::exception&) {
+        return 0;
+    }
+    return 0;
+}

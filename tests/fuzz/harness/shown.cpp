@@ -1,0 +1,22 @@
+// Text that others wrote, as it is shown, and addresses.
+#include <algorithm>
+
+#include "core/shown_text.h"
+#include "tests/fuzz/input.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace vvr;
+    const std::string_view text = fuzz::text_of(data, size);
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+    const std::string shown = shown_text(text);
+    fuzz::require(std::ranges::none_of(shown, is_control), "nothing controls a terminal");
+    fuzz::require(shown.find("\xe2\x80\xae") == std::string::npos, "nothing turns the direction");
+    for (std::string_view rest = shown; !rest.empty();) {
+        const std::size_t length = character_length(rest);
+        fuzz::require(length > 0, "what is shown is UTF-8");
+        rest.remove_prefix(length);
+    }
+    fuzz::require(without_secrets(text).size() <= text.size(), "secrets are left out");
+    shown_lines(text);
+    return 0;
+}
