@@ -106,7 +106,7 @@ def test_links_lead_somewhere(t):
 
 def test_scripts_are_sound(t):
     jobs = sorted((t.source / "scripts" / "cluster").iterdir())
-    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh", "package",
+    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh", "fuzz", "package",
                                                           "package-test")] + jobs:
         done = t.run(["bash", "-n", str(script)])
         check(done.status == 0, str(done))
