@@ -1,12 +1,14 @@
 #include "core/store/manifest.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/settings.h"
 #include "core/json_text.h"
 #include "core/read_file.h"
 #include "core/version.h"
@@ -225,6 +227,10 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     const Reader settings = reader.object("settings");
     for (const auto& [option, value] : reader.at("settings").items()) {
         manifest.settings.emplace_back(option, settings.text(option.c_str()));
+        const std::string& given = manifest.settings.back().second;
+        if (option == setting::filter.name && std::ranges::count(filters(), given, &FilterRow::name) == 0) {
+            reader.fail(fmt::format("'settings.{}' is '{}', which this vvr does not have", option, given));
+        }
     }
     manifest.frames = read_frames(reader, name);
     return manifest;

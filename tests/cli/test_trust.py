@@ -158,7 +158,16 @@ def test_times_that_cannot_be_are_refused(t):
     manifest = json.loads(t.path("data/manifest.json").read_text())
     manifest["frames"][-1]["pts"] = 1e300
     t.write("data/manifest.json", json.dumps(manifest))
-    t.vvr("render", "data", "-o", "out.png").expect(2, "'frames[9].pts' is 1e+300, not a number from 0 to 9200000000000; run `vvr extract` again")
+    t.vvr("render", "data", "-o", "out.png").expect(2, "'data/manifest.json': 'frames[9].pts' is 1e+300, not a number from 0 to 9200000000000; run `vvr extract` again")
+
+
+def test_a_filter_that_a_manifest_invents_is_its_fault(t):
+    t.clip("clip.avi", seconds=1)
+    t.vvr("extract", "clip.avi", "-o", "data", "--quiet").expect(0)
+    manifest = t.path("data/manifest.json").read_text()
+    t.write("data/manifest.json", manifest.replace('"filter": "difference"', '"filter": "diference"'))
+    t.vvr("render", "data", "-o", "out.png").expect(
+        2, "'data/manifest.json': 'settings.filter' is 'diference', which this vvr does not have; run `vvr extract` again")
 
 
 def test_archive_keeps_to_its_folder(t):

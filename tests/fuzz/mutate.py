@@ -312,6 +312,8 @@ def arguments():
 
 def main():
     given = arguments()
+    for end in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(end, signal.default_int_handler)
     vvr = os.path.abspath(given.vvr)
     os.environ["VVR_CONFIG"] = ""
     kinds = [kind for kind in KINDS if not given.kind or kind.name in given.kind]

@@ -1,6 +1,7 @@
 // Manifests of data folders.
 #include "core/store/manifest.h"
 
+#include "core/fields/filter.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -10,6 +11,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (!manifest) return 0;
     const Manifest again = parse_manifest(format_manifest(*manifest), "again");
     fuzz::require(again.frames == manifest->frames, "frames are read as they are written");
+    for (const auto& [name, value] : again.settings) {
+        if (name == "filter") find_filter(value);
+    }
     fuzz::require(again.settings.size() == manifest->settings.size(), "settings too");
     return 0;
 }
