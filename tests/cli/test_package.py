@@ -42,7 +42,7 @@ def test_installed_services_name_the_installed_program(t):
 def made_package(t):
     """The package, unpacked: its control file, and the folder of its files."""
     needs("cpack", "dpkg-deb", "dpkg-shlibdeps")
-    done = t.run(["cpack", "--config", f"{BUILD}/CPackConfig.cmake", "-G", "DEB", "-B", str(t.path("made"))])
+    done = t.run(["cpack", "--config", f"{BUILD}/CPackConfig.cmake", "-G", "DEB", "-B", str(t.path("made"))], timeout=600)
     check(done.status == 0, str(done))
     (deb,) = t.path("made").glob("*.deb")
     subprocess.run(["dpkg-deb", "-R", deb, t.path("tree")], check=True)
@@ -154,7 +154,9 @@ def test_bill_of_materials_tells_what_is_in_the_package(t, package):
     check(names["vvr"]["versionInfo"] == re.search(r"^Version: (.*)", control, flags=re.MULTILINE)[1], f"{names['vvr']}")
     check(names["vvr"]["licenseDeclared"] == "BSD-3-Clause", f"{names['vvr']}")
     # All that apt brings with it, but what only others of them need.
+    provides = subprocess.run(["dpkg-query", "-W", "-f", "${Provides} ", *sorted(names.keys() - {"vvr"})], check=True, capture_output=True, text=True)
+    known = {*names, *re.findall(r"[a-z][a-z0-9.+-]+", provides.stdout)}
     for dependency in re.search(r"^Depends: (.*)", control, flags=re.MULTILINE)[1].split(","):
-        check(any(each.split()[0] in names for each in dependency.split("|")), f"{dependency} is not in the list")
+        check(any(each.split()[0] in known for each in dependency.split("|")), f"{dependency} is not in the list")
     for name in ("libcli11-dev", "libglm-dev"):
         check(names[name]["licenseDeclared"] in ("BSD-3-Clause", "MIT"), f"compiled in: {names[name]}")
