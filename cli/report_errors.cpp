@@ -1,11 +1,11 @@
 #include "cli/report_errors.h"
 
 #include <exception>
-#include <new>
-#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
+
+#include "core/out_of_memory.h"
 
 namespace vvr {
 
@@ -37,16 +37,12 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
     } catch (const Error& error) {
         log.error("{}", with_flags(error.what(), error.about()));
         return exit_status(error.kind());
-    } catch (const std::bad_alloc&) {
-        return out_of_memory(log);
-    } catch (const std::system_error& error) {
-        // What the system says when it has no memory for a thread.
-        if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory(log);
-        log.error("{}", error.what());
-        return ExitStatus::io;
     } catch (const std::exception& error) {
-        // TBB has no type of its own for a thread that it can't have.
-        if (std::string_view(error.what()).starts_with("pthread_create has failed")) return out_of_memory(log);
+        if (is_out_of_memory(error)) return out_of_memory(log);
+        if (dynamic_cast<const std::system_error*>(&error) != nullptr) {
+            log.error("{}", error.what());
+            return ExitStatus::io;
+        }
         log.error("this is a bug in vvr, please report it with the command line: {}", error.what());
         return ExitStatus::bug;
     }

@@ -1,5 +1,6 @@
 #include "cli/render/render.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <span>
@@ -88,14 +89,15 @@ std::span<const Event> events_of(const RenderReport& report) {
 
 }  // namespace
 
-RenderReport render(const RenderJob& given, Observer& observer) {
+RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink& taken) {
     validate(given);
     const RenderJob asked = with_fields_of_colour(given);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
     OpenedFields fields = open_fields(asked);
     const RenderJob job = with_colour(with_transfer(with_possible_parts(with_extracted(asked, fields.extracted))));
-    const Products products = products_of(job);
+    Products products = products_of(job);
+    if (taken) products.pictures = std::max(products.pictures, 1);
     const std::filesystem::path& page = page_of(job.output);
     WatchedFields* const watched = watch(job.output, fields);
     check_memory(make_plan(job, products, *fields.source));
@@ -103,6 +105,7 @@ RenderReport render(const RenderJob& given, Observer& observer) {
     Picture drawn;
     const PictureSink write = [&](const RenderReport& report, int number, Picture&& picture) {
         const Metadata record = record_of(job, report, products.series);
+        if (taken) taken(picture, record);
         if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
         pictures.add_thumbnail(picture);
         Moments moments = watched == nullptr ? Moments{} : watched->take();

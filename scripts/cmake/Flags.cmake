@@ -22,3 +22,27 @@ function(vvr_keep_libraries program)
     target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/keep_libraries.cpp)
   endif()
 endfunction()
+
+# Hardening: what a hostile clip could overwrite, jump to or read is checked, moved or read-only. Each flag is used where
+# the compiler knows it for this processor; -fcf-protection is for x86, -mbranch-protection for ARM.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+include(CheckPIESupported)
+check_pie_supported()
+include(CheckCXXCompilerFlag)
+if(NOT VVR_SANITIZE)
+  foreach(flag -fstack-protector-strong -fstack-clash-protection -fcf-protection=full -mbranch-protection=standard)
+    string(MAKE_C_IDENTIFIER "VVR_KNOWS${flag}" knows)
+    check_cxx_compiler_flag(${flag} ${knows})
+    if(${knows})
+      add_compile_options(${flag})
+    endif()
+  endforeach()
+  # It needs the optimiser. -U first, as the environment's own flags may have another level.
+  add_compile_options($<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=3>)
+endif()
+add_link_options(-Wl,-z,relro -Wl,-z,now -Wl,-z,noexecstack)
+
+# The folder of a build is nowhere in what it makes, so that two builds give the same bytes. What is installed is built with
+# the RPATH that it has there: CMake fills up another one with a colon, which stands for the folder one happens to be in.
+set(VVR_SAME_RPATH BUILD_WITH_INSTALL_RPATH ON)
+add_compile_options(-ffile-prefix-map=${PROJECT_BINARY_DIR}=build -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)

@@ -7,6 +7,7 @@ endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vvr)
+set(CPACK_PACKAGE_VERSION ${VVR_DEBIAN_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "surveillance video as one still picture")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Turns hours of surveillance video into one still picture that a person reads
@@ -37,4 +38,6 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/scripts/cmake/debian_tree.cmake)
 set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/scripts/cmake/debian_scripts.cmake)
 set(CPACK_VVR_EPOCH ${VVR_EPOCH})
+set(CPACK_VVR_PYTHON ${DEBIAN_PYTHON})
+set(CPACK_VVR_SOURCES ${PROJECT_SOURCE_DIR})
 include(CPack)

@@ -31,3 +31,8 @@ file(WRITE ${docs}/changelog.Debian
 file(RENAME ${docs}/CHANGELOG.md ${docs}/changelog)
 file(GLOB compressed ${docs}/changelog ${docs}/changelog.Debian ${CPACK_TEMPORARY_DIRECTORY}/usr/share/man/man1/*)
 execute_process(COMMAND gzip -9n ${compressed} COMMAND_ERROR_IS_FATAL ANY)
+
+# What the package is made of, last: it has the sums of all other files.
+execute_process(COMMAND ${CPACK_VVR_PYTHON} ${CPACK_VVR_SOURCES}/scripts/sbom ${CPACK_TEMPORARY_DIRECTORY}
+    ${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE} ${CPACK_VVR_EPOCH}
+  OUTPUT_FILE ${docs}/vvr.spdx.json COMMAND_ERROR_IS_FATAL ANY)

@@ -2,9 +2,10 @@
 
 - A file includes only headers of its own library and of those that this library links, directly or through others.
 - Libraries link only what comes before them: the rooms of core in the order of core/CMakeLists.txt (docs/design.md
-  lists them in that order too), then gl, then cli/render, then the rest of cli.
+  lists them in that order too), then gl, then cli/render, then the rest of cli, then cli/library.
 - Folders do not include each other in a cycle.
-- core, gl and cli/render use neither the library for the command line nor the one for logs.
+- core, gl, cli/render and cli/library use neither the library for the command line nor the one for logs.
+- Headers that other programs include use the standard library and each other alone, and only cli/library uses them.
 """
 
 import collections
@@ -15,7 +16,8 @@ import sys
 
 FLOORS = ("core", "gl", "cli")
 PROCESS_HEADERS = ("CLI/", "spdlog/")
-NO_PROCESS = ("core", "gl", "cli/render")
+NO_PROCESS = ("core", "gl", "cli/render", "cli/library")
+PUBLIC = "cli/library/vvr"
 
 
 def commands(file):
@@ -38,7 +40,7 @@ class House:
                 self._read(file)
         rooms = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
         self.rooms = [f"core/{room}" for room in itertools.chain(*rooms)]
-        self.order = ["core", *self.rooms, "gl", "cli/render", "cli"]
+        self.order = ["core", *self.rooms, "gl", "cli/render", "cli", "cli/library"]
         self.includes = list(self._includes())
 
     def _read(self, file):
@@ -107,6 +109,18 @@ def wrong_includes(house):
             yield f"{place} of {other}, which {mine} doesn't link"
 
 
+def wrong_public(house):
+    for file, number, header, _ in house.includes:
+        place = f"{file}:{number}: includes {header}"
+        public = header.startswith("vvr/")
+        if public and not file.is_relative_to("cli/library"):
+            yield f"{place}, which is for other programs"
+        elif public and not (house.root / "cli/library" / header).is_file():
+            yield f"{place}, which is not in {PUBLIC}"
+        elif not public and file.is_relative_to(PUBLIC) and ("/" in header or "." in header):
+            yield f"{place}, which other programs don't have"
+
+
 def wrong_links(house):
     for library, home in sorted(house.home.items()):
         for other in sorted(house.links[library]):
@@ -145,7 +159,7 @@ def wrong_docs(house):
 
 def complaints(root):
     house = House(root)
-    return [text for rule in (wrong_includes, wrong_links, cycles, wrong_docs) for text in rule(house)]
+    return [text for rule in (wrong_includes, wrong_public, wrong_links, cycles, wrong_docs) for text in rule(house)]
 
 
 if __name__ == "__main__":

@@ -26,6 +26,10 @@ target_link_libraries(vvr PRIVATE vvr_cli)
     "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/render/job.h"\n',
     "cli/main.cpp": '#include "cli/commands/render.h"\n',
     "cli/log.cpp": "#include <spdlog/spdlog.h>\n",
+    "cli/library/CMakeLists.txt": "add_library(vvr_library SHARED clip.cpp)\ntarget_link_libraries(vvr_library PRIVATE vvr_cli)\n",
+    "cli/library/clip.cpp": '#include <vvr/clip.h>\n#include "cli/log.h"\n',
+    "cli/library/vvr/clip.h": "#include <string>\n#include <vvr/image.h>\n",
+    "cli/library/vvr/image.h": "#include <vector>\n",
 }
 
 
@@ -54,6 +58,13 @@ def test_a_house_in_order_passes(tmp_path):
     ("cli/render/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
     ("cli/render/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_render doesn't link"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
+    ("cli/library/vvr/late.h", '#include "core/version.h"\n', "vvr/late.h:1: includes core/version.h, which other programs don't have"),
+    ("cli/library/vvr/late.h", "#include <fmt/format.h>\n", "includes fmt/format.h, which other programs don't have"),
+    ("cli/library/vvr/late.h", "#include <vvr/none.h>\n", "includes vvr/none.h, which is not in cli/library/vvr"),
+    ("cli/log.cpp", "#include <vvr/clip.h>\n", "cli/log.cpp:1: includes vvr/clip.h, which is for other programs"),
+    ("cli/library/late.cpp", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
+    ("gl/CMakeLists.txt", "add_library(vvr_gl STATIC context.cpp)\ntarget_link_libraries(vvr_gl PUBLIC vvr_library)\n",
+     "vvr_gl in gl links vvr_library in cli/library, which comes after it"),
     ("cli/late.h", '#include "page/late.h"\n', "no library has sources in page"),
     ("core/video/CMakeLists.txt", "vvr_room(video frame.cpp ROOMS base gl)\n", "vvr_video in core/video links vvr_gl in gl, which comes after it"),
     ("docs/design.md", "| `core/fields/` | |\n| `core/video/` | |\n", "docs/design.md lists ['core/fields', 'core/video']"),

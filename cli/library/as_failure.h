@@ -1,0 +1,47 @@
+#pragma once
+
+#include <exception>
+#include <string>
+
+#include <vvr/failure.h>
+
+#include "core/error.h"
+#include "core/out_of_memory.h"
+
+namespace vvr {
+
+constexpr FailureKind failure_kind(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::usage:
+            return FailureKind::usage;
+        case ErrorKind::io:
+            return FailureKind::io;
+        case ErrorKind::not_video:
+            return FailureKind::not_video;
+        case ErrorKind::backend:
+            return FailureKind::backend;
+        case ErrorKind::limit:
+            return FailureKind::limit;
+        case ErrorKind::partial:
+        case ErrorKind::differs:
+            break;  // of commands that the library does not have
+    }
+    return FailureKind::bug;
+}
+
+/// Calls `action`; whatever it throws leaves as a Failure.
+template <class Action>
+auto as_failure(const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        throw Failure(failure_kind(error.kind()), error.what());
+    } catch (const std::exception& error) {
+        if (is_out_of_memory(error)) {
+            throw Failure(FailureKind::limit, "out of memory; try a smaller field-size, size or window");
+        }
+        throw Failure(FailureKind::bug, std::string("this is a bug in vvr, please report it: ") + error.what());
+    }
+}
+
+}  // namespace vvr

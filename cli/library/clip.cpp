@@ -1,0 +1,25 @@
+#include <memory>
+#include <vector>
+
+#include <vvr/clip.h>
+
+#include "cli/library/as_failure.h"
+#include "cli/render/open_fields.h"
+#include "core/video/frame_source.h"
+
+namespace vvr {
+
+ClipInfo read_clip_info(const std::string& clip) {
+    return as_failure([&] {
+        InputOptions input;
+        input.names = {clip};
+        require_input(input);
+        std::vector<std::string> warnings;
+        const std::unique_ptr<FrameSource> source = open_clip(input, false, 0, warnings);
+        const VideoInfo& info = source->info();
+        return ClipInfo{info.container, info.codec,    info.size.width, info.size.height,
+                        info.rate,      info.duration, info.frames};
+    });
+}
+
+}  // namespace vvr

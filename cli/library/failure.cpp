@@ -1,0 +1,10 @@
+#include <vvr/failure.h>
+
+namespace vvr {
+
+Failure::Failure(FailureKind kind, const std::string& text) : std::runtime_error(text), kind_(kind) {}
+
+// Here, so that the class has one type for this library and for all who catch it.
+Failure::~Failure() = default;
+
+}  // namespace vvr

@@ -1,0 +1,11 @@
+#include <vvr/library_version.h>
+
+#include "core/version.h"
+
+namespace vvr {
+
+std::string library_version() {
+    return std::string(version());
+}
+
+}  // namespace vvr

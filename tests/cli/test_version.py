@@ -1,0 +1,84 @@
+"""The version comes from the tags of a clone, else from CMakeLists.txt: scripts/cmake/Version.cmake."""
+
+import os
+import re
+
+import pytest
+from harness import check
+
+QUIET = os.environ | {"GIT_CONFIG_GLOBAL": "/dev/null", "GIT_CONFIG_SYSTEM": "/dev/null"}
+
+
+@pytest.fixture(name="versions")
+def fixture_versions(t):
+    """Of the sources in a folder: the version, its numbers, Debian's."""
+    def versions(folder="clone"):
+        done = t.run(["cmake", f"-DPROJECT_SOURCE_DIR={t.path(folder)}", "-DPROJECT_VERSION=0.7.0", "-P",
+                      t.source / "scripts/cmake/Version.cmake"], env=QUIET)
+        check(done.status == 0, str(done))
+        return done.err.splitlines()[-1].split()
+    return versions
+
+
+@pytest.fixture(name="git")
+def fixture_git(t):
+    t.path("clone").mkdir()
+
+    def git(*arguments, folder="clone"):
+        done = t.run(["git", "-c", "user.name=n", "-c", "user.email=n@example.org", *arguments], cwd=t.path(folder), env=QUIET)
+        check(done.status == 0, str(done))
+        return done.out.strip()
+    git("init", "-q")
+    t.write("clone/file", "one")
+    git("add", "file")
+    git("commit", "-qm", "one")
+    return git
+
+
+def test_a_tag_is_the_version(git, versions):
+    check(versions() == ["0.7.0"] * 3, f"without tags: {versions()}")
+    git("tag", "v1.2.0-rc.1")
+    check(versions() == ["1.2.0-rc.1", "1.2.0", "1.2.0~rc.1"], f"a candidate: {versions()}")
+    git("commit", "-q", "--allow-empty", "-m", "two")
+    git("tag", "v1.2.0")
+    check(versions() == ["1.2.0"] * 3, f"a release: {versions()}")
+
+
+def test_what_comes_after_a_tag_is_said(t, git, versions):
+    git("tag", "v1.2.0")
+    git("commit", "-q", "--allow-empty", "-m", "two")
+    commit = git("rev-parse", "--short=10", "HEAD")
+    check(versions() == [f"1.2.0+1.g{commit}", "1.2.0", f"1.2.0+1.g{commit}"], f"{versions()}")
+    t.write("clone/file", "changed")
+    check(versions()[0] == f"1.2.0+1.g{commit}.dirty", f"{versions()}")
+
+
+def test_debian_orders_versions_as_they_came(t, git, versions):
+    order = []
+    for tag in ("v1.2.0-rc.1", None, "v1.2.0", None, "v1.2.1"):
+        git("commit", "-q", "--allow-empty", "-m", "next")
+        if tag:
+            git("tag", tag)
+        order.append(versions()[2])
+    for older, newer in zip(order, order[1:]):
+        check(t.run(["dpkg", "--compare-versions", f"{older}-1", "lt", f"{newer}-1"]).status == 0, f"{older} {newer}")
+
+
+def test_without_tags_of_its_own_it_is_the_projects(t, git, versions):
+    git("tag", "v1.2.0")
+    git("commit", "-q", "--allow-empty", "-m", "two")
+    t.path("clone/unpacked").mkdir()
+    check(versions("clone/unpacked") == ["0.7.0"] * 3, "a tarball within a clone of something else")
+    t.path("shallow").mkdir()
+    git("clone", "-q", "--depth", "1", "--no-tags", f"file://{t.path('clone')}", ".", folder="shallow")
+    check(versions("shallow") == ["0.7.0"] * 3, "a shallow clone")
+    git("tag", "v3")
+    git("commit", "-q", "--allow-empty", "-m", "three")
+    check(versions() == ["0.7.0"] * 3, "a tag that is no version")
+
+
+def test_the_program_says_the_configured_version(t):
+    build = os.path.dirname(os.path.dirname(os.environ["VVR"]))
+    with open(f"{build}/CPackConfig.cmake", encoding="utf-8") as file:
+        debian = re.search(r'CPACK_PACKAGE_VERSION "(.*)"', file.read())[1]
+    check(t.vvr("--version").out.splitlines()[0] == f"vvr {debian.replace('~', '-')}", debian)
