@@ -98,9 +98,13 @@ TEST(Sandbox, OffIsNone) {
 
 TEST(Sandbox, ItsSummaryTellsOfBothWalls) {
     const Sandbox sandbox(SandboxMode::automatic, {});
+#ifdef __SANITIZE_ADDRESS__
+    EXPECT_NE(sandbox.summary().find("no sandbox"), std::string::npos);
+#else
     EXPECT_NE(sandbox.summary().find("Landlock"), std::string::npos);
     EXPECT_NE(sandbox.summary().find("seccomp"), std::string::npos);
     EXPECT_EQ(sandbox.is_whole(), find_landlock().abi > 0 && why_no_call_filter() == 0);
+#endif
 }
 
 TEST(Sandbox, AGraphicsCardIsForThoseWhoUseOne) {
