@@ -11,7 +11,7 @@ enum class ExitStatus {
     usage = 1,      ///< the command line or a config file
     io = 2,         ///< a file can't be read or written
     not_video = 3,  ///< the input is not usable video
-    backend = 4,    ///< no OpenGL backend, or OpenGL failed
+    backend = 4,    ///< no OpenGL backend, or OpenGL failed; or no sandbox where one is required
     limit = 5,      ///< out of memory, or over a stated limit
     partial = 6,    ///< some of several inputs failed
     differs = 7,    ///< a picture differs from its golden one, or there is none

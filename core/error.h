@@ -15,7 +15,7 @@ enum class ErrorKind {
     usage,      ///< a setting has a value that can't be
     io,         ///< a file can't be read or written
     not_video,  ///< the input is not usable video
-    backend,    ///< no OpenGL backend, or an OpenGL call failed
+    backend,    ///< no OpenGL backend, or an OpenGL call failed; or no sandbox where one is required
     limit,      ///< out of memory, or over a stated limit
     partial,    ///< some of several inputs failed
     differs,    ///< a picture differs from its reference

@@ -15,6 +15,7 @@ struct Backend {
     std::unique_ptr<Context> (*open)(int device, bool debug);
     std::vector<std::string> (*devices)();  ///< what `device` counts; empty for a backend without devices
     std::string advice;                     ///< the command that makes it work on Debian
+    bool gpu = false;                       ///< opens the devices of a graphics card
 };
 
 Backend egl_hardware_backend();

@@ -81,6 +81,11 @@ std::vector<std::string> backend_names() {
     return names;
 }
 
+bool may_use_gpu(std::string_view name) {
+    return std::ranges::any_of(
+        backends(), [&](const Backend& backend) { return backend.gpu && (name == "auto" || name == backend.name); });
+}
+
 std::vector<BackendReport> probe_backends() {
     std::vector<BackendReport> reports;
     for (const Backend& backend : backends()) {

@@ -70,6 +70,9 @@ std::unique_ptr<Context> open_context(std::string_view backend = "auto", int dev
 /// The names of the backend table, "auto" first.
 std::vector<std::string> backend_names();
 
+/// Whether a backend may open the devices of a graphics card. `backend` as in open_context.
+bool may_use_gpu(std::string_view backend);
+
 /// Tries each backend in turn.
 std::vector<BackendReport> probe_backends();
 

@@ -182,10 +182,13 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
 }  // namespace
 
 Backend egl_hardware_backend() {
-    return {"egl", "a GPU through EGL, no display needed",
-            [](int device, bool debug) { return open_kind("egl", false, device, debug); }, device_names,
+    return {"egl",
+            "a GPU through EGL, no display needed",
+            [](int device, bool debug) { return open_kind("egl", false, device, debug); },
+            device_names,
             "install the GPU vendor's driver with its EGL library (Mesa's: apt-get install libegl1 libegl-mesa0 "
-            "libgl1-mesa-dri)"};
+            "libgl1-mesa-dri)",
+            true};
 }
 
 Backend egl_software_backend() {

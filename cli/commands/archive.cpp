@@ -12,6 +12,7 @@
 #include "core/archive/names.h"
 #include "core/read_file.h"
 #include "core/sha256.h"
+#include "gl/context.h"
 
 namespace vvr {
 
@@ -65,6 +66,7 @@ class Archive final : public Command {
                 pass_on(value);
             }
         }
+        options_.needs.gpu = may_use_gpu(job_.backend.name);
         options_.names = job_.input.layouts;
         options_.threads = job_.fields.threads;
         return run_archive(options_, environment);
@@ -72,6 +74,7 @@ class Archive final : public Command {
 
   private:
     void pass_on(const OptionValue& value) {
+        if (value.may_be_file) options_.needs.files.emplace_back(value.value);
         options_.worker_options.push_back(fmt::format("--{}={}", value.name, value.value));
     }
 

@@ -33,6 +33,7 @@ constexpr Setting jobs{
 constexpr Setting timeout{"timeout", "TIME", "the longest time for a clip; 0 = no limit"};
 constexpr Setting max_memory{
     "max-memory", "BYTES", "the most memory for a clip, for example 2G", {}, "its share of the machine's"};
+constexpr Setting sandbox{"sandbox", "NAME", "whether a worker is kept from all but its clip and its pictures"};
 }  // namespace text
 
 }  // namespace
@@ -72,6 +73,8 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
                                                              "least, 1G for most clips",
                                                              given));
                });
+    line.choice(workers, sandbox_modes, sandbox_modes.front().name, text::sandbox,
+                [&options](const SandboxRow& row) { options.sandbox = row.mode; });
 }
 
 void check(const ArchiveOptions& options) {

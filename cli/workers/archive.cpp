@@ -160,6 +160,9 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
         const Shares shares = share_out(options, work.size());
         job.threads = shares.threads;
         job.limits = {options.timeout, shares.memory};
+        job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);
+        environment.log.log(job.sandbox->is_whole() ? spdlog::level::info : spdlog::level::warn, "{}",
+                            job.sandbox->summary());
         environment.log.debug("{} at a time, {} each, {} MB each", counted(shares.workers, "clip"),
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
         outcome = draw_clips(job, work, shares.workers, environment);

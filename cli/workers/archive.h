@@ -11,6 +11,7 @@
 
 #include "cli/environment.h"
 #include "cli/exit_status.h"
+#include "cli/workers/sandbox.h"
 #include "core/archive/shard.h"
 
 namespace vvr {
@@ -49,7 +50,9 @@ struct ArchiveOptions {
     bool no_pages = false;
 
     std::vector<std::string> worker_options;  ///< of `vvr render`, passed on as they are
-    std::string settings;                     ///< changes with everything that decides how pictures look
+    SandboxMode sandbox = SandboxMode::automatic;
+    SandboxNeeds needs;    ///< of what is passed on
+    std::string settings;  ///< changes with everything that decides how pictures look
 
     int threads = 0;          ///< per worker; 0 = its share of the cores
     std::optional<int> jobs;  ///< workers at a time; none = as many as cores and memory allow

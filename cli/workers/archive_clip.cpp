@@ -143,8 +143,9 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         std::pair{OutputKind::still, "--still="}};
     std::vector<std::string> arguments{"render", "--no-config", "--quiet", "--plain-name",
                                        fmt::format("--threads={}", job_->threads)};
+    std::vector<fs::path> read;
     for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path}) {
-        const std::string clip = (job_->in / file).string();
+        const std::string clip = read.emplace_back(job_->in / file).string();
         // So that no name is taken for an option or a list.
         const bool plain = clip.front() != '-' && clip.front() != '[';
         arguments.push_back(plain ? clip : "./" + clip);
@@ -158,7 +159,8 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         arguments.push_back("--page-index=" + (job_->out / index_name).string());
     }
     arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
-    return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor());
+    return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor(),
+                                    job_->sandbox->around(read, folder()));
 }
 
 Sidecar ClipTurn::finish(const WorkerEnd& end, bool counts) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,9 @@ struct ArchiveJob {
     ArchiveRules rules;
     std::vector<std::string> options;  ///< that workers are given as they stand
     WorkerLimits limits;
-    int threads = 1;                          ///< a worker
-    std::map<std::string, CameraDay> days{};  ///< by where their files stand
+    std::shared_ptr<const Sandbox> sandbox{};  ///< for workers
+    int threads = 1;                           ///< a worker
+    std::map<std::string, CameraDay> days{};   ///< by where their files stand
 };
 
 /// One clip's turn: nobody else writes its files as long as this is there.

@@ -24,6 +24,7 @@ namespace vvr {
 namespace {
 
 constexpr std::size_t most_said = 4096;  // the end is what counts: errors come last
+constexpr std::string_view no_walls = "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
 
 [[noreturn]] void refuse(const char* what, int error) {
     throw Error(ErrorKind::limit, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
@@ -59,6 +60,7 @@ struct Birth {
     int nothing;
     int inherited;
     std::int64_t memory;
+    const Confinement& walls;
     char* const* arguments;
     char* const* environment;
 
@@ -80,6 +82,11 @@ struct Birth {
         sigset_t open;
         sigemptyset(&open);
         ::sigprocmask(SIG_SETMASK, &open, nullptr);
+        // Now, and not in the worker: libraries start threads before main, and Landlock holds for the one that asks.
+        if (!walls.enter()) {
+            [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, no_walls.data(), no_walls.size());
+            ::_exit(127);
+        }
         ::execve("/proc/self/exe", arguments, environment);
         ::_exit(127);
     }
@@ -87,7 +94,8 @@ struct Birth {
 
 }  // namespace
 
-Worker::Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited)
+Worker::Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
+               const Confinement& walls)
     : limits_(limits) {
     std::vector<std::string> texts{"vvr"};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
@@ -98,8 +106,14 @@ Worker::Worker(const std::vector<std::string>& arguments, int threads, const Wor
     if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
     ::fcntl(pipe[1], F_SETFL, 0);
     const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-    const Birth birth{
-        ::getpid(), pipe[1], nothing, inherited, limits.memory, argument_pointers.data(), variable_pointers.data()};
+    const Birth birth{::getpid(),
+                      pipe[1],
+                      nothing,
+                      inherited,
+                      limits.memory,
+                      walls,
+                      argument_pointers.data(),
+                      variable_pointers.data()};
     process_ = ::fork();
     if (process_ == 0) birth.run();
     const int error = errno;

@@ -7,6 +7,8 @@
 
 #include <sys/types.h>
 
+#include "cli/workers/sandbox.h"
+
 namespace vvr {
 
 /// What a worker may take. 0 = as much as it likes.
@@ -30,7 +32,8 @@ class Worker {
     /// \param threads for libraries that can't be told on the command line
     /// \param inherited a descriptor that it keeps open as long as it lives; -1 = none
     /// \throws Error limit when the system can't start a process
-    Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited);
+    Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
+           const Confinement& walls);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;

@@ -29,6 +29,12 @@ std::string find_font() {
     return reinterpret_cast<const char*>(file);
 }
 
+void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
+    if (list == nullptr) return;
+    while (const FcChar8* const place = FcStrListNext(list)) places.emplace_back(reinterpret_cast<const char*>(place));
+    FcStrListDone(list);
+}
+
 /// Calls `use` with the font of all text, one thread at a time.
 template <class Use>
 auto with_font(const Use& use) {
@@ -55,6 +61,16 @@ std::size_t sequence_length(const std::string& text, std::size_t at) {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> font_places() {
+    std::vector<std::filesystem::path> places;
+    const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfig(), FcConfigDestroy);
+    if (!config) return places;
+    add_all(FcConfigGetConfigFiles(config.get()), places);
+    add_all(FcConfigGetFontDirs(config.get()), places);
+    add_all(FcConfigGetCacheDirs(config.get()), places);
+    return places;
+}
 
 std::string printable(const std::string& text) {
     std::string result;

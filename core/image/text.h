@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/image/picture.h"
 #include "core/pixel_box.h"
@@ -21,5 +23,8 @@ bool draw_text(Picture& picture, int x, int y, const std::string& text, int size
 
 /// The same with the text's middle at `x`.
 bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, int size, const Rgba& colour);
+
+/// The files and folders that fontconfig reads to find a font, its caches among them. Some may not be there.
+std::vector<std::filesystem::path> font_places();
 
 }  // namespace vvr

@@ -5,6 +5,9 @@ pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
+# Filters of system calls.
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp)
+
 # OpenCV's CMake files are in the package of all its modules; we want three of them.
 find_path(OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 foreach(module core imgproc video)

@@ -15,6 +15,8 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = SOURCE / "build" / "release"
 os.environ.setdefault("VVR", str(BUILD / "cli" / "vvr"))
 os.environ.setdefault("VVR_SCENE", str(BUILD / "tests" / "scene" / "vvr-scene"))
+os.environ.setdefault("VVR_WITHHOLD", str(BUILD / "tests" / "support" / "vvr-withhold"))
+os.environ.setdefault("VVR_HIJACK", str(BUILD / "tests" / "support" / "libvvr_hijack.so"))
 
 os.environ["VVR_CONFIG"] = ""  # what the machine's own config file says shall decide nothing here
 

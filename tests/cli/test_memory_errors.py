@@ -15,7 +15,8 @@ COMMANDS = {
     "seeds": ("seeds", "data", "-o", "lists"),
     "cut": ("cut", "clip.avi", "--from", "0s", "--to", "0.5s", "--exact", "-o", "out.mp4"),
     "compare": ("compare", "one.png", "one.png"),
-    "archive": ("archive", "clips", "-o", "pictures", "--size", "64x40", "--jobs", "1", "--settle", "0"),
+    "archive": ("archive", "clips", "-o", "pictures", "--size", "64x40", "--jobs", "1", "--settle", "0",
+                "--sandbox", "off"),  # valgrind itself opens files in the worker, which it is kept from
     "watch": ("watch", "clip.avi", "-o", "out.png", "--size", "64x40"),
     "config": ("config", "render"),
     "doctor": ("doctor", "--json"),

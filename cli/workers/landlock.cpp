@@ -1,0 +1,129 @@
+#include "cli/workers/landlock.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+
+namespace vvr {
+
+namespace {
+
+// As in <linux/landlock.h>: that of an older kernel lacks some of them.
+namespace right {
+constexpr std::uint64_t execute = 1 << 0;
+constexpr std::uint64_t write_file = 1 << 1;
+constexpr std::uint64_t read_file = 1 << 2;
+constexpr std::uint64_t read_folder = 1 << 3;
+constexpr std::uint64_t remove_file = 1 << 5;
+constexpr std::uint64_t make_file = 1 << 8;
+constexpr std::uint64_t truncate = 1 << 14;
+constexpr std::uint64_t control_device = 1 << 15;
+constexpr std::uint64_t of_a_file = execute | write_file | read_file | truncate | control_device;
+}  // namespace right
+
+struct Attributes {
+    std::uint64_t files;
+    std::uint64_t network;
+    std::uint64_t scoped;
+};
+
+struct [[gnu::packed]] PathRule {
+    std::uint64_t allowed;
+    std::int32_t parent;
+};
+
+constexpr int path_rule = 1;
+constexpr std::uint32_t ask_version = 1;
+
+/// What a version of the interface can deny, all of it. Newer ones than the last add nothing that a worker would miss.
+struct AbiRow {
+    int abi;
+    int file_rights;        ///< how many there are
+    std::uint64_t network;  ///< TCP: bind, connect
+    std::uint64_t scoped;   ///< abstract UNIX sockets and signals, to others
+    std::size_t size;       ///< of Attributes, as far as it was known then
+};
+
+constexpr std::array abis{
+    AbiRow{1, 13, 0, 0, 8},   // Linux 5.13
+    AbiRow{2, 14, 0, 0, 8},   // 5.19: files from one folder to another
+    AbiRow{3, 15, 0, 0, 8},   // 6.2: truncation
+    AbiRow{4, 15, 3, 0, 16},  // 6.7: TCP
+    AbiRow{5, 16, 3, 0, 16},  // 6.10: ioctl on devices
+    AbiRow{6, 16, 3, 3, 24},  // 6.12: signals and abstract sockets
+};
+
+const AbiRow& row_of(int abi) {
+    return abis.at(static_cast<std::size_t>(std::clamp<int>(abi, 1, abis.size())) - 1);
+}
+
+std::uint64_t file_rights_of(int abi) {
+    return (std::uint64_t{1} << row_of(abi).file_rights) - 1;
+}
+
+struct UseRow {
+    Use use;
+    std::uint64_t rights;
+};
+
+constexpr std::array uses{
+    UseRow{Use::read, right::read_file | right::read_folder},
+    UseRow{Use::run, right::read_file | right::read_folder | right::execute},
+    UseRow{Use::change, right::read_file | right::write_file},
+    UseRow{Use::write, right::write_file | right::make_file | right::remove_file | right::truncate},
+    UseRow{Use::device, right::read_file | right::read_folder | right::write_file | right::control_device},
+};
+
+[[noreturn]] void refuse(const char* what, int error) {
+    throw Error(ErrorKind::limit, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off", what,
+                                              std::generic_category().message(error)));
+}
+
+}  // namespace
+
+Landlock find_landlock() {
+    const long abi = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, ask_version);
+    return abi > 0 ? Landlock{static_cast<int>(abi), 0} : Landlock{0, errno};
+}
+
+LandlockRules::LandlockRules(int abi) : abi_(abi) {
+    const AbiRow& row = row_of(abi);
+    const Attributes attributes{file_rights_of(abi), row.network, row.scoped};
+    rules_ = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &attributes, row.size, 0));
+    if (rules_ < 0) refuse("landlock_create_ruleset", errno);
+}
+
+LandlockRules::~LandlockRules() {
+    ::close(rules_);
+}
+
+void LandlockRules::allow(const std::filesystem::path& path, Use use) {
+    const int file = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+    if (file < 0) return;
+    struct stat status {};
+    const bool is_folder = ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
+    std::uint64_t rights = std::ranges::find(uses, use, &UseRow::use)->rights & file_rights_of(abi_);
+    if (!is_folder) rights &= right::of_a_file;
+    const PathRule rule{rights, file};
+    const long added = ::syscall(SYS_landlock_add_rule, rules_, path_rule, &rule, 0);
+    const int error = errno;
+    ::close(file);
+    if (added != 0) refuse(path.c_str(), error);
+}
+
+bool LandlockRules::enforce() const {
+    return ::syscall(SYS_landlock_restrict_self, rules_, 0) == 0;
+}
+
+}  // namespace vvr

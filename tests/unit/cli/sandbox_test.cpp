@@ -1,0 +1,119 @@
+#include "cli/workers/sandbox.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int never_tried = 255;
+
+/// The error that a call meets in a child which has shut itself in; 0 = none.
+int error_behind(const std::function<bool()>& shut_in, const std::function<long()>& call) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const bool confined = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && shut_in();
+        ::_exit(!confined ? never_tried : call() < 0 ? errno : 0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : never_tried;
+}
+
+/// A folder with a file that may be read, one that may not, and a folder to write into.
+class Files : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder_ / "out");
+        for (const char* const name : {"mine", "other", "out/old"}) std::ofstream(folder_ / name) << "text";
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(const char* name) const { return folder_ / name; }
+
+    static long open(const std::string& path, int flags) { return ::open(path.c_str(), flags | O_CLOEXEC, 0600); }
+
+  private:
+    fs::path folder_ = fs::temp_directory_path() / ("vvr-sandbox-" + std::to_string(::getpid()));
+};
+
+TEST_F(Files, EachVersionOfLandlockKeepsThem) {
+    const int newest = find_landlock().abi;
+    if (newest == 0) GTEST_SKIP() << "this kernel has no Landlock";
+    for (int abi = 1; abi <= newest; ++abi) {
+        SCOPED_TRACE(abi);
+        LandlockRules rules(abi);
+        rules.allow(path("mine"), Use::read);
+        rules.allow(path("out"), Use::write);
+        rules.allow(path("is not there"), Use::read);
+        const auto met = [&](const std::function<long()>& call) {
+            return error_behind([&] { return rules.enforce(); }, call);
+        };
+        EXPECT_EQ(met([&] { return open(path("mine"), O_RDONLY); }), 0);
+        EXPECT_EQ(met([&] { return open(path("mine"), O_WRONLY); }), EACCES);
+        EXPECT_EQ(met([&] { return open(path("other"), O_RDONLY); }), EACCES);
+        EXPECT_EQ(met([&] { return open(path("new"), O_WRONLY | O_CREAT); }), EACCES);
+        EXPECT_EQ(met([&] { return open(path("out/new"), O_WRONLY | O_CREAT); }), 0);
+        EXPECT_EQ(met([&] { return open(path("out/old"), O_RDONLY); }), EACCES);
+        EXPECT_EQ(met([&] { return ::rename(path("out/new").c_str(), path("out/newer").c_str()); }), 0);
+        EXPECT_EQ(met([&] { return ::rename(path("out/newer").c_str(), path("newer").c_str()); }) != 0, true);
+        EXPECT_EQ(met([&] { return ::unlink(path("out/newer").c_str()); }), 0);
+        EXPECT_EQ(met([&] { return ::unlink(path("other").c_str()); }), EACCES);
+    }
+}
+
+TEST_F(Files, TheFilterTakesSocketsAndLeavesFiles) {
+    if (why_no_call_filter() != 0) GTEST_SKIP() << "this kernel has no seccomp filters";
+    const CallFilter filter;
+    const auto met = [&](const std::function<long()>& call) {
+        return error_behind([&] { return filter.enforce(); }, call);
+    };
+    EXPECT_EQ(met([] { return ::socket(AF_UNIX, SOCK_STREAM, 0); }), EACCES);
+    EXPECT_EQ(met([] { return ::fork(); }), EPERM);
+    EXPECT_EQ(met([&] { return ::truncate(path("other").c_str(), 0); }), EPERM);
+    EXPECT_EQ(met([&] { return open(path("other"), O_RDONLY); }), 0);
+    EXPECT_EQ(met([&] { return open(path("new"), O_WRONLY | O_CREAT); }), 0);
+}
+
+TEST(Sandbox, OffIsNone) {
+    const Sandbox off(SandboxMode::off, {});
+    EXPECT_TRUE(off.is_whole());
+    const Confinement walls = off.around({"/nowhere"}, "/nowhere");
+    EXPECT_EQ(error_behind([&] { return walls.enter(); }, [] { return ::socket(AF_UNIX, SOCK_STREAM, 0); }), 0);
+}
+
+TEST(Sandbox, ItsSummaryTellsOfBothWalls) {
+    const Sandbox sandbox(SandboxMode::automatic, {});
+#ifdef __SANITIZE_ADDRESS__
+    EXPECT_NE(sandbox.summary().find("no sandbox"), std::string::npos);
+#else
+    EXPECT_NE(sandbox.summary().find("Landlock"), std::string::npos);
+    EXPECT_NE(sandbox.summary().find("seccomp"), std::string::npos);
+    EXPECT_EQ(sandbox.is_whole(), find_landlock().abi > 0 && why_no_call_filter() == 0);
+#endif
+}
+
+TEST(Sandbox, AGraphicsCardIsForThoseWhoUseOne) {
+    const auto opens_cards = [](bool gpu) {
+        return std::ranges::count(program_files(gpu), fs::path("/dev/dri"), &ProgramFile::path) > 0;
+    };
+    EXPECT_TRUE(opens_cards(true));
+    EXPECT_FALSE(opens_cards(false));
+}
+
+}  // namespace
+}  // namespace vvr
