@@ -1,9 +1,12 @@
 #include "cli/report_errors.h"
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string_view>
 #include <system_error>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -24,12 +27,42 @@ std::string with_flags(const std::string& text, const About& about) {
 
 namespace {
 
-ExitStatus out_of_memory(spdlog::logger& log) {
-    log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");
-    return ExitStatus::limit;
+constexpr std::string_view out_of_memory =
+    "out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)";
+
+/// Whether an exception says that there is no memory, or none for another thread.
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    if (const auto* const system = dynamic_cast<const std::system_error*>(&error)) {
+        return system->code() == std::errc::resource_unavailable_try_again ||
+               system->code() == std::errc::not_enough_memory;
+    }
+    // TBB has no type of its own for a thread that it can't have.
+    return std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
+/// What std::terminate does. Where libraries are loaded or clean up, nothing that they throw can be caught.
+[[noreturn]] void end_program() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& error) {
+        if (is_out_of_memory(error)) {
+            for (const std::string_view text : {std::string_view("vvr: "), out_of_memory, std::string_view("\n")}) {
+                [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+            }
+            ::_exit(static_cast<int>(ExitStatus::limit));
+        }
+    } catch (...) {
+    }
+    __gnu_cxx::__verbose_terminate_handler();
+    std::abort();
 }
 
 }  // namespace
+
+void end_in_good_order() {
+    std::set_terminate(end_program);
+}
 
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
     try {
@@ -37,16 +70,15 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
     } catch (const Error& error) {
         log.error("{}", with_flags(error.what(), error.about()));
         return exit_status(error.kind());
-    } catch (const std::bad_alloc&) {
-        return out_of_memory(log);
-    } catch (const std::system_error& error) {
-        // What the system says when it has no memory for a thread.
-        if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory(log);
-        log.error("{}", error.what());
-        return ExitStatus::io;
     } catch (const std::exception& error) {
-        // TBB has no type of its own for a thread that it can't have.
-        if (std::string_view(error.what()).starts_with("pthread_create has failed")) return out_of_memory(log);
+        if (is_out_of_memory(error)) {
+            log.error("{}", out_of_memory);
+            return ExitStatus::limit;
+        }
+        if (dynamic_cast<const std::system_error*>(&error) != nullptr) {
+            log.error("{}", error.what());
+            return ExitStatus::io;
+        }
         log.error("this is a bug in vvr, please report it with the command line: {}", error.what());
         return ExitStatus::bug;
     }

@@ -31,6 +31,10 @@ constexpr int max_read_errors = 100;  // in a row
     if (code == AVERROR(ENOMEM)) {
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
     }
+    if (code == AVERROR(EMFILE) || code == AVERROR(ENFILE)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot read '{}': {}; allow more open files (ulimit -n)", input.name, words));
+    }
     if (code == AVERROR_EXIT) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));

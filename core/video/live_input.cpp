@@ -16,6 +16,7 @@ extern "C" {
 }
 
 #include "core/error.h"
+#include "core/loading.h"
 
 namespace vvr {
 namespace {
@@ -24,7 +25,7 @@ namespace {
 // none of what vvr needs to start. Its number is libavformat's.
 void load_devices(const std::string& name) {
     const std::string library = fmt::format("libavdevice.so.{}", LIBAVFORMAT_VERSION_MAJOR);
-    void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    void* const loaded = while_loading([&] { return ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL); });
     void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, "avdevice_register_all");
     if (found == nullptr) {
         throw Error(
