@@ -1,6 +1,8 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 #include "cli/commands/command.h"
 #include "cli/log.h"
 #include "cli/report_errors.h"
@@ -9,12 +11,16 @@
 #include "gl/shader_cache.h"
 
 int main(int argc, char** argv) {
+    vvr::end_in_good_order();
     vvr::keep_freed_planes();
     vvr::choose_shader_cache();
     const auto log = vvr::make_log();
-    return static_cast<int>(vvr::report_errors(*log, [&] {
+    const vvr::ExitStatus status = vvr::report_errors(*log, [&] {
         vvr::Signals signals;
         const std::vector<std::string> arguments(argv + 1, argv + argc);
         return vvr::run_command(arguments, vvr::Environment{*log, signals});
-    }));
+    });
+    // A library that could not be loaded for want of memory leaves the loader locked, for which its end would wait.
+    if (status == vvr::ExitStatus::limit) ::_exit(static_cast<int>(status));
+    return static_cast<int>(status);
 }

@@ -1,7 +1,11 @@
 #include "cli/report_errors.h"
 
+#include <cstdlib>
 #include <exception>
+#include <string_view>
 #include <system_error>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -24,12 +28,31 @@ std::string with_flags(const std::string& text, const About& about) {
 
 namespace {
 
-ExitStatus out_of_memory(spdlog::logger& log) {
-    log.error("out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)");
-    return ExitStatus::limit;
+constexpr std::string_view out_of_memory =
+    "out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)";
+
+/// What std::terminate does. Where libraries are loaded or clean up, nothing that they throw can be caught.
+[[noreturn]] void end_program() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& error) {
+        if (is_out_of_memory(error)) {
+            for (const std::string_view text : {std::string_view("vvr: "), out_of_memory, std::string_view("\n")}) {
+                [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+            }
+            ::_exit(static_cast<int>(ExitStatus::limit));
+        }
+    } catch (...) {
+    }
+    __gnu_cxx::__verbose_terminate_handler();
+    std::abort();
 }
 
 }  // namespace
+
+void end_in_good_order() {
+    std::set_terminate(end_program);
+}
 
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
     try {
@@ -38,7 +61,10 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
         log.error("{}", with_flags(error.what(), error.about()));
         return exit_status(error.kind());
     } catch (const std::exception& error) {
-        if (is_out_of_memory(error)) return out_of_memory(log);
+        if (is_out_of_memory(error)) {
+            log.error("{}", out_of_memory);
+            return ExitStatus::limit;
+        }
         if (dynamic_cast<const std::system_error*>(&error) != nullptr) {
             log.error("{}", error.what());
             return ExitStatus::io;

@@ -17,4 +17,8 @@ std::string with_flags(const std::string& text, const About& about);
 /// Runs `action`; whatever it throws becomes a line for people and an exit status. The one place that does so.
 ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action);
 
+/// Makes a program that a library ends with std::terminate, for want of memory or of a thread, end with status 5 and
+/// its line. What is half written then has a hidden name, and goes at the next run.
+void end_in_good_order();
+
 }  // namespace vvr

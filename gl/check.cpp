@@ -8,6 +8,8 @@ namespace vvr {
 
 namespace {
 
+constexpr GLenum context_lost = 0x0507;  // GL_CONTEXT_LOST, which OpenGL 3.3 does not have yet
+
 std::string_view name(GLenum error) {
     switch (error) {
         case GL_INVALID_ENUM:
@@ -39,6 +41,14 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
                                 "frames per layer",
                                 doing),
                     {"size", "field-size", "step"});
+    }
+    if (error == context_lost) {
+        throw Error(
+            ErrorKind::backend,
+            fmt::format("OpenGL lost its context (GL_CONTEXT_LOST) while {}: the GPU or its driver was reset; try "
+                        "again, or draw with the backend software",
+                        doing),
+            {"backend"});
     }
     throw Error(ErrorKind::backend, fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing));
 }

@@ -66,12 +66,12 @@ std::unique_ptr<Context> open_context(std::string_view name, int device, DriverM
             if (messages) context->listen(std::move(messages));
             return context;
         } catch (const Error& error) {
-            tried += fmt::format("\n  {}: {}", backend.name, error.what());
+            tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", backend.name, error.what());
         }
     }
     if (tried.empty()) refuse_choice("backend", name, backend_names());
     throw Error(ErrorKind::backend,
-                fmt::format("no OpenGL context from backend {}{}; tried:{}\n`vvr doctor` says how to fix it", name,
+                fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it", name,
                             device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
 

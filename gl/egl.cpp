@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/loading.h"
 #include "gl/backend.h"
 #include "gl/library.h"
 
@@ -61,7 +62,8 @@ std::vector<Device> list_devices(const Egl& egl) {
     }
     std::array<EGLDeviceEXT, 64> handles{};
     EGLint count = 0;
-    if (!egl.query_devices(static_cast<EGLint>(handles.size()), handles.data(), &count)) {
+    const auto most = static_cast<EGLint>(handles.size());
+    if (!while_loading([&] { return egl.query_devices(most, handles.data(), &count); })) {
         throw Error(ErrorKind::backend, fmt::format("eglQueryDevicesEXT failed (EGL error {:#x})", egl.get_error()));
     }
     std::vector<Device> devices;
@@ -83,9 +85,10 @@ class EglContext final : public Context {
   public:
     EglContext(std::string backend, Egl egl, const Device& device, bool debug)
         : Context(std::move(backend)), egl_(std::move(egl)) {
-        display_ = egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr);
+        display_ =
+            while_loading([&] { return egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.handle, nullptr); });
         if (display_ == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
-        if (!egl_.initialize(display_, nullptr, nullptr)) fail("eglInitialize");
+        if (!while_loading([&] { return egl_.initialize(display_, nullptr, nullptr); })) fail("eglInitialize");
         try {
             create(debug);
         } catch (...) {
@@ -120,7 +123,8 @@ class EglContext final : public Context {
                                                   debug ? EGL_CONTEXT_FLAGS_KHR : EGL_NONE,
                                                   EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
                                                   EGL_NONE};
-        context_ = egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data());
+        context_ =
+            while_loading([&] { return egl_.create_context(display_, config, EGL_NO_CONTEXT, attributes.data()); });
         if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext (OpenGL 3.3 core)");
         if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) fail("eglMakeCurrent");
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/loading.h"
 
 namespace vvr {
 
@@ -13,7 +14,8 @@ Library::Library(const std::vector<std::string>& names) {
     std::string why;
     for (const std::string& name : names) {
         // Mesa and its LLVM register handlers that must outlive us: a real dlclose crashes at exit with some drivers.
-        if (void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+        constexpr int how = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
+        if (void* handle = while_loading([&] { return dlopen(name.c_str(), how); })) {
             handle_ = std::shared_ptr<void>(handle, [](void* library) { dlclose(library); });
             name_ = name;
             return;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/loading.h"
 #include "gl/backend.h"
 #include "gl/library.h"
 
@@ -47,7 +48,7 @@ class OSMesaContext final : public Context {
                                            osmesa_minor,
                                            3,
                                            0};
-        handle_.reset(mesa_.create(attributes.data(), nullptr));
+        handle_.reset(while_loading([&] { return mesa_.create(attributes.data(), nullptr); }));
         if (!handle_) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
         if (!mesa_.make_current(handle_.get(), surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
             throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");

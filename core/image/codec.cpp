@@ -1,10 +1,16 @@
 #include "core/image/codec.h"
 
+#include <algorithm>
+#include <latch>
+#include <thread>
+#include <vector>
+
 #include <dlfcn.h>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/loading.h"
 
 namespace vvr {
 namespace {
@@ -16,9 +22,27 @@ constexpr int search = 0;  // AddressSanitizer refuses any other
 constexpr int search = RTLD_DEEPBIND;
 #endif
 
+/// One of its libraries, log4cplus, starts a thread per core as it is loaded, four at least. Where it can't have them
+/// it ends the program or waits for ever, so that is tried first. \throws std::system_error when there are not so many
+void check_threads() {
+    const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
+    std::latch all_there(1);
+    std::vector<std::jthread> threads;
+    threads.reserve(wanted);
+    try {
+        for (unsigned i = 0; i < wanted; ++i) threads.emplace_back([&] { all_there.wait(); });
+    } catch (...) {
+        all_there.count_down();
+        throw;
+    }
+    all_there.count_down();
+}
+
 const PictureCodec& load() {
+    check_threads();
     // Never closed: some of the libraries that come with it crash when they are.
-    void* const library = dlopen(VVR_PICTURE_CODEC, RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE | search);
+    constexpr int how = RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE | search;
+    void* const library = while_loading([] { return dlopen(VVR_PICTURE_CODEC, how); });
     void* const codec = library ? dlsym(library, picture_codec_symbol) : nullptr;
     if (codec) return *reinterpret_cast<const PictureCodec* (*)()>(codec)();
     throw Error(

@@ -49,8 +49,15 @@ std::vector<std::byte> encode(const PictureFile& file) {
                       output->write_image(bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT, file.values.data()) &&
                       output->close();
     if (!done) {
-        throw Error(ErrorKind::io,
-                    fmt::format("cannot encode '{}': {}", file.name, output ? output->geterror() : OIIO::geterror()));
+        const std::string why = output ? output->geterror() : OIIO::geterror();
+        // It writes to memory, and OpenEXR says nothing where it has no threads.
+        if (why.empty()) {
+            throw Error(
+                ErrorKind::limit,
+                fmt::format("cannot encode '{}': memory or threads are short; try a smaller picture", file.name),
+                {"size"});
+        }
+        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", file.name, why));
     }
     const auto whole = std::as_bytes(std::span(encoded.buffer()));
     return {whole.begin(), whole.end()};

@@ -75,19 +75,22 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
 }
 
 DataFolder::~DataFolder() {
-    if (closed_) return;
-    remove_data();
+    // Without its manifest, what can't be removed would be another's to the next run.
+    if (closed_ || !remove_data()) return;
     std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
     if (made_) fs::remove(folder_, none);
 }
 
-void DataFolder::remove_data() const {
-    std::error_code none;
+bool DataFolder::remove_data() const {
+    bool removed = true;
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
                              stored::first, stored::last}) {
-        fs::remove_all(folder_ / name, none);
+        std::error_code error;
+        fs::remove_all(folder_ / name, error);
+        removed = removed && !error;
     }
+    return removed;
 }
 
 // Not each file by itself to the disk, as `replace_file` does: that takes longer than all the rest. The manifest, which

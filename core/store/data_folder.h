@@ -35,7 +35,7 @@ class DataFolder {
 
   private:
     void write(const std::filesystem::path& file, std::span<const std::byte> bytes) const;
-    void remove_data() const;
+    bool remove_data() const;  ///< whether all of them are gone
 
     std::filesystem::path folder_;
     std::int64_t flow_every_;

@@ -71,6 +71,10 @@ bool has_read_error(const std::string& name) {
     if (code == AVERROR(ENOMEM)) {
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
     }
+    if (code == AVERROR(EMFILE) || code == AVERROR(ENFILE)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot read '{}': {}; allow more open files (ulimit -n)", input.name, words));
+    }
     if (code == AVERROR_EXIT) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));

@@ -17,6 +17,7 @@ extern "C" {
 }
 
 #include "core/error.h"
+#include "core/loading.h"
 #include "core/video/settings.h"
 #include "core/video/watchdog.h"
 
@@ -27,7 +28,7 @@ namespace {
 // none of what vvr needs to start. Its number is libavformat's.
 void load_devices(const std::string& name) {
     const std::string library = fmt::format("libavdevice.so.{}", LIBAVFORMAT_VERSION_MAJOR);
-    void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    void* const loaded = while_loading([&] { return ::dlopen(library.c_str(), RTLD_NOW | RTLD_GLOBAL); });
     void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, "avdevice_register_all");
     if (found == nullptr) {
         throw Error(

@@ -14,7 +14,8 @@ def test_unknown_backend(t):
 def test_backend_that_is_not_there(t):
     t.clip()
     t.render("clip.avi", "--backend", "egl", "--device", "99").expect(
-        4, "no OpenGL context from backend egl, device 99; tried:", "egl:", "vvr doctor")
+        4, "no OpenGL context from backend egl, device 99; tried egl: asked for EGL device 99 but there ",
+        "; `vvr doctor` says how to fix it\n")
     t.expect_files("clip.avi")
 
 

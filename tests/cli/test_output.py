@@ -19,10 +19,12 @@ def test_every_format(t):
 
 def test_same_bytes_every_time(t):
     t.clip()
-    for name in ("a.png", "b.png", "a.exr", "b.exr"):
-        t.render("clip.avi", "--backend", "software", output=name).expect(0)
+    for name, threads in (("a.png", "1"), ("b.png", "1"), ("c.png", "5"), ("a.exr", "1"), ("b.exr", "1"), ("c.exr", "5")):
+        t.render("clip.avi", "--backend", "software", "--threads", threads, output=name).expect(0)
     for ending in ("png", "exr"):
-        check(t.path(f"a.{ending}").read_bytes() == t.path(f"b.{ending}").read_bytes(), f"two {ending} files differ")
+        for other in ("b", "c"):
+            same = t.path(f"a.{ending}").read_bytes() == t.path(f"{other}.{ending}").read_bytes()
+            check(same, f"a.{ending} and {other}.{ending} differ")
 
 
 def test_layers_stand_in_an_exr(t):

@@ -1,0 +1,318 @@
+"""Calls that fail, kills, clocks that jump, folders that go away, OpenGL that is lost: tests/faults has the means.
+
+scripts/faults does the same for as long as one likes.
+"""
+
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import time
+
+import pytest
+from harness import check
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "faults"))
+from faults import SCENES, Walk, faults_of  # noqa: E402
+
+SMALL = ("--size", "64x40", "--quiet")
+PNG = next(scene for scene in SCENES if scene.name == "png")
+
+EXR = next(scene for scene in SCENES if scene.name == "exr")
+
+
+def each(scenes):
+    return pytest.mark.parametrize("scene", scenes, ids=[scene.name for scene in scenes])
+
+
+by_name = each(SCENES)
+briefly = each([scene for scene in SCENES if scene != PNG])  # which html draws too
+
+
+def built(t, name):
+    """What the build has made of tests/faults; a sanitizer takes the place of what these stand before."""
+    file = pathlib.Path(t.vvr_path).resolve().parents[1] / "tests" / "faults" / name
+    if not file.exists():
+        pytest.skip(f"{name} is not built; sanitizers leave it out")
+    return str(file)
+
+
+@pytest.fixture
+def walk(t):
+    return Walk(t.vvr_path, built(t, "libvvr_fail_nth.so"), t.folder)
+
+
+def check_findings(walk):
+    ours = [str(finding) for finding in walk.findings if not finding.is_others]
+    check(not ours, "\n".join(ours))
+
+
+@briefly
+def test_a_call_that_fails_leaves_nothing_half_done(walk, scene):
+    """One or two of each kind, chosen once and for all."""
+    for number, fault in enumerate(faults_of(walk, scene, most=1, seed=1)):
+        if not fault.startswith("clock"):
+            walk.inject(scene, fault, always=number % 4 == 0)
+    check_findings(walk)
+
+
+@pytest.mark.slow
+@by_name
+def test_many_calls_that_fail_leave_nothing_half_done(walk, scene):
+    for fault in faults_of(walk, scene, most=20, seed=2):
+        walk.inject(scene, fault)
+    check_findings(walk)
+
+
+def kill(walk, scene, count, seed):
+    chance = random.Random(f"{seed} {scene.name}")
+    walk.learn(scene)
+    for number in range(count):
+        moment = chance.uniform(0, 1.1 * walk.lasted[scene.name])
+        walk.kill(scene, moment, number, first=number % 3 == 0, last=number % 3 == 2)
+    check_findings(walk)
+
+
+@briefly
+def test_a_kill_at_any_moment_leaves_nothing_half_done(walk, scene):
+    kill(walk, scene, count=3, seed=1)
+
+
+@pytest.mark.slow
+@by_name
+def test_many_kills_leave_nothing_half_done(walk, scene):
+    kill(walk, scene, count=60, seed=2)
+
+
+def test_the_injector_makes_the_call_fail_that_it_is_told(walk):
+    """So that a walk in which nothing fails is noticed."""
+    walk.learn(PNG)
+    for call, status, words in (("write", 2, "No space left on device"), ("fsync", 2, "Input/output error"),
+                                ("rename", 2, "Input/output error"), ("malloc", 5, "out of memory"), ("pthread_create", 5, "out of memory")):
+        walk.empty(PNG)
+        run = walk.run(PNG, f"{call}:1")
+        check(run.status == status and words in run.said, f"{call}: {run}")
+        check([line.split()[:4] for line in run.log] == [["fault", "main", call, "1"]], f"{run.log}")
+
+
+def test_threads_that_are_short_end_it_with_status_5(walk):
+    """Whichever is the first that can't be had: OpenImageIO's libraries would wait for ever for theirs."""
+    walk.learn(PNG)
+    for number in range(1, 10, 2):
+        walk.empty(PNG)
+        run = walk.run(PNG, f"pthread_create:{number}+")
+        log4cplus = any("liblog4cplus" in line for line in run.log)  # had as many before as it wants, which counts no more
+        check(run.status in (0, 5) or log4cplus, f"{number}: {run}")
+
+
+def test_threads_that_openexr_cannot_have_end_it_with_status_5(walk):
+    """It says nothing then."""
+    walk.learn(EXR)
+    said = 0
+    for number in range(8, walk.counts[EXR.name, "pthread_create"] + 1):
+        walk.empty(EXR)
+        run = walk.run(EXR, f"pthread_create:{number}")
+        log4cplus = any("liblog4cplus" in line for line in run.log)
+        check(run.status in (0, 5) or log4cplus, f"{number}: {run}")
+        said += "cannot encode 'out.exr': memory or threads are short" in run.said
+    check(said > 0, f"{walk.counts}")
+
+
+def test_files_that_cannot_be_opened_are_no_fault_of_the_clip(t):
+    t.clip("clip.avi", seconds=1)
+    log = t.path("log")
+    for number in range(1, 100):
+        log.unlink(missing_ok=True)
+        run = t.vvr("info", "clip.avi", env=os.environ | {"VVR_FAULT": f"open:{number}", "VVR_FAULT_LOG": str(log),
+                                                          "LD_PRELOAD": built(t, "libvvr_fail_nth.so")})
+        if "libavformat" in log.read_text():  # which opens the clip
+            run.expect(2, "cannot read 'clip.avi': Too many open files; allow more open files (ulimit -n)")
+            return
+    check(False, "libavformat opens nothing")
+
+
+def test_memory_that_is_short_as_libraries_are_loaded_ends_it_with_status_5(walk):
+    """What they throw then can't be caught, and the loader stays locked; so the program ends there."""
+    walk.learn(PNG)
+    ends = set()
+    for number in range(0, walk.counts[PNG.name, "malloc"], walk.counts[PNG.name, "malloc"] // 8):
+        walk.empty(PNG)
+        run = walk.run(PNG, f"malloc:{number + 1}")
+        ends.add(run.status)
+        walk.check(PNG, f"malloc:{number + 1}", run)
+    check_findings(walk)
+    check(5 in ends, f"{ends}")
+
+
+def test_data_that_cannot_be_removed_stay_known(walk):
+    """With no file left to open, a folder of data can't be emptied, but the next run still knows it for its own."""
+    extract = next(scene for scene in SCENES if scene.name == "extract")
+    walk.learn(extract)
+    stays = 0
+    count = walk.counts[extract.name, "open"]
+    for number in range(count - 11, count, 2):
+        walk.inject(extract, f"open:{number}+")
+        stays += walk.statuses[extract.name, "open", 2]
+    check_findings(walk)
+    check(stays > 0, f"{walk.statuses}")
+
+
+@briefly
+def test_a_clock_that_jumps_back_changes_no_picture(walk, scene):
+    walk.learn(scene)
+    count = walk.counts[scene.name, "clock"]
+    check(count > 0, f"{walk.counts}")
+    fault = f"clock:{(count + 1) // 2}"
+    walk.empty(scene)
+    run = walk.run(scene, fault)
+    check(run.status == 0, str(run))
+    check(any(line.startswith("fault main clock") for line in run.log) or scene.process == "worker", f"{run.log}")
+    walk.check(scene, fault, run)
+    check(walk.files(scene) == walk.whole[scene.name], f"{fault}: other files")
+    walk.check_next(scene, fault, run)
+    check_findings(walk)
+
+
+def test_backend_is_tried_before_a_long_clip_is_read(t):
+    """One of more than 5000 frames: shorter ones are read meanwhile."""
+    t.clip("clip.avi", seconds=520)
+    library = built(t, "libvvr_fail_nth.so")
+    reads = {}
+    for backend, status in ((("egl", "--device", "99"), 4), (("software",), 0)):
+        environment = os.environ | {"VVR_FAULT": "count", "VVR_FAULT_LOG": str(t.path("log")), "LD_PRELOAD": library}
+        t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, "--flow", "none", "--backend", *backend, env=environment).expect(status)
+        reads[status] = int(t.path("log").read_text().split("count main read ")[1].split()[0])
+        t.path("log").unlink()
+    whole = t.path("clip.avi").stat().st_size / 32768  # that libav reads at once
+    check(reads[0] - reads[4] > 0.8 * whole, f"reads without and with OpenGL: {reads}, of {whole:.0f}")
+
+
+# Folders
+
+
+def fed_by_hand(t, *arguments, **options):
+    """vvr, with a clip on its stdin of which it has the first half; and the other half."""
+    data = t.path("clip.avi").read_bytes()
+    child = subprocess.Popen([t.vvr_path, *arguments], cwd=t.folder, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.PIPE, **options)
+    child.stdin.write(data[:len(data) // 2])
+    child.stdin.flush()
+    for _ in range(200):  # the file in which the stream is kept is open once the output has been looked at
+        if any("vvr-" in os.path.realpath(link) for link in pathlib.Path(f"/proc/{child.pid}/fd").iterdir()):
+            break
+        time.sleep(0.05)
+    return child, data[len(data) // 2:]
+
+
+def test_a_folder_that_goes_away_in_the_middle(t):
+    t.clip("clip.avi", seconds=1)
+    t.path("out").mkdir()
+    child, rest = fed_by_hand(t, "render", "-", "-o", "out/out.png", *SMALL)
+    shutil.move(t.path("out"), t.path("elsewhere"))
+    _, said = child.communicate(rest, timeout=60)
+    check(child.returncode == 2 and b"'out'" in said and b"No such file or directory" in said, f"{child.returncode} {said}")
+    t.expect_files("clip.avi", "elsewhere")
+
+
+def test_a_folder_that_turns_read_only_in_the_middle(t):
+    t.clip("clip.avi", seconds=1)
+    out = t.path("out")
+    out.mkdir()
+    (out / "out.png").write_bytes(b"older")
+    user = {"user": 65534, "group": 65534, "extra_groups": []} if os.getuid() == 0 else {}
+    if user:  # permissions don't hold root back
+        for folder in (t.folder, *t.folder.parents[:2]):
+            os.chmod(folder, 0o755)
+        os.chown(out, 65534, 65534)
+        os.chown(out / "out.png", 65534, 65534)
+        if not os.access(t.vvr_path, os.X_OK) or subprocess.run(["true"], **user, cwd="/", check=False).returncode != 0:
+            pytest.skip("another user can't run here")
+        if subprocess.run([t.vvr_path, "--version"], **user, cwd="/", stdout=subprocess.DEVNULL, check=False).returncode != 0:
+            pytest.skip("another user can't run this vvr")
+    child, rest = fed_by_hand(t, "render", "-", "-o", "out/out.png", *SMALL, **user)
+    os.chmod(out, 0o555)
+    _, said = child.communicate(rest, timeout=60)
+    os.chmod(out, 0o755)
+    check(child.returncode == 2 and b"Permission denied" in said, f"{child.returncode} {said}")
+    check((out / "out.png").read_bytes() == b"older", "the older file is not as it was")
+    t.expect_files("clip.avi", "out", "out/out.png")
+
+
+def test_a_folder_for_streams_that_is_not_there(t):
+    t.clip("clip.avi", seconds=1)
+    gone = os.environ | {"TMPDIR": str(t.path("gone"))}
+    t.run(["bash", "-c", f"cat clip.avi | '{t.vvr_path}' render - -o out.png --size 64x40 --quiet"], env=gone).expect(
+        2, "cannot keep the stream", "No such file or directory", "set TMPDIR to a folder that can be written")
+    t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, env=gone).expect(0)
+
+
+# OpenGL
+
+EGL_CALLS = ("eglGetProcAddress", "eglQueryDevicesEXT", "eglGetPlatformDisplayEXT", "eglInitialize", "eglQueryString", "eglBindAPI",
+             "eglChooseConfig", "eglCreateContext", "eglMakeCurrent", "OpenGL")
+
+
+def egl_environment(t, **variables):
+    """That of a libEGL which has a GPU that fails as it is told, and Mesa's rasteriser."""
+    folder = os.path.dirname(built(t, "egl/libEGL.so.1"))
+    listed = subprocess.run(["/sbin/ldconfig", "-p"], stdout=subprocess.PIPE, check=True).stdout.decode()
+    real = next(line.split()[-1] for line in listed.splitlines() if "libEGL.so.1 " in line)
+    return os.environ | {"LD_LIBRARY_PATH": folder, "VVR_REAL_EGL": real} | variables
+
+
+def test_a_gpu_that_fails_is_left_for_the_rasteriser(t):
+    """By auto alone: who asks for the GPU gets status 4, and who asks for the rasteriser sees nothing of it."""
+    t.clip("clip.avi", seconds=1)
+    t.vvr("render", "clip.avi", "-o", "right.png", *SMALL, "--backend", "software").expect(0)
+    right = t.path("right.png").read_bytes()
+    for call in EGL_CALLS:
+        both = call in ("eglGetProcAddress", "eglQueryDevicesEXT")  # which know nothing of a device yet
+        environment = egl_environment(t, VVR_EGL_FAULT=("all:" if both else "") + call)
+        what = "this libEGL cannot list devices" if call == "eglGetProcAddress" else \
+            "the driver has no EGL_KHR_surfaceless_context" if call == "eglQueryString" else \
+            "gives no OpenGL 3.3 functions" if call == "OpenGL" else call
+        t.vvr("render", "clip.avi", "-o", "egl.png", *SMALL, "--backend", "egl", env=environment).expect(
+            4, "no OpenGL context from backend egl; tried egl: ", what, "`vvr doctor` says how to fix it")
+        check(not t.path("egl.png").exists(), call)
+        backend = t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, "--backend", "software", env=environment)
+        backend.expect(4 if both else 0)
+        if not both:
+            check(t.path("out.png").read_bytes() == right, call)
+    for call in ("eglInitialize", "all:eglInitialize"):  # to software, and to OSMesa
+        t.vvr("render", "clip.avi", "-o", "auto.png", *SMALL, env=egl_environment(t, VVR_EGL_FAULT=call)).expect(0)
+        t.expect_picture("auto.png", size=(64, 40))
+
+
+GL_ERRORS = (("0x505", "", 5, "OpenGL ran out of memory while"), ("0x507", "+", 4, "OpenGL lost its context (GL_CONTEXT_LOST) while"))
+
+
+def opengl_fails(t, error, lasts, status, words, step):
+    t.clip("clip.avi", seconds=1)
+    t.write("out.png", "older")
+    for number in range(1, 200, step):
+        run = t.vvr("render", "clip.avi", "-o", "out.png", *SMALL, env=egl_environment(t, VVR_GL_ERROR=f"{error}:{number}{lasts}"))
+        if run.status == 0:
+            break
+        run.expect(status, words, "--backend" if status == 4 else "--size")
+        check(t.path("out.png").read_bytes() == b"older", "the older picture is not as it was")
+        t.expect_files("clip.avi", "out.png")
+    check(number > 10, f"OpenGL was asked {number - 1} times for errors")
+    t.expect_picture(size=(64, 40))
+
+
+of_both = pytest.mark.parametrize("error,lasts,status,words", GL_ERRORS, ids=["out_of_memory", "context_lost"])
+
+
+@of_both
+def test_opengl_that_fails_in_the_middle(t, error, lasts, status, words):
+    """A clear text, and the older picture stays."""
+    opengl_fails(t, error, lasts, status, words, step=6)
+
+
+@pytest.mark.slow
+@of_both
+def test_opengl_that_fails_anywhere(t, error, lasts, status, words):
+    """At each place where OpenGL is asked for errors."""
+    opengl_fails(t, error, lasts, status, words, step=1)

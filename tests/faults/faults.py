@@ -1,0 +1,377 @@
+"""Runs of vvr in which a call fails or which are killed, and what has to hold after each.
+
+scripts/faults walks over them for as long as one likes; tests/cli/test_faults.py has a short piece of the same walk.
+"""
+
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import time
+import zlib
+from collections import Counter
+from dataclasses import dataclass, field
+
+CALLS = ("open", "write", "fsync", "rename", "read", "malloc", "mmap", "pthread_create", "clock")
+DOCUMENTED = (0, 1, 2, 3, 4, 5, 6)  # docs/cli.md, "exit status"; 7 belongs to --golden, and 70 is a bug
+PATIENCE = 20  # seconds, after which a run hangs
+MANIFEST = "data/manifest.json"
+OLDER = b"an older file\n"
+MEASURED = {"took_seconds", "peak_memory_bytes", "tries", "timings"}  # in JSON, what differs from run to run
+# Through these goes everything that is thrown or aborted: who did it comes after them in a backtrace.
+RUNTIME = ("libc.so", "libstdc++.so", "libgcc_s.so", "ld-linux", "libvvr_fail_nth.so", "libpthread")
+# OpenGL's driver, whose crashes where memory is short are its own: Mesa checks few of its allocations, LLVM aborts.
+MESA = ("_dri.so", "libEGL", "libOSMesa", "libgallium", "libLLVM", "libGLX", "libglapi", "libgbm", "libdrm")
+
+# A library of OpenVDB's, which comes with OpenImageIO. It starts its threads as it is loaded, and calls std::terminate or
+# waits for ever when it gets some of them and not all. vvr tries before whether there are as many threads.
+LOG4CPLUS = ("liblog4cplus",)
+# libc itself ends a program that has no memory for a library's thread-local variables.
+NO_THREAD_LOCAL = "cannot allocate memory for thread-local data: ABORT"
+OTHERS = MESA + LOG4CPLUS
+
+SMALL = ("--size", "64x40", "--backend", "software", "--threads", "2")
+RENDER = ("render", "{in}/clip.avi", "-o")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One use of vvr, small, in a folder that holds nothing else."""
+    name: str
+    command: tuple
+    files: tuple  # that there are before, with other bytes; a run replaces them or leaves them
+    process: str = "main"  # the one in which calls fail: main or worker
+
+
+SCENES = (
+    Scene("png", (*RENDER, "out.png", "--report", "out.json", *SMALL), ("out.png", "out.json")),
+    Scene("exr", (*RENDER, "out.exr", "--report", "out.json", *SMALL), ("out.exr", "out.json")),
+    Scene("html", (*RENDER, "out.png", "--page", "out.html", "--report", "out.json", *SMALL), ("out.png", "out.html", "out.json")),
+    Scene("extract", ("extract", "{in}/clip.avi", "-o", "data", "--threads", "2"), ()),
+    Scene("archive", ("archive", "{in}/clips", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
+    Scene("worker", ("archive", "{in}/one", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), (), "worker"),
+    Scene("watch", ("watch", "{in}/cam.ts", "-o", "out.png", "--brick", "1s", "--reference", "first", "--start-time",
+                    "2026-11-21 08:00:00", *SMALL), ("out.png",)),
+)
+
+
+def make_inputs(folder):
+    """The clips of all scenes, of a second or two."""
+    for name in ("clips", "one"):
+        (folder / name).mkdir(parents=True)
+
+    def ffmpeg(seconds, codec, name):
+        subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "lavfi", "-i", f"testsrc2=size=64x48:rate=10:duration={seconds}",
+                        *codec, folder / name], check=True, stdin=subprocess.DEVNULL)
+
+    ffmpeg(1, ("-c:v", "mpeg4", "-g", "5"), "clip.avi")
+    ffmpeg(2, ("-c:v", "libx264", "-preset", "ultrafast", "-g", "10", "-bf", "0"), "cam.ts")
+    for name in ("clips/a.avi", "clips/b.avi", "one/a.avi"):
+        shutil.copy(folder / "clip.avi", folder / name)
+        os.utime(folder / name, (time.time() - 86400,) * 2)  # nobody still writes it
+
+
+@dataclass
+class Run:
+    status: int
+    said: str
+    log: list  # lines of fail_nth
+    seconds: float
+
+
+UNDOCUMENTED = "ends with an undocumented status"
+WORKER_CRASHES = "a worker crashes"
+CRASHES = (UNDOCUMENTED, WORKER_CRASHES)
+
+
+@dataclass
+class Finding:
+    """Something that must not be, with what repeats it."""
+    what: str
+    scene: str
+    fault: str
+    run: Run
+    whose: str = "vvr"
+
+    @property
+    def is_others(self):
+        """Whether it is what vvr can't help: a crash within a library, or a wait for one that is known."""
+        known = any(part in self.whose for part in OTHERS)
+        return known or (self.what in CRASHES and ".so" in self.whose and "libvvr" not in self.whose)
+
+    def __str__(self):
+        said = "\n    ".join(self.run.said.strip().splitlines()[-4:])
+        crash = "\n    ".join(line[:700] for line in self.run.log if line.startswith(("crash", "fault")))
+        return f"{self.scene} {self.fault}: {self.what} ({self.whose}), status {self.run.status}\n    {said}\n    {crash}"
+
+
+def culprit(log):
+    """Whose a crash is, by its backtrace: the first file that is none of the runtime's. Of a hang, who asked for what failed."""
+    for kind in ("crash", "fault"):
+        for line in log:
+            if not line.startswith(kind):
+                continue
+            files = [pathlib.Path(place.rsplit("+", 1)[0]).name for place in line.split()[3 if kind == "crash" else 4:]]
+            for i, name in enumerate(files):
+                # What vvr itself does when nobody catches what is thrown stands before who threw it.
+                catches = ".so" not in name and any("libstdc++" in later for later in files[i + 1:i + 2])
+                if not catches and not any(part in name for part in RUNTIME):
+                    return name
+    return "vvr"
+
+
+def is_whole_png(data):
+    """Chunk for chunk, to the end."""
+    at = 8
+    while data[:8] == b"\x89PNG\r\n\x1a\n" and at + 12 <= len(data):
+        length = int.from_bytes(data[at:at + 4], "big")
+        kind = data[at + 4:at + 8 + length]
+        if int.from_bytes(data[at + 8 + length:at + 12 + length], "big") != zlib.crc32(kind):
+            return False
+        at += 12 + length
+        if kind == b"IEND":
+            return at == len(data)
+    return False
+
+
+def without_measures(value):
+    if isinstance(value, dict):
+        return {key: without_measures(inner) for key, inner in value.items()
+                if key not in MEASURED and not (key == "seconds" and isinstance(inner, dict))}
+    return [without_measures(inner) for inner in value] if isinstance(value, list) else value
+
+
+def content(path):
+    """What has to be the same in each run."""
+    data = path.read_bytes()
+    if path.suffix != ".json" or data == OLDER:
+        return data
+    try:
+        return without_measures(json.loads(data))
+    except ValueError:
+        return data
+
+
+def is_hidden(name):
+    return pathlib.PurePath(name).name.startswith(".vvr-")
+
+
+@dataclass
+class Walk:
+    """Runs scenes with faults in a folder, and keeps account."""
+    vvr: str
+    library: str
+    folder: pathlib.Path
+    statuses: Counter = field(default_factory=Counter)  # by scene, call and status
+    findings: list = field(default_factory=list)
+    runs: int = 0
+    whole: dict = field(default_factory=dict)  # by scene, the files of a run without faults
+    words: dict = field(default_factory=dict)  # by scene, what it says
+    counts: dict = field(default_factory=dict)  # by scene and call, how many calls there are
+    lasted: dict = field(default_factory=dict)
+
+    def __post_init__(self):
+        self.folder = pathlib.Path(self.folder)
+        self.inputs = self.folder / "in"
+        make_inputs(self.inputs)
+
+    # Files
+
+    def place(self, scene):
+        return self.folder / scene.name
+
+    def files(self, scene):
+        root = self.place(scene)
+        return {str(path.relative_to(root)): content(path) for path in sorted(root.rglob("*")) if path.is_file()}
+
+    def empty(self, scene):
+        shutil.rmtree(self.place(scene), ignore_errors=True)
+        self.place(scene).mkdir()
+        for name in scene.files:
+            (self.place(scene) / name).write_bytes(OLDER)
+
+    # Runs
+
+    def start(self, scene, **variables):
+        command = [self.vvr, *(word.replace("{in}", str(self.inputs)) for word in scene.command)]
+        environment = os.environ | {"VVR_CONFIG": "", "LP_NUM_THREADS": "0", "LANG": "C.UTF-8"} | variables
+        log = open(self.folder / "said", "w+b")
+        child = subprocess.Popen(command, cwd=self.place(scene), env=environment, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.DEVNULL, stderr=log, start_new_session=True)
+        child.said = log
+        return child
+
+    def end(self, child, begin):
+        try:
+            status = child.wait(timeout=PATIENCE)
+        except subprocess.TimeoutExpired:
+            os.killpg(child.pid, signal.SIGKILL)
+            child.wait()
+            status = None
+        child.said.seek(0)
+        said = child.said.read().decode(errors="replace")
+        child.said.close()
+        log = self.folder / "log"
+        lines = log.read_text(errors="replace").splitlines() if log.exists() else []
+        log.unlink(missing_ok=True)
+        self.runs += 1
+        return Run(status, said, lines, time.monotonic() - begin)
+
+    def run(self, scene, fault=None):
+        begin = time.monotonic()
+        variables = {"VVR_FAULT": fault, "VVR_FAULT_IN": scene.process, "VVR_FAULT_LOG": str(self.folder / "log"),
+                     "LD_PRELOAD": self.library} if fault else {}
+        return self.end(self.start(scene, **variables), begin)
+
+    def learn(self, scene):
+        """What a scene does without faults: its files, its words, its calls."""
+        if scene.name in self.whole:
+            return
+        self.empty(scene)
+        run = self.run(scene, "count")
+        assert run.status == 0, run
+        self.whole[scene.name] = self.files(scene)
+        assert not any(is_hidden(name) for name in self.whole[scene.name]), self.whole[scene.name].keys()
+        self.words[scene.name] = re.sub(r"[\d.]+", "#", run.said)
+        self.lasted[scene.name] = run.seconds
+        for line in run.log:
+            kind, process, call, number = line.split()
+            assert kind == "count" and process == scene.process, line
+            key = (scene.name, call)
+            self.counts.setdefault(key, int(number))
+
+    # What has to hold
+
+    def report(self, what, scene, fault, run):
+        whose = "libc.so" if NO_THREAD_LOCAL in run.said else culprit(run.log)
+        self.findings.append(Finding(what, scene.name, fault, run, whose))
+
+    def is_whole(self, name, data):
+        """Whether what differs from the right bytes is a whole file none the less, with what the run could do."""
+        if isinstance(data, dict):
+            return True
+        if name.endswith(".png"):
+            return is_whole_png(data)
+        return data.rstrip().endswith(b"</html>") if name.endswith(".html") else False
+
+    def check(self, scene, fault, run, killed=False):
+        """After a run in which something failed. \\returns whether hidden files are left"""
+        if run.status is None:
+            self.report(f"hangs longer than {PATIENCE} s", scene, fault, run)
+        elif not killed and run.status not in DOCUMENTED:
+            self.report(UNDOCUMENTED, scene, fault, run)
+        elif not killed and any(line.startswith("crash") for line in run.log):
+            self.report(WORKER_CRASHES, scene, fault, run)
+        right = self.whole[scene.name]
+        hidden = False
+        files = self.files(scene)
+        # A folder of data is whole when its manifest says so, which is written first and last.
+        unfinished = MANIFEST in files and isinstance(files[MANIFEST], dict) and files[MANIFEST]["complete"] is False
+        if unfinished and run.status == 0:
+            self.report("says that all is well, and the manifest does not", scene, fault, run)
+        for name, data in files.items():
+            if is_hidden(name):
+                hidden = True
+            elif name not in right:
+                self.report(f"leaves {name}", scene, fault, run)
+            elif unfinished and name != MANIFEST:
+                continue
+            elif data != right[name] and not (name in scene.files and data == OLDER):
+                # The picture of a clip in which something could not be read, if that is said.
+                warned = re.sub(r"[\d.]+", "#", run.said) != self.words[scene.name]
+                states = name.endswith(".json") or name == "pictures/index.html" or name == "out.html"
+                if not self.is_whole(name, data):
+                    self.report(f"leaves a part of {name}", scene, fault, run)
+                elif run.status == 0 and not killed and not warned and not states:
+                    self.report(f"draws another {name} and does not say why", scene, fault, run)
+            elif data == OLDER and run.status == 0 and not killed:
+                self.report(f"says that all is well, and {name} is an older one", scene, fault, run)
+        if hidden and run.status is not None and run.status >= 0 and not killed:
+            self.report("leaves a hidden file", scene, fault, run)
+        return hidden
+
+    def check_next(self, scene, fault, before):
+        """The next run completes what there is to do, and nothing hidden stays."""
+        run = self.run(scene)
+        if run.status != 0:
+            self.report("the next run fails", scene, fault, run)
+            return
+        now = self.files(scene)
+        right = self.whole[scene.name]
+        missing = right.keys() - now.keys()
+        other = [name for name in right if name in now and now[name] != right[name]]
+        over = now.keys() - right.keys()
+        if missing or other or over:
+            run.log = before.log
+            self.report(f"the next run leaves: missing {sorted(missing)}, other bytes {other}, too much {sorted(over)}", scene, fault, run)
+
+    def inject(self, scene, fault, always=True):
+        """One run with a fault, and the next one. \\param always or only where the first did not do all"""
+        self.learn(scene)
+        self.empty(scene)
+        run = self.run(scene, fault)
+        call = fault.split(":")[0]
+        happened = any(line.startswith("fault") for line in run.log)
+        self.statuses[scene.name, call, run.status if happened else "no such call"] += 1
+        found = len(self.findings)
+        hidden = self.check(scene, fault, run)
+        if always or hidden or len(self.findings) > found:
+            self.check_next(scene, fault, run)
+        return happened
+
+    def kill(self, scene, moment, number, first=True, last=True):
+        """SIGKILL so many seconds after the start. \\param first in an empty folder, or in what an earlier kill has left"""
+        self.learn(scene)
+        worker = scene.process == "worker"
+        if worker:  # whose clip is given up after three
+            first = last = True
+        if first:
+            self.empty(scene)
+        begin = time.monotonic()
+        child = self.start(scene)
+        time.sleep(moment)
+        victim = first_child(child.pid) if worker else child.pid
+        if victim and child.poll() is None:
+            os.kill(victim, signal.SIGKILL)
+        run = self.end(child, begin)
+        what = f"kill {number} at {moment:.3f} s" + (" of a worker" if worker else "")
+        was_killed = run.status == -signal.SIGKILL or worker
+        self.statuses[scene.name, "kill", "ended before" if run.status == 0 else run.status] += 1
+        self.check(scene, what, run, killed=was_killed)
+        if last:
+            self.check_next(scene, what, run)
+
+
+def first_child(pid):
+    try:
+        children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    except OSError:
+        return None
+    return int(children[0]) if children else None
+
+
+def sample(numbers, most, chance):
+    """All of 1 ... numbers, or so many of them: the first few, and others from everywhere."""
+    if numbers <= most:
+        return list(range(1, numbers + 1))
+    first = most // 4
+    return list(range(1, first + 1)) + sorted(chance.sample(range(first + 1, numbers + 1), most - first))
+
+
+def faults_of(walk, scene, most, seed):
+    """The faults of a scene, of each call at most so many, and of those that last."""
+    walk.learn(scene)
+    chance = random.Random(f"{seed} {scene.name}")
+    for call in CALLS:
+        count = walk.counts.get((scene.name, call), 0)
+        for number in sample(count, most, chance):
+            yield f"{call}:{number}"
+        if call == "clock":  # which stays as it was set
+            continue
+        # A disk that stays full, files that stay shut: once or twice for each call.
+        for number in sample(count, max(1, most // 10), chance)[:max(1, most // 10)]:
+            yield f"{call}:{number}+"
