@@ -84,8 +84,8 @@ DataFolder::~DataFolder() {
 
 void DataFolder::remove_data() const {
     std::error_code none;
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
-                             stored::first, stored::last}) {
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::old_colour,
+                             stored::reference, stored::first, stored::last}) {
         fs::remove_all(folder_ / name, none);
     }
 }

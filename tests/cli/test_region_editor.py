@@ -31,7 +31,7 @@ def test_inspect_makes_a_region_editor(t):
 
 def test_region_editor_shows_the_frame_itself(t):
     clip(t)
-    t.vvr("inspect", "clip.mkv", "--frame", "20", "-o", "roi.html").expect(0)
+    t.vvr("inspect", "clip.mkv", "--frame", "20f", "-o", "roi.html").expect(0)
     base64 = re.search(r'src="data:image/jpeg;base64,([^"]+)"', t.path("roi.html").read_text())[1]
     t.write("frame.b64", base64)
     t.run(["bash", "-c", "base64 -d frame.b64 >frame.jpg"])
