@@ -97,8 +97,10 @@ bool has_unit(const CommandHelp& help, std::string_view unit) {
 
 std::string help_text(const CommandHelp& help, int width) {
     const auto columns = static_cast<std::size_t>(width);
-    std::string text = fmt::format("vvr {}: {}\n\nUsage: vvr {}{}{} [OPTIONS]\n", help.name, help.text, help.name,
-                                   help.arguments.empty() ? "" : " ", help.arguments);
+    std::string text;
+    append_wrapped(text, fmt::format("vvr {}: {}", help.name, help.text), 0, 0, columns);
+    text +=
+        fmt::format("\nUsage: vvr {}{}{} [OPTIONS]\n", help.name, help.arguments.empty() ? "" : " ", help.arguments);
     if (!help.arguments.empty()) {
         text += '\n';
         append_row(text, help.arguments, help.arguments_text, 2, column, columns);

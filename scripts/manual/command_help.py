@@ -81,7 +81,7 @@ def parse(name, text):
     """The help of one command."""
     command = Command(name)
     head, *blocks = text.rstrip("\n").split("\n\n")
-    command.help = expect(rf"vvr {name}: (.*)", head)[1]
+    command.help = expect(rf"vvr {name}: (.*)", head.replace("\n", " "))[1]
     command.usage = expect(r"Usage: (.*)", blocks.pop(0))[1]
     for block in blocks:
         first, *lines = block.split("\n")

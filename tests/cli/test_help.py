@@ -127,7 +127,7 @@ def test_times_are_written_alike_everywhere(t):
     t.render("clip.avi", "--start-time", "00:00:01").expect(1, "To begin later in the clip, take --start")
 
 
-HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 1s"}
+HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 9s"}
 
 
 @pytest.mark.parametrize("command", COMMANDS)
