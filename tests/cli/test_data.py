@@ -66,7 +66,7 @@ def test_colour_of_the_video_needs_extracted_frames(t):
         1, "'data' was extracted without the frames' colours: extract it again with them, or render the clip itself (--with-color)")
     check(not t.path("no.png").exists(), "a picture was written")
     t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
-    check(len(list(t.path("data/colour").iterdir())) == 40, "not a picture a frame")
+    check(len(list(t.path("data/color").iterdir())) == 40, "not a picture a frame")
     t.render(clip, *look, output="clip.png").expect(0)
     t.render("data", *look, output="data.png").expect(0)
     same(t, "clip.png", "data.png")
