@@ -43,9 +43,13 @@ class Archive final : public Command {
   public:
     void add_options(CommandLine& line) override {
         add_archive_options(line, options_);
-        add_input_options(line, job_.input, "the folder that holds the clips, in folders of its own or not");
+        add_input_options(line, job_.input, "CLIPS", "the folder that holds the clips, in folders of its own or not");
         add_layout_options(line, job_.input);
         add_picture_options(line, job_);
+        line.examples({{"vvr archive clips -o pictures --dry-run", "what would be done, and why"},
+                       {"vvr archive clips -o pictures --prune --quiet",
+                        "for cron: draw what is new, remove what is gone, print what failed"},
+                       {"vvr archive recordings -o days --per day", "a picture per camera and day"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {

@@ -25,6 +25,10 @@ class Compare final : public Command {
         line.arguments(names_, "A B", "two picture files");
         line.flag(Group::output, json_, json_option);
         add_comparison_options(line, options_);
+        line.examples({{"vvr compare golden.png out.png", "status 7 if they differ by more than the tolerance"},
+                       {"vvr compare golden.png out.png --diff diff.png", "where they differ"},
+                       {"vvr compare golden.png out.png --tolerance 0 --tolerance-percent 0 --tolerance-patch 0 --json",
+                        "the same in every sample, with numbers for programs"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {

@@ -78,9 +78,12 @@ std::string settings_of(const CommandRow& row, const std::filesystem::path& file
 class Config final : public Command {
   public:
     void add_options(CommandLine& line) override {
-        line.arguments(names_, "COMMAND",
+        line.arguments(names_, "[COMMAND]",
                        "whose options are listed, with their values; what the file sets if not given");
         line.only_find_config();
+        line.examples({{"vvr config", "which config file is in force, and what it sets"},
+                       {"vvr config render", "every option of render, and who sets it"},
+                       {"vvr config render --no-config", "the defaults"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment&) override {

@@ -23,13 +23,13 @@ namespace vvr {
 namespace {
 
 namespace text {
-constexpr Setting output{"output", "FILE", "the piece; its ending names the container"};
+constexpr Setting output{"output", "FILE", "the piece; its extension names the container"};
 constexpr Setting event{
-    "event", "N", "cut this event, by its number in the picture, the report and the page", {1, 1e9}};
+    "event", "N", "cut this event, by its number in the picture, the report and the page", {1, 1'000'000'000}};
 constexpr Setting report{"report", "FILE", "read the events from this report of `vvr render --report`; no search"};
-constexpr Setting from{"from", "TIME", "cut from here: 250, 12.5s or 00:00:12.5; the beginning if not given"};
+constexpr Setting from{"from", "TIME", "cut from here; the beginning if not given"};
 constexpr Setting to{"to", "TIME", "the first frame that is no longer in the piece; the end if not given"};
-constexpr Setting margin{"margin", "SECONDS", "so much more before and after", {0, 3600}};
+constexpr Setting margin{"margin", "TIME", "so much more before and after", {0, 3600}};
 constexpr Setting exact{"exact", "",
                         "encode exactly these frames anew, without sound; else packets are copied from the key frame "
                         "before"};
@@ -48,7 +48,7 @@ class Cut final : public Command {
         line.path(output, job_.report, text::report);
         line.value(output, text::from, "", [this](const std::string& given) { job_.from = parse_time(given); });
         line.value(output, text::to, "", [this](const std::string& given) { job_.to = parse_time(given); });
-        line.number(output, job_.margin, text::margin);
+        line.duration(output, job_.margin, text::margin);
         line.flag(output, job_.exact, text::exact);
         line.exclude(text::event, text::from);
         line.exclude(text::event, text::to);
@@ -57,10 +57,14 @@ class Cut final : public Command {
         // Whatever decides which events there are, and which number each has.
         RenderJob& search = job_.search;
         add_event_options(line, output, search.output.events);
-        add_input_options(line, search.input, "the file of a clip");
+        add_input_options(line, search.input, "INPUT", "the file of a clip");
         add_span_options(line, search.fields.span);
         add_field_options(line, search.fields);
         add_thread_options(line, search.fields.threads);
+        line.examples(
+            {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip's picture"},
+             {"vvr cut clip.avi -o piece.avi --from 0.5s --to 00:00:01.5", "a piece, copied from the key frame before"},
+             {"vvr cut clip.avi -o exact.mp4 --from 5f --to 15f --exact", "exactly these frames, encoded again"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {

@@ -7,6 +7,7 @@
 #include "cli/options/job_options.h"
 #include "cli/print.h"
 #include "cli/versions.h"
+#include "core/image/text.h"
 #include "core/json_text.h"
 #include "core/version.h"
 #include "gl/context.h"
@@ -48,11 +49,20 @@ std::string as_json(const std::vector<BackendReport>& reports) {
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
     for (const BackendReport& report : reports) backends.push_back(json_of(report));
-    return json_text({{"vvr", version()}, {"libraries", libraries}, {"backends", backends}}, 2) + "\n";
+    const std::string font = font_name();
+    return json_text({{"vvr", version()},
+                      {"libraries", libraries},
+                      {"font", font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(font)},
+                      {"backends", backends}},
+                     2) +
+           "\n";
 }
 
 std::string as_text(const std::vector<BackendReport>& reports) {
-    std::string text = version_text();
+    const std::string font = font_name();
+    std::string text =
+        version_text() + fmt::format("font           {}\n",
+                                     font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
     for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
     return text;
 }
@@ -64,6 +74,8 @@ class Doctor final : public Command {
     void add_options(CommandLine& line) override {
         line.flag(Group::output, json_, json_option);
         add_thread_options(line, threads_);
+        line.examples({{"vvr doctor", "which OpenGL works here, and what to install for what does not"},
+                       {"vvr doctor --json", "the same for programs"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {

@@ -29,11 +29,14 @@ class Extract final : public Command {
         line.flag(output, job_.colour, text::with_color);
         // The settings record which part it is as --start and --end.
         line.value(output, text::part, "", [this](const std::string& given) { job_.part = parse_share(given); });
-        add_input_options(line, job_.input);
+        add_input_options(line, job_.input, "INPUT...", clip_input);
         add_layout_options(line, job_.input);
         add_span_options(line, job_.fields.span);
         add_field_options(line, job_.fields);
         add_thread_options(line, job_.fields.threads);
+        line.examples({{"vvr extract clip.avi -o data", "fields, flow and seeds as files"},
+                       {"vvr render data -o data.png", "the picture of them"},
+                       {"vvr extract clip.avi -o part --part 2/8 --with-color", "one of eight parts of a long clip"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {

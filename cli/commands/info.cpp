@@ -75,9 +75,12 @@ class Info final : public Command {
   public:
     void add_options(CommandLine& line) override {
         line.flag(Group::output, json_, json_option);
-        add_input_options(line, job_.input);
+        add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
         add_layout_options(line, job_.input);
         add_picture_options(line, job_);
+        line.examples({{"vvr info clip.avi", "what the clip is, and what a picture of it would need"},
+                       {"vvr info clip.avi --json", "the same for programs"},
+                       {"vvr info clip.avi --field-size source", "what larger fields would need"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment&) override {

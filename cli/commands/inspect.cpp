@@ -9,6 +9,7 @@
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
 #include "cli/render/open_fields.h"
+#include "cli/render/settings.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
@@ -19,7 +20,7 @@ namespace {
 
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
-constexpr Setting frame{"frame", "TIME", "which frame: 250, 12.5s or 00:00:12.5"};
+constexpr Setting frame{"frame", "TIME", "which frame"};
 }  // namespace text
 
 class Inspect final : public Command {
@@ -29,16 +30,20 @@ class Inspect final : public Command {
                   {.letter = 'o',
                    .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
                                        fmt::join(picture_endings(), " "))});
-        add_input_options(line, job_.input);
+        add_input_options(line, job_.input, "INPUT...", clip_input);
         add_layout_options(line, job_.input);
         line.value(Group::input, text::frame, "", [this](const std::string& given) { frame_ = parse_time(given); });
         add_field_options(line, job_.fields);
+        line.path(Group::look, job_.font, setting::font);
         add_thread_options(line, job_.fields.threads);
+        line.examples({{"vvr inspect clip.avi --frame 1s -o frame.png", "object, flow and seeds of the frame at 1 s"},
+                       {"vvr inspect clip.avi --frame 10f -o roi.html", "a page to draw --roi and --mask on"},
+                       {"vvr inspect clip.avi --frame 1s --threshold 40 -o strict.png", "what a threshold leaves"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
         require_input(job_.input);
-        if (!frame_) throw Error(ErrorKind::usage, "no frame: say which with --frame 250, 12.5s or 00:00:12.5");
+        if (!frame_) throw Error(ErrorKind::usage, "no frame: say which with --frame 12.5s, 00:00:12.5 or 250f");
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
         if (is_page(job_.path)) {
             check_file_path(job_.path);

@@ -14,9 +14,14 @@ class Render final : public Command {
   public:
     void add_options(CommandLine& line) override {
         add_output_options(line, job_.output);
-        add_input_options(line, job_.input);
+        add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
         add_layout_options(line, job_.input);
         add_picture_options(line, job_);
+        line.examples({{"vvr render clip.avi -o clip.png", "the whole clip as one picture"},
+                       {"vvr render clip.avi -o clip.html --report clip.json",
+                        "a page to watch the clip from, and its events for programs"},
+                       {"vvr render 'recordings/2026-11-21/*/gate' -o gate.png --preset day",
+                        "all files of a recorder's day as one picture"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {

@@ -18,6 +18,9 @@ class Seeds final : public Command {
         line.arguments(flows_, "FLOW", "a folder that `vvr extract` wrote, or one with .flo files, named by frame");
         line.path(Group::output, job_.folder, text::output, {.letter = 'o'});
         add_seed_options(line, job_.seeds);
+        line.examples({{"vvr extract clip.avi -o data", "the flow of a clip"},
+                       {"vvr seeds data -o lists --seed-select first:2", "the two fastest points of each frame"},
+                       {"vvr render clip.avi -o clip.png --seeds lists", "the picture with arrows at those"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {

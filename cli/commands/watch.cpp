@@ -23,15 +23,24 @@ class Watch final : public Command {
     }
 
     void add_options(CommandLine& line) override {
+        line.is_for_streams();
         add_stream_output(line, job_.output);
         add_stream_options(line, options_);
-        add_input_options(line, job_.input, "a URL, a camera's device, a file that grows, - for stdin");
+        add_input_options(line, job_.input, "INPUT",
+                          "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a file that grows, - for "
+                          "stdin, @FILE for a URL that a file holds");
         add_picture_options(line, job_);
+        add_stream_clock(line, job_.look.start_time);
+        line.examples(
+            {{"vvr watch rtsp://camera/stream -o gate.html", "a page that shows the last 80 seconds"},
+             {"vvr watch rtsp://camera/stream -o gate.png --brick 1m --window 10 --duration 8h",
+              "a picture of the last ten minutes, for a working day"},
+             {"vvr watch rtsp://camera/stream -o 'gate.{brick:6}.png'", "a picture each 10 seconds, all kept"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
-        check_stream(line, job_);
-        only_input(job_.input);
+        check_stream(job_);
+        job_.input.names = {address_of(only_input(job_.input))};
         finish(line, job_, true);
         Console console(environment, false);
         StreamWatch watch(job_, options_, console);

@@ -17,9 +17,9 @@ constexpr Setting output{"output", "DIR", "folder for pictures, pages and their 
 constexpr Setting match{"match", "GLOB",
                         "which files are clips: *.avi, or with folders cam?/*.avi; can be given several times; if not "
                         "given, those that end in "};
-constexpr Setting exclude{"exclude", "GLOB", "which of these are none all the same; can be given several times"};
+constexpr Setting exclude{"exclude", "GLOB", "which of these are not; can be given several times"};
 constexpr Setting per{"per", "NAME", "what gets a picture"};
-constexpr Setting redraw{"redraw", "TIME", "draw a day anew once so much has been added, or nothing for as long"};
+constexpr Setting redraw{"redraw", "TIME", "draw a day again once so much has come, or nothing for as long"};
 constexpr Setting settle{"settle", "TIME", "leave files that changed less than this ago: they are still being written"};
 constexpr Setting tries{"tries", "COUNT", "in how many runs a clip that fails is tried", {1, 1000}};
 constexpr Setting shard{"shard", "I/N", "only this share of the clips, 1/N to N/N"};
@@ -29,10 +29,10 @@ constexpr Setting index_only{"index-only", "", "write the index and draw nothing
 constexpr Setting no_index{"no-index", "", "write no index"};
 constexpr Setting no_pages{"no-pages", "", "pictures only, which is faster"};
 constexpr Setting jobs{
-    "jobs", "COUNT", "clips at a time, a process each", {1, 1024}, "as many as cores and memory allow"};
-constexpr Setting timeout{"timeout", "TIME", "the longest time for a clip; 0 = no limit"};
+    "jobs", "COUNT", "clips at the same time, a process each", {1, 1024}, "cores / --threads, less if memory is short"};
+constexpr Setting timeout{"timeout", "TIME", "the longest time that a clip may take; 0 = no limit"};
 constexpr Setting max_memory{
-    "max-memory", "BYTES", "the most memory for a clip, for example 2G", {}, "its share of the machine's"};
+    "max-memory", "BYTES", "the most memory for a clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
 constexpr Setting sandbox{"sandbox", "NAME", "whether a worker is kept from all but its clip and its pictures"};
 }  // namespace text
 
@@ -48,9 +48,9 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
     line.choice(archive, groupings, groupings.front().name, text::per,
                 [&options](const GroupingRow& row) { options.per = row.grouping; });
     line.value(archive, text::redraw, "15m",
-               [&options](const std::string& given) { options.redraw = parse_duration(given); });
+               [&options](const std::string& given) { options.redraw = parse_whole_seconds(given); });
     line.value(archive, text::settle, "60s",
-               [&options](const std::string& given) { options.settle = parse_duration(given); });
+               [&options](const std::string& given) { options.settle = parse_whole_seconds(given); });
     line.number(archive, options.tries, text::tries);
     line.value(archive, text::shard, "", [&options](const std::string& given) {
         const auto [share, count] = parse_share(given);
@@ -63,7 +63,7 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
     line.flag(archive, options.no_pages, text::no_pages);
     line.number(workers, options.jobs, text::jobs);
     line.value(workers, text::timeout, "2h",
-               [&options](const std::string& given) { options.timeout = parse_duration(given); });
+               [&options](const std::string& given) { options.timeout = parse_whole_seconds(given); });
     line.value(workers, text::max_memory, std::string(text::max_memory.otherwise),
                [&options](const std::string& given) {
                    constexpr std::int64_t least = 200'000'000;  // of a worker with the smallest clip

@@ -22,6 +22,7 @@ namespace {
 constexpr Setting config_option{"config", "FILE",
                                 "read long option names and values, as `size = 1280x800`; the command line wins"};
 constexpr Setting no_config_option{"no-config", "", "read no config file, wherever one is"};
+constexpr Setting help_option{"help", "", "print this and end"};
 
 template <class T>
 struct Unwrapped {
@@ -40,8 +41,32 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-std::string flag_of(const Setting& setting, char letter) {
-    return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
+/// All names of an option, as CLI11 takes them.
+std::string flag_of(const Setting& setting, char letter = 0) {
+    return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name) +
+           (setting.alias.empty() ? "" : fmt::format(",--{}", setting.alias));
+}
+
+/// What the help says of a setting's range and default.
+std::string limits_of(const Setting& setting, const std::string& shown) {
+    std::string text;
+    const auto& [low, high] = setting.range;
+    const char* const unit = setting.unit == "TIME" ? "s" : "";
+    if (low < high) text += fmt::format(" ({}{} to {}{})", low, unit, high, unit);
+    if (!shown.empty()) text += fmt::format(" [{}]", shown);
+    return text;
+}
+
+HelpOption help_of(Group group, const Setting& setting, const std::string& shown, const OptionExtra& extra) {
+    HelpOption help{
+        group,
+        extra.letter,
+        {std::string(setting.name)},
+        std::string(setting.unit),
+        std::string(setting.help) + extra.help + limits_of(setting, extra.defaults.empty() ? shown : extra.defaults),
+        extra.values};
+    if (!setting.alias.empty()) help.names.emplace_back(setting.alias);
+    return help;
 }
 
 /// Whether an option stands among the arguments.
@@ -72,7 +97,8 @@ void as_setting(const Setting& setting, Action action) {
 struct CommandLine::Impl {
     std::string command;
     CLI::App app;
-    HelpText::Ranges ranges{};
+    CommandHelp help{};
+    std::vector<Setting> absent{};  ///< that a live stream does not have
     std::map<const CLI::Option*, bool> files{};
     ConfigChoice config{};
     bool reads_config = true;
@@ -101,7 +127,8 @@ std::string OptionValue::shown() const {
 CommandLine::CommandLine(const std::string& command, const std::string& help)
     : impl_(new Impl{command, CLI::App(help)}) {
     impl_->app.name("vvr " + command);
-    impl_->app.formatter(std::make_shared<HelpText>(impl_->ranges));
+    impl_->help.name = command;
+    impl_->help.text = help;
     // Leftovers are refused here, where the nearest option can be named.
     impl_->app.allow_extras();
 }
@@ -109,20 +136,27 @@ CommandLine::CommandLine(const std::string& command, const std::string& help)
 CommandLine::~CommandLine() = default;
 
 void CommandLine::arguments(std::vector<std::string>& target, const std::string& name, const std::string& help) {
-    impl_->app.add_option(name, target, help)->type_name("");
+    impl_->app.add_option("INPUT", target)->type_name("");
+    impl_->help.arguments = name;
+    impl_->help.arguments_text = help;
+}
+
+void CommandLine::examples(std::initializer_list<Example> examples) {
+    impl_->help.examples = examples;
 }
 
 void CommandLine::value(Group group, const Setting& setting, const std::string& shown,
                         const std::function<void(const std::string&)>& set, const OptionExtra& extra) {
+    if (for_streams_ && !setting.not_live.empty()) {
+        impl_->absent.push_back(setting);
+        return;
+    }
     CLI::Option* const option = impl_->app.add_option_function<std::string>(
         flag_of(setting, extra.letter),
-        [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); },
-        std::string(setting.help) + extra.help);
+        [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); });
     option->type_name(std::string(setting.unit))->default_str(shown)->group(title_of(group))->take_last();
     if (setting.may_be_file) impl_->files.emplace(option, true);
-    if (setting.range.low < setting.range.high) {
-        impl_->ranges.emplace(option, fmt::format("{}..{}", setting.range.low, setting.range.high));
-    }
+    impl_->help.options.push_back(help_of(group, setting, shown, extra));
 }
 
 template <class Number>
@@ -149,6 +183,11 @@ template void CommandLine::number(Group, std::int64_t&, const Setting&, const Op
 template void CommandLine::number(Group, std::optional<double>&, const Setting&, const OptionExtra&);
 template void CommandLine::number(Group, std::optional<int>&, const Setting&, const OptionExtra&);
 
+void CommandLine::duration(Group group, double& target, const Setting& setting) {
+    value(group, setting, fmt::format("{}s", target),
+          [&target, range = setting.range](const std::string& given) { target = parse_duration(given, range); });
+}
+
 void CommandLine::text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra) {
     value(
         group, setting, target, [&target](const std::string& given) { target = given; }, extra);
@@ -160,13 +199,14 @@ void CommandLine::path(Group group, std::filesystem::path& target, const Setting
 }
 
 void CommandLine::flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra) {
-    impl_->app.add_flag(flag_of(setting, extra.letter), target, std::string(setting.help) + extra.help)
-        ->group(title_of(group));
+    impl_->app.add_flag(flag_of(setting, extra.letter), target)->group(title_of(group));
+    impl_->help.options.push_back(help_of(group, setting, "", extra));
 }
 
 void CommandLine::list(Group group, std::vector<std::string>& target, const Setting& setting,
                        const OptionExtra& extra) {
-    impl_->app.add_option(flag_of(setting, extra.letter), target, std::string(setting.help) + extra.help)
+    impl_->help.options.push_back(help_of(group, setting, "", extra));
+    impl_->app.add_option(flag_of(setting, extra.letter), target)
         ->type_name(std::string(setting.unit))
         ->group(title_of(group))
         ->expected(1)
@@ -183,10 +223,6 @@ void CommandLine::name(Group group, std::string& target, const std::vector<std::
           {.help = fmt::format(": {}", fmt::join(names, ", "))});
 }
 
-void CommandLine::add_footer(const std::string& text) {
-    impl_->app.footer(impl_->app.get_footer() + text);
-}
-
 void CommandLine::exclude(const Setting& a, const Setting& b) {
     impl_->option(a)->excludes(impl_->option(b));
 }
@@ -201,20 +237,16 @@ const ConfigChoice& CommandLine::config() const {
 
 bool CommandLine::parse(std::span<const std::string> arguments) {
     CLI::App& app = impl_->app;
-    // Added last, so that they stand last in the help.
-    CLI::Option* const help = app.set_help_flag("-h,--help", "print this and end");
-    help->group(title_of(Group::run));
-    CLI::Option* const file = impl_->reads_config
-                                  ? app.set_config(flag_of(config_option, 0), "", std::string(config_option.help))
-                                  : app.add_option(flag_of(config_option, 0))
-                                        ->description(std::string(config_option.help))
-                                        ->configurable(false);
+    // Added last, so that they are the last of the help.
+    CLI::Option* const help = app.set_help_flag("-h,--help");
+    CLI::Option* const file = impl_->reads_config ? app.set_config(flag_of(config_option))
+                                                  : app.add_option(flag_of(config_option))->configurable(false);
     file->type_name(std::string(config_option.unit))->group(title_of(Group::run));
-    app.add_flag(flag_of(no_config_option, 0))
-        ->description(std::string(no_config_option.help))
-        ->configurable(false)
-        ->excludes(file)
-        ->group(title_of(Group::run));
+    app.add_flag(flag_of(no_config_option))->configurable(false)->excludes(file)->group(title_of(Group::run));
+    impl_->help.options.push_back(help_of(Group::run, help_option, "", {.letter = 'h'}));
+    for (const Setting& setting : {config_option, no_config_option}) {
+        impl_->help.options.push_back(help_of(Group::run, setting, "", {}));
+    }
     impl_->config = find_config(arguments);
     const std::string config_name = impl_->config.file.string();
     app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name));
@@ -229,7 +261,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     try {
         app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
-        print(app.help());
+        print(help_text(impl_->help, help_width()));
         return false;
     } catch (const Error& error) {
         // Whoever reads this may not know of the config file, nor that it sets the option.
@@ -258,6 +290,10 @@ void CommandLine::refuse_leftovers() const {
                                                   leftovers.front(), app.get_name()));
     }
     const std::string name = option->substr(0, option->find('='));
+    for (const Setting& setting : impl_->absent) {
+        if (name != fmt::format("--{}", setting.name) && name != fmt::format("--{}", setting.alias)) continue;
+        throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live));
+    }
     throw Error(ErrorKind::usage, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
                                               did_you_mean(name, option_names(app)), app.get_name()));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
@@ -8,6 +9,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +18,7 @@
 
 #include "cli/options/find_config.h"
 #include "cli/options/group.h"
+#include "cli/options/help.h"
 #include "core/choice.h"
 #include "core/setting.h"
 
@@ -37,14 +41,42 @@ struct OptionValue {
 
 /// What an option has beside its setting.
 struct OptionExtra {
-    char letter = 0;     ///< its short name
-    std::string help{};  ///< goes on from the setting's
+    char letter = 0;                  ///< its short name
+    std::string help{};               ///< goes on from the setting's
+    std::vector<HelpValue> values{};  ///< each with what it does
+    std::string defaults{};           ///< what help shows as the default; empty = what files record
 };
 
-/// The end of a help text that lists the names of a table's rows.
+/// The end of a help text that lists names.
 template <class Rows>
 std::string list_of(const Rows& rows) {
     return fmt::format(": {}", fmt::join(names_of(rows), ", "));
+}
+
+/// The rows of a table as help explains them.
+template <class Rows>
+std::vector<HelpValue> values_of(const Rows& rows) {
+    std::vector<HelpValue> values;
+    for (const auto& row : rows) values.push_back({std::string(row.name), std::string(row.help)});
+    return values;
+}
+
+/// The defaults that a table's rows have for an option: that of the first row, then which rows have another one:
+/// "24; temporal: 16; flow: 12". For an option whose default depends on what another one says.
+/// \param default_of the text of a row's default
+template <class Rows, class Text>
+std::string defaults_of(const Rows& rows, Text default_of) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> defaults;
+    for (const auto& row : rows) {
+        const std::string text = default_of(row);
+        auto same = std::ranges::find(defaults, text, [](const auto& of) { return of.first; });
+        if (same == defaults.end()) same = defaults.insert(defaults.end(), {text, {}});
+        same->second.emplace_back(row.name);
+    }
+    std::string text = defaults.front().first;
+    for (const auto& [value, names] : std::span(defaults).subspan(1))
+        text += fmt::format("; {}: {}", fmt::join(names, ", "), value);
+    return text;
 }
 
 /// The command line of one command: its options, a config file for them, and errors in vvr's own words. All that is
@@ -57,12 +89,22 @@ class CommandLine {
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
+    /// From now on, settings and rows that a live stream does not have are left out, and refused with the reason.
+    void is_for_streams() { for_streams_ = true; }
+
     /// What is not an option.
+    /// \param name as the usage shows it: "INPUT..."
     void arguments(std::vector<std::string>& target, const std::string& name, const std::string& help);
+
+    /// At the end of the help.
+    void examples(std::initializer_list<Example> examples);
 
     /// A number within the setting's range: double, int or std::int64_t, or an optional of these.
     template <class Number>
     void number(Group group, Number& target, const Setting& setting, const OptionExtra& extra = {});
+
+    /// A length of time within the setting's range, in seconds.
+    void duration(Group group, double& target, const Setting& setting);
 
     void text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra = {});
     void path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra = {});
@@ -82,10 +124,23 @@ class CommandLine {
     /// \param set takes the row
     template <class Rows, class Set>
     void choice(Group group, const Rows& rows, std::string_view chosen, const Setting& setting, Set set) {
-        explain(setting, rows);
+        const auto kept = fitting(rows);
         value(group, setting, std::string(chosen),
-              [set, rows, name = setting.name](const std::string& given) { set(choose(name, given, rows)); },
-              {.help = list_of(rows)});
+              [set, kept, name = setting.name](const std::string& given) { set(choose(name, given, kept)); },
+              {.values = values_of(kept)});
+    }
+
+    /// The rows of a table that this command has: without those that need the whole clip where there are streams.
+    template <class Rows>
+    auto fitting(const Rows& rows) const {
+        std::vector<std::remove_cvref_t<decltype(*std::begin(rows))>> kept;
+        for (const auto& row : rows) {
+            if constexpr (requires { row.needs_whole_clip; }) {
+                if (for_streams_ && row.needs_whole_clip) continue;
+            }
+            kept.push_back(row);
+        }
+        return kept;
     }
 
     /// The name of one row of a table.
@@ -96,14 +151,6 @@ class CommandLine {
 
     /// One of some names.
     void name(Group group, std::string& target, const std::vector<std::string>& names, const Setting& setting);
-
-    /// Lists the rows of a table at the end of the help.
-    template <class Rows>
-    void explain(const Setting& setting, const Rows& rows) {
-        std::string text = fmt::format("\n--{}\n", setting.name);
-        for (const auto& row : rows) text += fmt::format("  {:<14} {}\n", row.name, row.help);
-        add_footer(text);
-    }
 
     /// Two options that can't both be given.
     void exclude(const Setting& a, const Setting& b);
@@ -129,11 +176,11 @@ class CommandLine {
     bool has(const Setting& setting) const;
 
   private:
-    void add_footer(const std::string& text);
     void refuse_leftovers() const;
 
     struct Impl;
     std::unique_ptr<Impl> impl_;
+    bool for_streams_ = false;
 };
 
 }  // namespace vvr

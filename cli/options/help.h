@@ -1,33 +1,50 @@
 #pragma once
 
-#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include <CLI/CLI.hpp>
+#include "cli/options/group.h"
 
 namespace vvr {
 
-/// Help with the unit, the default and the range of each option: `--fov DEGREES [30, 0..150]`.
-class HelpText : public CLI::Formatter {
-  public:
-    using Ranges = std::map<const CLI::Option*, std::string>;
-
-    /// \param ranges of those options that have one; outlives this
-    explicit HelpText(const Ranges& ranges) : ranges_(ranges) { column_width(36); }
-
-    std::string make_option_opts(const CLI::Option* option) const override {
-        std::string text;
-        if (!option->get_type_name().empty()) text += " " + option->get_type_name();
-        std::string bracket = option->get_default_str();
-        if (const auto range = ranges_.find(option); range != ranges_.end()) {
-            bracket += (bracket.empty() ? "" : ", ") + range->second;
-        }
-        if (!bracket.empty()) text += " [" + bracket + "]";
-        return text;
-    }
-
-  private:
-    const Ranges& ranges_;
+/// A value that an option takes, and what it does.
+struct HelpValue {
+    std::string name;
+    std::string help;
 };
+
+/// What the help says of an option.
+struct HelpOption {
+    Group group{};
+    char letter = 0;                 ///< its short name
+    std::vector<std::string> names;  ///< the first one is its own, the others are aliases
+    std::string unit;                ///< what it takes: "PIXELS"; empty for a flag
+    std::string text;                ///< with range and default
+    std::vector<HelpValue> values;   ///< that a table explains
+};
+
+/// A command line that shows what a command is for.
+struct Example {
+    std::string_view command;
+    std::string_view what;
+};
+
+/// What the help says of a command.
+struct CommandHelp {
+    std::string name;
+    std::string text;
+    std::string arguments;  ///< "INPUT..."; empty = it takes none
+    std::string arguments_text;
+    std::vector<HelpOption> options;
+    std::vector<Example> examples;
+};
+
+/// The help of a command: arguments, options by groups, what units mean, examples.
+/// \param width columns of a line; only a word that is longer, and an example, goes beyond
+std::string help_text(const CommandHelp& help, int width);
+
+/// The columns for help: what the environment's COLUMNS says, else the terminal's, else 80; from 72 to 120.
+int help_width();
 
 }  // namespace vvr

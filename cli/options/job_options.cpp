@@ -48,15 +48,15 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
     line.choice(Group::bricks, time_scales, time_scales.front().name, setting::time,
                 [&options](const TimeScaleRow& row) { options.time = row.scale; });
     line.value(Group::bricks, setting::skip_idle, "", [&options](const std::string& given) {
-        const double longest = parse_number(given, setting::skip_idle.range);
+        const double longest = parse_duration(given, setting::skip_idle.range);
         options.time = longest > 0 ? TimeScale::busy : TimeScale::even;
     });
 }
 
 }  // namespace
 
-void add_input_options(CommandLine& line, InputOptions& options, const std::string& help) {
-    if (!help.empty()) line.arguments(options.names, "INPUT", help);
+void add_input_options(CommandLine& line, InputOptions& options, const std::string& name, const std::string& help) {
+    line.arguments(options.names, name, help);
     line.value(Group::input, setting::field_size, "", [&options](const std::string& given) {
         options.field_size = given == "source" ? Size{-1, -1} : parse_size(given);
     });
@@ -77,11 +77,12 @@ void add_span_options(CommandLine& line, FrameSpan& span) {
 void add_field_options(CommandLine& line, FieldOptions& options) {
     constexpr Group fields = Group::fields;
     line.choice(fields, filters(), options.filter, setting::filter);
-    line.explain(setting::reference, reference_kinds());
     line.text(fields, options.reference, setting::reference,
-              {.help = list_of(reference_kinds()) + ", or a picture file"});
+              {.help = ", or a picture file of it", .values = values_of(line.fitting(reference_kinds()))});
     line.choice(fields, norms(), options.norm, setting::norm);
-    line.number(fields, options.threshold, setting::threshold);
+    line.number(fields, options.threshold, setting::threshold,
+                {.defaults = defaults_of(filters(),
+                                         [](const FilterRow& row) { return fmt::to_string(row.traits.threshold); })});
     line.number(fields, options.smooth, setting::smooth);
     line.number(fields, options.min_area, setting::min_area);
     line.choice(fields, illuminations(), options.illumination, setting::illumination);
@@ -95,9 +96,13 @@ void add_field_options(CommandLine& line, FieldOptions& options) {
     line.choice(fields, flow_areas(), flow.area, setting::flow_area);
     line.choice(fields, flow_solvers(), flow.solver, setting::solver);
     line.choice(fields, derivative_kinds(), flow.derivatives, setting::derivatives);
-    line.number(fields, flow.alpha, setting::alpha);
-    line.number(fields, flow.iterations, setting::iterations);
-    line.number(fields, flow.pre_smooth, setting::pre_smooth);
+    const auto by_solver = [](auto value) {
+        return defaults_of(flow_solvers(),
+                           [value](const SolverRow& row) { return fmt::to_string(row.defaults.*value); });
+    };
+    line.number(fields, flow.alpha, setting::alpha, {.defaults = by_solver(&SolverSettings::alpha)});
+    line.number(fields, flow.iterations, setting::iterations, {.defaults = by_solver(&SolverSettings::iterations)});
+    line.number(fields, flow.pre_smooth, setting::pre_smooth, {.defaults = by_solver(&SolverSettings::pre_smooth)});
 
     add_seed_options(line, options.seeds);
 }

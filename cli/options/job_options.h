@@ -10,11 +10,17 @@ namespace vvr {
 inline constexpr std::initializer_list<Group> picture_groups{Group::input, Group::fields, Group::bricks, Group::view,
                                                              Group::look};
 
-/// INPUT, if `help` says what it is, and how it is read.
-void add_input_options(CommandLine& line, InputOptions& options,
-                       const std::string& help =
-                           "a video file; files, folders, a pattern or a list (.txt) of files that are one recording; "
-                           "a folder or pattern of pictures (frames/%05d.png); - for stdin");
+/// What INPUT can be.
+inline constexpr const char* clip_input =
+    "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
+    "or pattern of pictures (frames/%05d.png); a URL; - for stdin";
+inline constexpr const char* clip_or_extraction_input =
+    "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
+    "or pattern of pictures (frames/%05d.png); folders that `vvr extract` wrote; a URL; - for stdin";
+
+/// INPUT, and how it is read.
+/// \param name as the usage shows it
+void add_input_options(CommandLine& line, InputOptions& options, const std::string& name, const std::string& help);
 
 /// How files' names tell camera and time.
 void add_layout_options(CommandLine& line, InputOptions& options);
@@ -35,6 +41,10 @@ void add_picture_options(CommandLine& line, RenderJob& job);
 
 /// Layout, camera and size of the picture.
 void add_view_options(CommandLine& line, RenderJob& job);
+
+/// `2026-11-21 08:00:00`, or a word that says who knows it.
+/// \throws Error usage
+StartTime parse_start_time(const std::string& text);
 
 /// What the picture shows of the volume and the flow.
 void add_look_options(CommandLine& line, RenderJob& job);

@@ -7,6 +7,7 @@
 #include "cli/render/settings.h"
 #include "cli/render/volume_paint.h"
 #include "core/error.h"
+#include "core/fields/filter.h"
 #include "core/scene/transfer_file.h"
 
 namespace vvr {
@@ -39,7 +40,18 @@ glm::vec4 parse_colour(const std::string& text) {
             static_cast<float>(value & 255U) / 255, 1};
 }
 
-StartTime parse_start(const std::string& text) {
+/// The transfer functions that themes have, and filters that have one of their own.
+std::string default_transfers() {
+    std::string text = defaults_of(themes(), [](const Theme& theme) { return std::string(theme.transfer); });
+    for (const FilterRow& filter : filters()) {
+        if (!filter.transfer.empty()) text += fmt::format("; {}: {}", filter.name, filter.transfer);
+    }
+    return text;
+}
+
+}  // namespace
+
+StartTime parse_start_time(const std::string& text) {
     if (text == "recorded") return {StartTime::From::recorded};
     if (text == "none") return {StartTime::From::nobody};
     for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
@@ -55,27 +67,28 @@ StartTime parse_start(const std::string& text) {
     }
     throw Error(
         ErrorKind::usage,
-        fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded' or 'none'", text));
+        fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded' or 'none'. To begin "
+                    "later in the clip, take --start",
+                    text));
 }
-
-}  // namespace
 
 void add_look_options(CommandLine& line, RenderJob& job) {
     constexpr Group group = Group::look;
     LookOptions& look = job.look;
-    line.explain(setting::show, parts());
     line.value(group, setting::show, text_of(look.show),
-               [&look](const std::string& given) { look.show = parse_parts(given); }, {.help = list_of(parts())});
+               [&look](const std::string& given) { look.show = parse_parts(given); }, {.values = values_of(parts())});
     line.number(group, look.keyframes, setting::keyframes);
     line.choice(group, themes(), look.theme.name, setting::theme, [&look](const Theme& row) { look.theme = row; });
     line.value(group, setting::background, "",
                [&look](const std::string& given) { look.background = parse_colour(given); });
     line.text(group, look.title, setting::title);
+    line.path(group, look.font, setting::font);
     line.value(group, setting::start_time, "",
-               [&look](const std::string& given) { look.start_time = parse_start(given); });
+               [&look](const std::string& given) { look.start_time = parse_start_time(given); },
+               {.defaults = std::string(setting::start_time.otherwise)});
     line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
                [&look](const std::string& given) { look.transfer = find_transfer(given); },
-               {.help = list_of(transfer_functions()) + ", or a file of points"});
+               {.help = list_of(transfer_functions()) + ", or a file of points", .defaults = default_transfers()});
     line.choice(group, colour_rows(), look.colour, setting::colour);
     line.choice(group, volume_shadings(), volume_shadings().front().name, setting::shading,
                 [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });

@@ -34,7 +34,7 @@ constexpr Setting still{"still", "FILE",
 constexpr Setting report{"report", "FILE",
                          "a JSON file of the input, the settings, the events and the run; needs no -o"};
 constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
-constexpr Setting event_min_seconds{"event-min-seconds", "SECONDS", "shorter events are not listed", {0, 86'400}};
+constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "shorter events are not listed", {0, 86'400}};
 constexpr Setting golden{"golden", "FILE",
                          "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
 constexpr Setting bless{"bless", "", "make the picture the golden one instead of comparing"};
@@ -141,7 +141,9 @@ bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path
 void check_inputs_stay(const RenderJob& job) {
     const OutputOptions& output = job.output;
     std::vector<std::filesystem::path> read(job.input.names.begin(), job.input.names.end());
-    for (const std::string& file : {job.fields.reference, job.fields.roi, job.fields.mask}) read.emplace_back(file);
+    for (const std::string& file : {job.fields.reference, job.fields.roi, job.fields.mask, job.look.font.string()}) {
+        read.emplace_back(file);
+    }
     if (!output.golden.bless) read.push_back(output.golden.path);
     const std::pair<const char*, const std::filesystem::path&> written[] = {
         {"-o", output.path},       {"--report", output.report},
@@ -166,11 +168,10 @@ void add_comparison_options(CommandLine& line, ComparisonOptions& options) {
 }
 
 void add_event_options(CommandLine& line, Group group, EventChoice& choice) {
-    line.explain(text::events, event_kinds());
     line.value(group, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
                [&choice](const std::string& given) { choice.kinds = parse_kinds(given); },
-               {.help = list_of(event_kinds())});
-    line.number(group, choice.least, text::event_min_seconds);
+               {.values = values_of(event_kinds())});
+    line.duration(group, choice.least, text::event_min_seconds);
 }
 
 void add_output_options(CommandLine& line, OutputOptions& options) {

@@ -45,6 +45,43 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     return parts;
 }
 
+/// `00:01:30`: only the last part may have a fraction, and only the first may be 60 or more.
+std::optional<double> clock_seconds(std::string_view text) {
+    const auto parts = split(text, ':');
+    if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
+    double seconds = 0;
+    for (const std::string_view part : parts) {
+        const bool last = part.data() == parts.back().data();
+        const bool first = part.data() == parts.front().data();
+        const auto value = number_within(part, {0, first ? longest_clip : 59.9999999});
+        if (!value || (!last && *value != std::floor(*value))) return std::nullopt;
+        seconds = seconds * 60 + *value;
+    }
+    return seconds <= longest_clip ? std::optional(seconds) : std::nullopt;
+}
+
+/// `1h30m`: units from the largest to the smallest, each once; only the last number may have a fraction.
+std::optional<double> unit_seconds(std::string_view text) {
+    constexpr std::pair<char, double> units[] = {{'d', 86400}, {'h', 3600}, {'m', 60}, {'s', 1}};
+    double seconds = 0;
+    bool whole = true;
+    for (const auto& [letter, length] : units) {
+        const auto end = text.find(letter);
+        if (end == std::string_view::npos) continue;
+        const auto value = number_within(text.substr(0, end), {0, longest_clip});
+        if (!value || !whole) return std::nullopt;
+        whole = *value == std::floor(*value);
+        seconds += *value * length;
+        text.remove_prefix(end + 1);
+        if (text.empty()) return seconds <= longest_clip ? std::optional(seconds) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> seconds_of(std::string_view text) {
+    return text.find(':') == std::string_view::npos ? unit_seconds(text) : clock_seconds(text);
+}
+
 }  // namespace
 
 double parse_number(std::string_view text, Range range) {
@@ -95,20 +132,17 @@ std::pair<int, int> parse_share(std::string_view text) {
     return {*share, *count};
 }
 
-std::chrono::seconds parse_duration(std::string_view text) {
-    constexpr std::string_view wanted = "a length of time like 90s, 10m, 2h or 1d";
-    constexpr std::int64_t longest = 10'000'000;
-    constexpr std::pair<char, std::int64_t> units[] = {{'s', 1}, {'m', 60}, {'h', 3600}, {'d', 86400}};
-    std::string_view digits = text;
-    std::int64_t seconds = 1;
-    for (const auto& [letter, length] : units) {
-        if (!text.ends_with(letter)) continue;
-        digits.remove_suffix(1);
-        seconds = length;
-    }
-    const auto value = number<std::int64_t>(digits);
-    if (!value || *value < 0 || *value > longest) refuse(text, wanted);
-    return std::chrono::seconds(*value * seconds);
+double parse_duration(std::string_view text, Range range) {
+    const auto alone = number_within(text, {0, longest_clip});
+    const auto seconds = alone ? alone : seconds_of(text);
+    if (!seconds) refuse(text, "a length of time like 90s, 1h30m, 00:01:30 or 2d");
+    if (*seconds < range.low || *seconds > range.high)
+        refuse(text, fmt::format("a length of time from {}s to {}s", range.low, range.high));
+    return *seconds;
+}
+
+std::chrono::seconds parse_whole_seconds(std::string_view text) {
+    return std::chrono::ceil<std::chrono::seconds>(std::chrono::duration<double>(parse_duration(text)));
 }
 
 std::int64_t parse_bytes(std::string_view text) {
@@ -129,30 +163,22 @@ std::int64_t parse_bytes(std::string_view text) {
 }
 
 Time parse_time(std::string_view text) {
-    constexpr std::string_view wanted = "a time like 250 (a frame), 12.5s or 00:00:12.5";
-    const auto parts = split(text, ':');
-    if (parts.size() == 1) {
-        if (text.ends_with('s')) {
-            const auto seconds = number_within(text.substr(0, text.size() - 1), {0, longest_clip});
-            if (!seconds) refuse(text, wanted);
-            return {*seconds, Time::Unit::seconds};
-        }
-        const auto frame = number<std::int64_t>(text);
-        if (!frame || *frame < 0 || static_cast<double>(*frame) > longest_clip) refuse(text, wanted);
+    if (text.ends_with('f')) {
+        const auto frame = number<std::int64_t>(text.substr(0, text.size() - 1));
+        if (!frame || *frame < 0 || static_cast<double>(*frame) > longest_clip)
+            refuse(text, "a number of frames like 250f");
         return {static_cast<double>(*frame), Time::Unit::frames};
     }
-    if (parts.size() > 3) refuse(text, wanted);
-    double seconds = 0;
-    for (const std::string_view part : parts) {
-        // Only the last part may have a fraction, and only the first may be 60 or more.
-        const bool last = part.data() == parts.back().data();
-        const bool first = part.data() == parts.front().data();
-        auto value = number_within(part, {0, first ? longest_clip : 59.9999999});
-        if (value && !last && *value != std::floor(*value)) value.reset();
-        if (!value) refuse(text, wanted);
-        seconds = seconds * 60 + *value;
+    const auto alone = number_within(text, {0, longest_clip});
+    if (alone && *alone == 0) return {0, Time::Unit::seconds};
+    if (alone) {
+        const bool whole = *alone == std::floor(*alone);
+        throw Error(ErrorKind::usage, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
+                                                  whole ? fmt::format("{}f for frames or ", text) : ""));
     }
-    return {seconds, Time::Unit::seconds};
+    const auto seconds = seconds_of(text);
+    if (!seconds) refuse(text, "a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame");
+    return {*seconds, Time::Unit::seconds};
 }
 
 }  // namespace vvr

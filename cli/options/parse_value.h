@@ -22,8 +22,11 @@ Size parse_size(std::string_view text);
 /// Two numbers with `separator` between them: `0.45:1`, `-20,35`.
 std::pair<double, double> parse_pair(std::string_view text, char separator, Range first, Range second);
 
-/// A length of time: `90s`, `10m`, `2h`, `1d`; seconds where no unit is given.
-std::chrono::seconds parse_duration(std::string_view text);
+/// A length of time in seconds: `90s`, `0.5s`, `10m`, `1h30m`, `1d`, `00:01:30`; seconds where no unit is given.
+double parse_duration(std::string_view text, Range range = {0, 1e9});
+
+/// The same in whole seconds, rounded up.
+std::chrono::seconds parse_whole_seconds(std::string_view text);
 
 /// A number of bytes: `500M`, `2G`, `2GB`, decimal.
 std::int64_t parse_bytes(std::string_view text);
@@ -31,7 +34,8 @@ std::int64_t parse_bytes(std::string_view text);
 /// `2/8`: the second of eight shares.
 std::pair<int, int> parse_share(std::string_view text);
 
-/// `250` (frame), `12.5s`, `00:00:12.5` or `00:12.5`.
+/// A place in a clip, or a length of it: a length of time as above, or `250f`, frames. A number without a unit, which
+/// could be either, is refused, but for 0.
 Time parse_time(std::string_view text);
 
 }  // namespace vvr

@@ -18,6 +18,7 @@ struct Preset {
     std::string_view name;
     std::string_view help;
     std::span<const std::string_view> arguments;
+    bool needs_whole_clip = false;  ///< so a live stream can't have it
 };
 
 std::span<const Preset> presets();

@@ -36,7 +36,12 @@ void add_view_options(CommandLine& line, RenderJob& job) {
         set_direction(*look.slice_view, given);
     });
     line.number(view, picture.view.fov, setting::fov);
-    line.number(view, picture.slices, setting::slices);
+    line.value(view, setting::slices, std::string(setting::slices.otherwise), [&picture](const std::string& given) {
+        const auto [low, high] = setting::slices.range;
+        picture.slices = given == "auto" ? 0
+                                         : static_cast<int>(parse_integer(given, static_cast<std::int64_t>(low),
+                                                                          static_cast<std::int64_t>(high)));
+    });
     line.number(view, picture.samples, setting::samples);
 }
 

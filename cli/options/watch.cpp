@@ -1,8 +1,12 @@
 #include "cli/options/watch.h"
 
+#include <cctype>
+#include <sstream>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
 #include "cli/render/settings.h"
@@ -10,6 +14,7 @@
 #include "core/fields/reference.h"
 #include "core/image/animation_file.h"
 #include "core/image/picture_file.h"
+#include "core/read_file.h"
 
 namespace vvr {
 
@@ -20,11 +25,33 @@ constexpr Setting output{"output", "FILE", "the picture, replaced after each bri
 }  // namespace
 
 void add_stream_options(CommandLine& line, StreamOptions& options) {
-    line.value(Group::input, setting::duration, "", [&options](const std::string& given) {
-        options.duration = static_cast<double>(parse_duration(given).count());
-    });
-    line.number(Group::input, options.lag, setting::lag);
-    line.number(Group::input, options.patience, setting::patience);
+    line.value(Group::input, setting::duration, "",
+               [&options](const std::string& given) { options.duration = parse_duration(given); });
+    line.duration(Group::input, options.lag, setting::lag);
+    line.duration(Group::input, options.patience, setting::patience);
+}
+
+std::string address_of(const std::string& input) {
+    if (!input.starts_with('@')) return input;
+    const std::string file = input.substr(1);
+    std::istringstream lines(read_file(file));
+    std::string address;
+    std::getline(lines, address);
+    while (!address.empty() && std::isspace(static_cast<unsigned char>(address.back())) != 0) address.pop_back();
+    if (!address.empty()) return address;
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("the file '{}' holds no address; its first line is one, such as rtsp://camera/stream", file));
+}
+
+void add_stream_clock(CommandLine& line, StartTime& start) {
+    line.value(Group::look, setting::stream_clock, "",
+               [&start](const std::string& given) {
+                   start = parse_start_time(given);
+                   if (start.from != StartTime::From::recorded) return;
+                   throw Error(ErrorKind::usage, std::string(setting::start_time.not_live));
+               },
+               {.defaults = std::string(setting::stream_clock.otherwise)});
 }
 
 void add_stream_output(CommandLine& line, OutputOptions& options) {
@@ -35,7 +62,7 @@ void add_stream_output(CommandLine& line, OutputOptions& options) {
                                    fmt::join(picture_endings(), " "))});
 }
 
-void check_stream(const CommandLine& line, const RenderJob& job) {
+void check_stream(const RenderJob& job) {
     if (job.output.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
     check(job.output);
     if (is_animation(job.output.path)) {
@@ -49,12 +76,8 @@ void check_stream(const CommandLine& line, const RenderJob& job) {
         std::string option;
         const char* instead;
     } const refused[] = {
-        {line.has(setting::start), "--start", "a stream begins now"},
-        {line.has(setting::end), "--end", "--duration ends a stream"},
         {std::filesystem::is_directory(job.seeds), "--seeds",
          "a list for each frame is for a clip whose frames are known; give one list that all frames share"},
-        {job.look.start_time.from == StartTime::From::recorded, "--start-time recorded",
-         "a stream is not recorded; give a date and time"},
         {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference,
          "it takes the whole clip; take running, first or a picture"},
     };

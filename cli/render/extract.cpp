@@ -36,10 +36,12 @@ void choose_part(ExtractJob& job, const VideoInfo& clip) {
     }
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
     job.fields.span.first = begin(part - 1);
-    put(job.settings, setting::start.name, fmt::to_string(job.fields.span.first));
+    const std::int64_t first = job.fields.span.first;
+    put(job.settings, setting::start.name,
+        first == 0 ? std::string(setting::start.otherwise) : fmt::format("{}f", first));
     if (part == count) return;
     job.fields.span.stop = begin(part);
-    put(job.settings, setting::end.name, fmt::to_string(*job.fields.span.stop));
+    put(job.settings, setting::end.name, fmt::format("{}f", *job.fields.span.stop));
 }
 
 }  // namespace

@@ -38,18 +38,22 @@ void remove_candidate(const fs::path& golden) {
                 fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
 }
 
-std::string renderer_of(const Metadata& metadata) {
-    const auto found = std::ranges::find(metadata, "renderer", &Metadata::value_type::first);
+std::string value_of(const Metadata& metadata, std::string_view name) {
+    const auto found = std::ranges::find(metadata, name, &Metadata::value_type::first);
     return found == metadata.end() ? "" : found->second;
 }
 
-/// Another renderer is the first thing to suspect.
-void show_renderers(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
-                    Observer& observer) {
-    const std::string before = renderer_of(golden_settings);
-    const std::string now = renderer_of(metadata);
-    if (!before.empty() && before != now) {
-        observer.info(fmt::format("'{}' was drawn by {}, this by {}", golden.string(), before, now));
+/// Another renderer and another font are the first things to suspect.
+void show_what_else_differs(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
+                            Observer& observer) {
+    constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
+                                                                          {"font", "lettered in"}};
+    for (const auto& [name, how] : suspects) {
+        const std::string before = value_of(golden_settings, name);
+        const std::string now = value_of(metadata, name);
+        if (before.empty() || before == now) continue;
+        observer.info(fmt::format("'{}' was {} {}, this {}", golden.string(), how, before,
+                                  now.empty() ? "is not" : fmt::format("{} {}", how.substr(how.find(' ') + 1), now)));
     }
 }
 
@@ -83,7 +87,7 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
                                   golden.string(), comparison.percent, comparison.patch));
         return;
     }
-    show_renderers(golden, settings_of(expected), metadata, observer);
+    show_what_else_differs(golden, settings_of(expected), metadata, observer);
     show_difference(comparison, how.tolerance, observer);
     fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }

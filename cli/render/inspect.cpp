@@ -17,6 +17,7 @@
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
+#include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/region_editor.h"
 #include "core/video/scaler.h"
@@ -38,8 +39,8 @@ Plane<Bgr> picture_of(FrameSource& clip, const Moment& moment) {
 
 /// Regions as polygons; a page can't change a picture.
 std::string polygons_of(std::string_view setting, const std::string& area, Observer& observer) {
-    validate_region(setting, area);
-    if (area.empty() || is_polygon_list(area)) return area;
+    std::string list = polygon_list(setting, area);
+    if (area.empty() || !list.empty()) return list;
     observer.warn(fmt::format("{} '{}' is a picture, so the page begins without it", setting, area), {setting});
     return {};
 }
@@ -68,6 +69,7 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
 
 void inspect(const InspectJob& job, Observer& observer) {
     if (is_page(job.path)) return write_region_editor(job, observer);
+    choose_font(job.font);
     constexpr bool colour = true;
     std::vector<std::string> warnings;
     const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);

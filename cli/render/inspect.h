@@ -13,6 +13,7 @@ struct InspectJob {
     FieldOptions fields;
     Time frame;
     std::filesystem::path path;
+    std::filesystem::path font;  ///< of the captions; empty = fontconfig's sans
 };
 
 /// Draws Fig. 4 for a frame: its difference object, flow and seeds side by side. Into a page goes the frame alone, to

@@ -14,6 +14,7 @@
 #include "core/fields/reference.h"
 #include "core/image/animation_file.h"
 #include "core/image/picture_file.h"
+#include "core/image/text.h"
 #include "core/scene/transfer_file.h"
 
 namespace vvr {
@@ -68,6 +69,7 @@ void validate(const RenderJob& job) {
     if (products_of(job).series) validate_series(job);
     validate(job.picture);
     validate(job.shape);
+    if (!job.look.font.empty()) check_font(job.look.font);
 }
 
 Products products_of(const RenderJob& job) {

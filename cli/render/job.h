@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ struct LookOptions {
     std::optional<TransferFunction> transfer{};  ///< none = the theme's
     std::string colour = "auto";                 ///< a name in the table of colours (cli/render/volume_paint.h)
     std::string title;                           ///< empty = the clip's name
+    std::filesystem::path font;                  ///< of all text; empty = fontconfig's sans
     StartTime start_time;
     double opacity = 1;                     ///< factor on the extinction
     double glyph_scale = 1;                 ///< factor on the arrows' size

@@ -22,7 +22,7 @@ double frames_of_brick(const BrickOptions& bricks, const FieldSource& source) {
         if (info.rate > 0) return bricks.length->value * info.rate;
         throw Error(ErrorKind::usage,
                     fmt::format("brick of {} s: '{}' does not say how many frames it has per second; give the length "
-                                "of a brick in frames, for example {:.0f}",
+                                "of a brick in frames, for example {:.0f}f",
                                 bricks.length->value, info.name, default_frames),
                     {setting::brick.name});
     }

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/render/settings.h"
+#include "core/image/text.h"
+
 namespace vvr {
 
 void put(Metadata& settings, std::string_view name, const std::string& value) {
@@ -20,8 +23,15 @@ Metadata with_values(Metadata settings) {
     return settings;
 }
 
+Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
+    Metadata settings = with_values(job.settings);
+    const bool text = !report.lettering.labels.empty() || !report.lettering.badges.empty();
+    if (text) put(settings, setting::font.name, font_name());
+    return settings;
+}
+
 Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
-    Metadata record = with_values(job.settings);
+    Metadata record = settings_and_font(job, report);
     record.emplace_back("frames", fmt::to_string(report.frames));
     if (series) {
         // Damage is only known at the end of the clip.
@@ -30,7 +40,7 @@ Metadata record_of(const RenderJob& job, const RenderReport& report, bool series
     } else {
         record.emplace_back("damaged", fmt::to_string(report.damaged));
     }
-    record.emplace_back("frames-a-layer", fmt::to_string(report.step));
+    record.emplace_back("frames-per-layer", fmt::to_string(report.step));
     record.emplace_back("layers", fmt::to_string(report.layers));
     record.emplace_back("renderer", report.renderer);
     return record;

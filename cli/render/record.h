@@ -14,6 +14,9 @@ void put(Metadata& settings, std::string_view name, const std::string& value);
 /// Settings without those that have no value.
 Metadata with_values(Metadata settings);
 
+/// The settings that have a value, and the font of the text where there is text: the machine's, if nobody named one.
+Metadata settings_and_font(const RenderJob& job, const RenderReport& report);
+
 /// What a picture's file records: the settings, and what they made of this clip.
 Metadata record_of(const RenderJob& job, const RenderReport& report, bool series);
 

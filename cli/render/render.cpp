@@ -18,6 +18,7 @@
 #include "cli/render/report_text.h"
 #include "cli/render/tell_problems.h"
 #include "core/image/atomic_file.h"
+#include "core/image/text.h"
 #include "core/page/telling_still.h"
 #include "core/words.h"
 
@@ -91,6 +92,7 @@ std::span<const Event> events_of(const RenderReport& report) {
 
 RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink& taken) {
     validate(given);
+    choose_font(given.look.font);
     const RenderJob asked = with_fields_of_colour(given);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
@@ -126,7 +128,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
     if (products.events && report.events) observer.info(summary_of(*report.events));
     if (!job.output.report.empty()) {
-        const std::string text = format_report(report, with_values(job.settings), took.count());
+        const std::string text = format_report(report, settings_and_font(job, report), took.count());
         const auto held = observer.guard();
         replace_file(job.output.report, std::as_bytes(std::span(text)));
     }

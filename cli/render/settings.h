@@ -15,26 +15,36 @@ inline constexpr Setting layers{
     "layers of the window at most; frames of a longer clip share layers; memory grows with it",
     {2, 100'000}};
 
-inline constexpr Setting brick{
-    "brick", "TIME", "length of a brick: 75 (frames) or 3s; in a series 10s if not given, less in a short clip"};
+inline constexpr Setting brick{"brick", "TIME",
+                               "length of a brick; in a series 10s if not given, less in a short clip"};
 inline constexpr Setting window{"window",
                                 "COUNT",
                                 "bricks shown: one picture cuts the clip into this many, a series moves by one of them",
                                 {1, 256}};
-inline constexpr Setting time{"time", "NAME", "how the room along the arc is given to time"};
-inline constexpr Setting skip_idle{
-    "skip-idle", "SECONDS", "another name of --time busy; 0 is --time even", {0, 86'400}};
+inline constexpr Setting time{.name = "time",
+                              .unit = "NAME",
+                              .help = "how the room along the arc is given to time",
+                              .not_live = "the pictures of a stream share one scale of time"};
+inline constexpr Setting skip_idle{.name = "skip-idle",
+                                   .unit = "TIME",
+                                   .help = "another way to say --time busy; 0 is --time even",
+                                   .range = {0, 86'400},
+                                   .not_live = "the pictures of a stream share one scale of time"};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
 inline constexpr Setting height{"height", "UNITS", "height of a frame; square pixels if not given", {0.001, 100}};
-inline constexpr Setting size{"size", "WxH", "pixels of the picture", {1, 16'384}};
-inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
-                                "where the viewer is: degrees to the right and above the floor"};
+inline constexpr Setting size{
+    .name = "size", .unit = "WxH", .help = "pixels of the picture", .range = {1, 16'384}, .alias = "resolution"};
+inline constexpr Setting camera{.name = "camera",
+                                .unit = "AZIMUTH,ELEVATION",
+                                .help = "where the viewer of the picture is: degrees to the right and above the floor",
+                                .alias = "view"};
 inline constexpr Setting slice_view{"slice-view", "AZIMUTH,ELEVATION",
                                     "viewer whose slices are shown by the part slices; the picture's own if not given"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
-inline constexpr Setting slices{"slices", "COUNT", "slices of the volume; 0 = one per two voxels", {0, 16'384}, "auto"};
+inline constexpr Setting slices{
+    "slices", "COUNT", "slices of the volume; auto or 0 = one per two voxels", {0, 16'384}, "auto"};
 inline constexpr Setting samples{
     "samples", "COUNT", "samples per pixel, for smooth edges; OpenGL may support fewer", {1, 64}};
 
@@ -42,20 +52,38 @@ inline constexpr Setting show{"show", "LIST", "what is drawn"};
 inline constexpr Setting keyframes{
     "keyframes", "COUNT", "frames shown between the first and the last; in a series, in each brick", {0, 32}};
 inline constexpr Setting theme{"theme", "NAME", "colours of everything but the video"};
-inline constexpr Setting background{"background", "COLOR", "#rrggbb, or none = transparent; the theme's if not given"};
+inline constexpr Setting background{.name = "background",
+                                    .unit = "COLOR",
+                                    .help = "#rrggbb, or none = transparent; the theme's if not given",
+                                    .alias = "background-color"};
 inline constexpr Setting title{"title", "TEXT", "above the picture; the clip's name if not given"};
-inline constexpr Setting start_time{"start-time",
-                                    "DATETIME",
-                                    "when the clip began: 2026-11-21 08:00:00; 'recorded' = as its name or container "
-                                    "says, in this machine's time zone; "
-                                    "'none' = times run from 0:00",
-                                    {},
-                                    "recorded where that is known"};
+inline constexpr Setting font{.name = "font",
+                              .unit = "FILE",
+                              .help = "font of all text: .ttf, .otf; fontconfig's sans if not given",
+                              .may_be_file = true};
+inline constexpr Setting start_time{.name = "start-time",
+                                    .unit = "DATETIME",
+                                    .help =
+                                        "what a clock showed when the clip began: 2026-11-21 08:00:00; 'recorded' = "
+                                        "as its name or container says, in this machine's time zone; 'none' = "
+                                        "times run from 0:00",
+                                    .otherwise = "recorded where that is known, else none",
+                                    .alias = "clock",
+                                    .not_live = "a stream is not recorded; give the date and time"};
+/// Of a live stream.
+inline constexpr Setting stream_clock{.name = "start-time",
+                                      .unit = "DATETIME",
+                                      .help =
+                                          "what a clock shows when the stream begins: 2026-11-21 08:00:00; 'none' = "
+                                          "times run from 0:00",
+                                      .otherwise = "now, by this machine's clock",
+                                      .alias = "clock"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",
                                   .otherwise = "the theme's",
-                                  .may_be_file = true};
+                                  .may_be_file = true,
+                                  .alias = "colormap"};
 inline constexpr Setting colour{"color", "NAME", "colour of the volume"};
 inline constexpr Setting shading{"shading", "NAME", "light on the volume"};
 inline constexpr Setting opacity{"opacity", "FACTOR", "factor on the volume's opacity", {0, 1000}};

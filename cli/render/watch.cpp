@@ -16,6 +16,7 @@
 #include "cli/render/record.h"
 #include "cli/render/render_series.h"
 #include "cli/render/shown_name.h"
+#include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/recent_moments.h"
 #include "core/video/input.h"
@@ -128,6 +129,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     : job_(with_colour(with_transfer(with_possible_parts(with_fields_of_colour(job))))), observer_(observer) {
     validate(job);
     validate_series(job);
+    choose_font(job.look.font);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
     const VideoInfo& info = stream_->info();

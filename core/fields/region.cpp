@@ -1,9 +1,12 @@
 #include "core/fields/region.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +14,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/cv_view.h"
+#include "core/ending.h"
 #include "core/error.h"
 #include "core/fields/settings.h"
+#include "core/read_file.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 
@@ -64,7 +69,7 @@ class Parser {
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(ErrorKind::usage,
                     fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
-                                "between polygons, or the name of a picture",
+                                "between polygons, or the name of a text file (.txt) of them or of a picture",
                                 setting_, what, at_ + 1, text_),
                     {setting_});
     }
@@ -90,10 +95,47 @@ void draw(Plane<std::uint8_t>& plane, const std::vector<Polygon>& polygons, Size
     }
 }
 
+bool is_polygon_file(std::string_view text) {
+    return ending_of(text) == ".txt";
+}
+
+/// A text file's lines as one list.
+/// \throws Error io
+std::string read_polygons(const std::string& file) {
+    std::istringstream lines(read_file(file));
+    std::string list;
+    for (std::string line; std::getline(lines, line);) {
+        line.resize(std::min(line.find('#'), line.size()));
+        std::ranges::replace_if(
+            line, [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
+        if (line.find_first_not_of(' ') == std::string::npos) continue;
+        list += (list.empty() ? "" : ";") + line;
+    }
+    return list;
+}
+
+std::string read_polygons(std::string_view setting, const std::string& file) {
+    try {
+        return read_polygons(file);
+    } catch (const Error& error) {
+        throw Error(error.kind(), fmt::format("{}: {}", setting, error.what()), {setting});
+    }
+}
+
+std::vector<Polygon> polygons_of(std::string_view setting, const std::string& text) {
+    if (!is_polygon_file(text)) return Parser(setting, text).polygons();
+    const std::string list = read_polygons(setting, text);
+    try {
+        return Parser(setting, list).polygons();
+    } catch (const Error& error) {
+        throw Error(ErrorKind::usage, fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
+    }
+}
+
 Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size field, Size video) {
-    if (is_polygon_list(text)) {
+    if (is_polygon_list(text) || is_polygon_file(text)) {
         Plane<std::uint8_t> plane(field);
-        draw(plane, Parser(setting, text).polygons(), video);
+        draw(plane, polygons_of(setting, text), video);
         return plane;
     }
     SourceOptions options;
@@ -116,8 +158,14 @@ bool is_polygon_list(std::string_view text) {
     return begin < comma && std::from_chars(text.data() + begin, end, x).ptr == end;
 }
 
+std::string polygon_list(std::string_view setting, const std::string& text) {
+    validate_region(setting, text);
+    if (is_polygon_list(text)) return text;
+    return is_polygon_file(text) ? read_polygons(setting, text) : std::string();
+}
+
 void validate_region(std::string_view setting, const std::string& text) {
-    if (is_polygon_list(text)) Parser(setting, text).polygons();
+    if (is_polygon_list(text) || is_polygon_file(text)) polygons_of(setting, text);
 }
 
 Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size video) {

@@ -7,19 +7,20 @@
 namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
-inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
-inline constexpr Setting threshold{
-    "threshold", "GREY", "differences below this, in grey levels, count as none", {0, 255}, "the filter's"};
+inline constexpr Setting reference{
+    .name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true, .alias = "empty-scene"};
+inline constexpr Setting threshold{"threshold",
+                                   "GREY",
+                                   "smaller differences count as none; the default is that of --filter",
+                                   {0, 255},
+                                   "the filter's"};
 inline constexpr Setting norm{"norm", "NAME", "by what frames are said to differ"};
 inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
 inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
 inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};
 inline constexpr Setting shadows{"shadows", "NAME", "cast shadows"};
 inline constexpr Setting stabilize{"stabilize", "NAME", "a camera that shakes"};
-inline constexpr Setting roi{.name = "roi",
-                             .unit = "AREA",
-                             .help = "look only here: 'x,y x,y x,y; ...' in pixels of the video, or a picture",
-                             .may_be_file = true};
+inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "look only here", .may_be_file = true};
 inline constexpr Setting mask{.name = "mask",
                               .unit = "AREA",
                               .help = "don't look here, for example at the camera's burnt-in clock",
@@ -33,12 +34,18 @@ inline constexpr Setting solver{"solver", "NAME", "solver of horn-schunck"};
 inline constexpr Setting derivatives{"derivatives", "NAME",
                                      "derivatives of horn-schunck; the solver pyramid has its own"};
 /// Less than this and float can't hold α² beside the squares of the derivatives.
-inline constexpr Setting alpha{
-    "alpha", "NUMBER", "weight of smooth flow; its square is the paper's λ", {0.01, 10'000}, "the solver's"};
-inline constexpr Setting iterations{
-    "iterations", "COUNT", "the solver's steps, cycles or warps", {1, 100'000}, "the solver's"};
+inline constexpr Setting alpha{"alpha",
+                               "NUMBER",
+                               "weight of smooth flow; its square is the paper's λ; by --solver",
+                               {0.01, 10'000},
+                               "the solver's"};
+inline constexpr Setting iterations{"iterations",
+                                    "COUNT",
+                                    "the solver's warps (pyramid), cycles (multigrid) or steps (jacobi)",
+                                    {1, 100'000},
+                                    "the solver's"};
 inline constexpr Setting pre_smooth{
-    "pre-smooth", "PIXELS", "Gaussian smoothing before derivatives", {0, 5}, "the solver's"};
+    "pre-smooth", "PIXELS", "Gaussian smoothing before derivatives; by --solver", {0, 5}, "the solver's"};
 
 inline constexpr Setting grid{"grid", "PIXELS", "distance between neighbouring seeds", {1, 10'000}};
 inline constexpr Setting min_magnitude{
@@ -59,6 +66,7 @@ inline constexpr Setting seed_flags{
     .help = "bricks whose seeds are drawn: a digit 0 or 1 per brick, in turn; 100 = each third brick",
     .otherwise = "the seeds' own"};
 
-inline constexpr Setting threads{"threads", "COUNT", "threads; 0 = one per core", {0, 1024}};
+inline constexpr Setting threads{
+    "threads", "COUNT", "threads; 0 = one per core, which the clips of an archive share", {0, 1024}};
 
 }  // namespace vvr::setting

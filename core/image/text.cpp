@@ -7,7 +7,11 @@
 
 #include <fontconfig/fontconfig.h>
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "core/image/font.h"
+#include "core/read_file.h"
 
 namespace vvr {
 
@@ -35,13 +39,28 @@ void add_all(FcStrList* list, std::vector<std::filesystem::path>& places) {
     FcStrListDone(list);
 }
 
+/// The font of all text, found when it is first needed.
+struct TextFont {
+    std::mutex mutex;
+    std::string file;
+    std::optional<Font> font;
+};
+
+TextFont& text_font() {
+    static TextFont font;
+    return font;
+}
+
 /// Calls `use` with the font of all text, one thread at a time.
 template <class Use>
 auto with_font(const Use& use) {
-    static std::mutex mutex;
-    static Font font(find_font());
-    const std::scoped_lock lock(mutex);
-    return use(font);
+    TextFont& text = text_font();
+    const std::scoped_lock lock(text.mutex);
+    if (!text.font) {
+        if (text.file.empty()) text.file = find_font();
+        text.font.emplace(text.file);
+    }
+    return use(*text.font);
 }
 
 /// Length in bytes of the UTF-8 sequence at `at`; 0 if it is not one.
@@ -87,6 +106,34 @@ std::string printable(const std::string& text) {
         at += std::max<std::size_t>(length, 1);
     }
     return result;
+}
+
+void check_font(const std::filesystem::path& file) {
+    check_is_file(file.string());
+    if (std::error_code none; !std::filesystem::exists(file, none)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("font: cannot read '{}': No such file or directory; check the name", file.string()),
+                    {"font"});
+    }
+    if (!Font(file.string()).measure("0", 12)) {
+        throw Error(
+            ErrorKind::io,
+            fmt::format("font: '{}' is no font that FreeType can read; give a .ttf or .otf file", file.string()),
+            {"font"});
+    }
+}
+
+void choose_font(const std::filesystem::path& file) {
+    if (!file.empty()) check_font(file);
+    TextFont& text = text_font();
+    const std::scoped_lock lock(text.mutex);
+    text.font.reset();
+    text.file = file.string();
+}
+
+std::string font_name() {
+    with_font([](Font&) { return true; });
+    return std::filesystem::path(text_font().file).filename().string();
 }
 
 std::optional<PixelBox> measure_text(const std::string& text, int size) {

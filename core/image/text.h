@@ -13,6 +13,17 @@ namespace vvr {
 /// Text for one line: a space for each control character, `?` for each byte that is not UTF-8.
 std::string printable(const std::string& text);
 
+/// \throws Error io for a file that FreeType can't read letters of
+void check_font(const std::filesystem::path& file);
+
+/// Has all text from now on drawn with the letters of a font file; of fontconfig's sans serif font if it is empty. A
+/// process has one font: nearly all functions that lay out text measure it.
+/// \throws Error io as check_font
+void choose_font(const std::filesystem::path& file);
+
+/// The name of the font's file, without folders; empty where there is none.
+std::string font_name();
+
 /// The box of a line of text whose baseline begins at 0,0.
 /// \returns nothing if fontconfig finds no font
 std::optional<PixelBox> measure_text(const std::string& text, int size);

@@ -84,8 +84,8 @@ DataFolder::~DataFolder() {
 
 bool DataFolder::remove_data() const {
     bool removed = true;
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
-                             stored::first, stored::last}) {
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::old_colour,
+                             stored::reference, stored::first, stored::last}) {
         std::error_code error;
         fs::remove_all(folder_ / name, error);
         removed = removed && !error;

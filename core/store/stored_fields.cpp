@@ -182,7 +182,10 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
             const bool first = &stored == &parts_.front().manifest.frames.front();
             const bool last = &stored == &parts_.back().manifest.frames.back();
             if (needs.colour) {
-                frame.colour = read_colour(part.folder / stored::colour_file(stored.index), field_size());
+                frame.colour = read_colour(
+                    part.folder / stored::colour_file(stored.index,
+                                                      part.manifest.old_colour ? stored::old_colour : stored::colour),
+                    field_size());
             } else if (first || last) {
                 frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
             }

@@ -11,7 +11,7 @@ def write_completions(folder, commands):
 
 
 def names_of(option):
-    return ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
+    return ([f"-{option.letter}"] if option.letter else []) + [f"--{name}" for name in option.names]
 
 
 BASH = """\
@@ -137,10 +137,11 @@ def fish(commands):
         text += f"complete -c vvr -n __fish_use_subcommand -a {command.name} -d {fish_quoted(command.help)}\n"
     for command in commands:
         when = f"complete -c vvr -n '__fish_seen_subcommand_from {command.name}'"
-        if command.arguments:
+        if command.argument:
             text += f"{when} -F\n"
         for option in command.options():
-            text += f"{when} -l {option.name}" + (f" -s {option.letter}" if option.letter else "")
+            text += f"{when} " + " ".join(f"-l {name}" for name in option.names)
+            text += f" -s {option.letter}" if option.letter else ""
             known = " ".join(value for value, _ in option.values)
             if option.takes_list:
                 text += f" -x -a '(__fish_append , {known})'"

@@ -42,24 +42,25 @@ def program_page(commands, cli_page):
 def command_page(command):
     text = f".SH NAME\nvvr\\-{escape(command.name)} \\- {escape(command.help)}\n"
     text += f".SH SYNOPSIS\n.B vvr {escape(command.name)}\n{paragraph(command.usage.split(command.name, 1)[1].strip())}"
-    if command.arguments:
-        text += ".SH ARGUMENTS\n"
-        for name, explained in command.arguments:
-            text += f".TP\n.I {escape(name)}\n{paragraph(explained)}"
+    if command.argument:
+        name, explained = command.argument
+        text += f".SH ARGUMENTS\n.TP\n.I {escape(name)}\n{paragraph(explained)}"
     text += ".SH OPTIONS\n"
     for title, options in command.groups.items():
         text += f".SS {escape(title)}\n" + "".join(map(option_entry, options))
+    if command.units:
+        text += ".SS Units\n" + "".join(f".TP\n.I {unit}\n{paragraph(meaning)}" for unit, meaning in command.units.items())
+    if command.examples:
+        text += ".SH EXAMPLES\n" + "".join(f".TP\n.B {escape(line)}\n{paragraph(what)}" for line, what in command.examples)
     return text + ".SH EXIT STATUS\n.BR vvr (1)\nlists them.\n.SH SEE ALSO\n" + see_also(["vvr"])
 
 
 def option_entry(option):
     text = ".TP\n"
-    names = ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
+    names = ([f"-{option.letter}"] if option.letter else []) + [f"--{name}" for name in option.names]
     text += "\\fB" + "\\fR, \\fB".join(map(escape, names)) + "\\fR"
     if option.unit:
         text += f" \\fI{escape(option.unit)}\\fR"
-    if option.bracket:
-        text += f" [{escape(option.bracket)}]"
     text += f"\n{paragraph(option.help)}"
     explained = [(name, help_) for name, help_ in option.values if help_]
     if explained:

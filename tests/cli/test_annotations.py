@@ -81,7 +81,7 @@ def test_captions_of_a_frame_need_a_font(t):
     t.clip()
     t.path("fonts.conf").write_text(NO_FONTS)
     environment = {"PATH": "/usr/bin:/bin", "HOME": str(t.folder), "FONTCONFIG_FILE": str(t.path("fonts.conf"))}
-    t.vvr("inspect", "clip.avi", "--frame", "3", "-o", "frame.png", env=environment).expect(
+    t.vvr("inspect", "clip.avi", "--frame", "3f", "-o", "frame.png", env=environment).expect(
         0, "fontconfig finds no font, so 'frame.png' has no captions; install one, for example fonts-dejavu-core")
 
 
@@ -100,7 +100,7 @@ def test_keyframes_of_a_series_stand_in_each_brick(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=black:size=64x48:rate=10:duration=4", "-vf", "geq=lum='80+4*N':cb=128:cr=128",
              "-c:v", "ffv1", "levels.mkv")
     look = ("--backend", "software", "--layout", "box", "--camera", "-60,20", "--size", "640x300", "--show", "frames",
-            "--brick", "10", "--window", "2", "--filter", "edges")
+            "--brick", "10f", "--window", "2", "--filter", "edges")
 
     def levels(name):
         pixels = [pixel[0] for row in t.rgb(name) for pixel in row if pixel != (255, 255, 255)]
@@ -114,7 +114,7 @@ def test_keyframes_of_a_series_stand_in_each_brick(t):
             more = len(levels(f"k{count}.{brick}.png")) - len(levels(f"ends.{brick}.png"))
             check(more >= 2 * count - 1, f"window {brick} with {count} key frames per brick has {more} more levels")
     moved = levels("k1.3.png")
-    t.vvr("extract", "levels.mkv", "-o", "end", "--start", "20", "--with-color", "--filter", "edges").expect(0)
+    t.vvr("extract", "levels.mkv", "-o", "end", "--start", "20f", "--with-color", "--filter", "edges").expect(0)
     t.render("end", *look, "--keyframes", "1", output="f.{brick}.png").expect(0)
     check(levels("f.1.png") == moved, "a window that moved shows other key frames than a fresh one")
 

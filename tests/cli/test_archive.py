@@ -298,7 +298,7 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "-o", "file/out").expect(2, "cannot make the folder 'file/out'")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "cannot make the folder '/proc/out'")
     t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share such as 2/8, the second of eight")
-    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 10m, 2h or 1d")
+    t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 1h30m, 00:01:30 or 2d")
     t.vvr("archive", "in", "-o", "out", "--max-memory", "much").expect(1, "--max-memory: 'much' is not a number of bytes like 500M or 2G")
     t.vvr("archive", "in", "-o", "out", "--index-only", "--prune").expect(1, "--index-only writes the index and nothing else; leave out --prune")
     t.vvr("archive", "in", "-o", "out", "--names", "%Y-%m-%d").expect(1, "'%Y-%m-%d' is no pattern of names: a time needs %Y, %m, %d and %H, or %s", "(--names)")

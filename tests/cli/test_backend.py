@@ -26,6 +26,7 @@ def test_doctor_tells_programs(t):
     for backend in said["backends"]:
         check(f"{backend['name']:<14} {'works' if backend['works'] else 'does not work'}: {backend['what']}" in text, text)
         check((backend["renderer"] is not None) == backend["works"] == (backend["reason"] is None), f"{backend}")
+    check(f"font           {said['font']}\n" in text, f"{said}")
     check(any(backend["works"] for backend in said["backends"]), f"{said}")
 
 

@@ -161,7 +161,7 @@ def test_cluster_refuses_what_cannot_be(t):
         (("clip.avi",), "asked for CLIP and OUT, found 1 names"),
         (("none.avi", "out.png"), "none.avi"),
         (("clip.avi", "out.png", "--parts", "11"), "--parts 11: 'clip.avi' tells of 10 frames"),
-        (("clip.avi", "out.png", "--parts", "2", "--", "--start", "3"), "--start does not go with parts of a whole clip"),
+        (("clip.avi", "out.png", "--parts", "2", "--", "--start", "3f"), "--start does not go with parts of a whole clip"),
         (("clip.avi", "out.png", "--parts", "2", "--", "--sise", "1x1"), "are options of vvr render"),
         (("clip.avi", "out.png", "--parts", "2", "--", "--grid", "much"), "--grid"),
     ]:

@@ -57,7 +57,7 @@ def test_the_time(t):
     t.render("clip.mkv", *STRAIGHT, "--color", "time").expect(0)
     begin, end = hue(seen(t, "out.png", 0, 0.2)), hue(seen(t, "out.png", 0.8, 1))
     check(200 < begin < 280 and 10 < end < 60, f"from blue to orange: hues {begin} and {end}")
-    t.render("clip.mkv", *STRAIGHT, "--color", "time", "--brick", "10", "--window", "2", output="w.{brick}.png").expect(0)
+    t.render("clip.mkv", *STRAIGHT, "--color", "time", "--brick", "10f", "--window", "2", output="w.{brick}.png").expect(0)
     check(abs(hue(seen(t, "w.3.png", 0, 0.3)) - begin) < 40, "in a window time begins where the window does")
 
 

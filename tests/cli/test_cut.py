@@ -105,8 +105,8 @@ def test_cut_of_groups_that_lean_on_the_one_before(t):
 
 def test_cut_copies_avi(t):
     t.clip("clip.avi", seconds=6)
-    t.vvr("cut", "clip.avi", "--from", "33", "--to", "47", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins with the key frame 0.300 s before the piece")
-    t.vvr("cut", "clip.avi", "--from", "3s", "--to", "47", "-o", "same.avi").expect(0, "it begins with a key frame, where the piece does")
+    t.vvr("cut", "clip.avi", "--from", "33f", "--to", "47f", "-o", "piece.avi").expect(0, "17 frames copied, 3.000 s to 4.600 s of 'clip.avi'; it begins with the key frame 0.300 s before the piece")
+    t.vvr("cut", "clip.avi", "--from", "3s", "--to", "47f", "-o", "same.avi").expect(0, "it begins with a key frame, where the piece does")
     check(t.path("same.avi").read_bytes() == t.path("piece.avi").read_bytes(), "the same piece by other words")
     whole, part = packets(t, "clip.avi"), packets(t, "piece.avi")
     check([p[2] for p in part] == [p[2] for p in whole[30:47]], "other packets")
@@ -145,7 +145,7 @@ def test_cut_exactly(t):
 
 def test_cut_exactly_between_frames(t):
     clip = bag(t)
-    t.vvr("cut", clip, "--from", "101", "--to", "151", "--exact", "-o", "a.mp4").expect(0, "50 frames encoded", "4.040 s to 6.000 s")
+    t.vvr("cut", clip, "--from", "101f", "--to", "151f", "--exact", "-o", "a.mp4").expect(0, "50 frames encoded", "4.040 s to 6.000 s")
     t.vvr("cut", clip, "--from", "4.04s", "--to", "6.04s", "--exact", "-o", "b.mp4").expect(0, "50 frames encoded")
     check(t.path("a.mp4").read_bytes() == t.path("b.mp4").read_bytes(), "frames and seconds mean different pieces")
 
@@ -219,12 +219,12 @@ def test_cut_refuses_pieces_that_are_empty(t):
     t.clip("clip.mkv", seconds=4)
     for exact in ((), ("--exact",)):
         t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 5 s to its end; ", "choose another piece")
-        t.vvr("cut", "clip.mkv", "--from", "40", "--to", "90", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from frame 40 to frame 90")
+        t.vvr("cut", "clip.mkv", "--from", "40f", "--to", "90f", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from frame 40 to frame 90")
         t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "3s", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 3 s")
-        t.vvr("cut", "clip.mkv", "--from", "20", "--to", "10", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 10, a frame")
+        t.vvr("cut", "clip.mkv", "--from", "20f", "--to", "10f", "-o", "x.mkv", *exact).expect(1, "the piece is empty: it ends at 10, a frame")
         t.vvr("cut", "clip.mkv", "--from", "3.02s", "--to", "3.05s", "-o", "x.mkv", *exact).expect(1, "'clip.mkv' has no frame from 3.02 s to 3.05 s; choose another piece")
     t.vvr("cut", "clip.mkv", "--from", "5s", "-o", "x.mkv").expect(1, "to its end; its last frame is at 3.900 s; choose another piece")
-    t.vvr("cut", "clip.mkv", "--from", "1s", "--to", "10", "--margin", "2", "-o", "x.mkv").expect(
+    t.vvr("cut", "clip.mkv", "--from", "1s", "--to", "10f", "--margin", "2", "-o", "x.mkv").expect(
         1, "--margin is in seconds, and to 10 is a frame; give a time such as 12.5s")
     t.vvr("cut", "clip.mkv", "--from", "3s", "--to", "9s", "-o", "x.mkv").expect(0, "warning: 'clip.mkv' ends at 3.900 s")
 
@@ -289,7 +289,7 @@ def test_cut_refuses_to_copy_without_times(t):
     t.clip("clip.mp4", codec=("-c:v", "libx264", "-pix_fmt", "yuv420p"))
     t.ffmpeg("-i", "clip.mp4", "-c", "copy", "-bsf:v", "h264_mp4toannexb", "raw.h264")
     t.vvr("cut", "raw.h264", "--from", "1s", "-o", "x.mp4").expect(3, "'raw.h264' can't be copied: ", "(--exact)")
-    t.vvr("cut", "raw.h264", "--from", "10", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded anew")
+    t.vvr("cut", "raw.h264", "--from", "10f", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded anew")
 
 
 def test_cut_of_a_full_disk_leaves_nothing(t):

@@ -34,7 +34,7 @@ def test_parts_by_number_make_the_picture_of_the_whole(t):
         ("2/42", "--part 2/42: 'clip.mkv' has 41 frames; ask for fewer parts"),
     ]:
         t.vvr("extract", "clip.mkv", "-o", "none", "--part", part).expect(1, *texts)
-    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5").expect(1, "leave out the start and the end (--start, --end)")
+    t.vvr("extract", "clip.mkv", "-o", "none", "--part", "1/2", "--end", "5f").expect(1, "leave out the start and the end (--start, --end)")
     check(not t.path("none").exists(), "a folder was made")
 
 
@@ -66,7 +66,7 @@ def test_colour_of_the_video_needs_extracted_frames(t):
         1, "'data' was extracted without the frames' colours: extract it again with them, or render the clip itself (--with-color)")
     check(not t.path("no.png").exists(), "a picture was written")
     t.vvr("extract", clip, "-o", "data", "--with-color").expect(0)
-    check(len(list(t.path("data/colour").iterdir())) == 40, "not a picture a frame")
+    check(len(list(t.path("data/color").iterdir())) == 40, "not a picture a frame")
     t.render(clip, *look, output="clip.png").expect(0)
     t.render("data", *look, output="data.png").expect(0)
     same(t, "clip.png", "data.png")
@@ -90,7 +90,7 @@ def test_four_parts_are_one_whole(t):
     parts = []
     for begin in range(0, 40, 10):
         parts.append(f"part{begin}")
-        end = () if begin == 30 else ("--end", str(begin + 10))
+        end = () if begin == 30 else ("--end", f"{begin + 10}f")
         start = ("--start", f"{begin / 10}s") if begin else ()
         t.vvr("extract", "clip.mkv", "-o", parts[-1], *start, *end).expect(0, "10 frames")
     files = [p.relative_to(t.path("whole")) for p in t.path("whole").rglob("0*")]
@@ -105,18 +105,31 @@ def test_four_parts_are_one_whole(t):
     t.render("part0", "part20").expect(1, "not consecutive parts", "ends with frame 9, the second begins with frame 20")
     t.render("part10", "part0").expect(1, "give the parts in order")
     t.render("part0", "clip.mkv").expect(1, "'part0' holds no video files, so it can't be a part of one recording")
-    t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10", "--grid", "9").expect(0)
+    t.vvr("extract", "clip.mkv", "-o", "part10", "--start", "10f", "--grid", "9").expect(0)
     t.render("part0", "part10").expect(1, "grid is '14' and '9'")
 
 
 def test_part_gives_the_picture_that_the_clip_gives(t):
     moving_clip(t, frames=60)
-    for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17"), ("--end", "2.05s")):
+    for span in (("--start", "1.5s", "--end", "4s"), ("--start", "17f"), ("--end", "2.05s")):
         t.vvr("extract", "clip.mkv", "-o", "data", "--with-color", *span).expect(0)
         for options in ((), span):
             t.render("data", "--backend", "software", *options, output="data.png").expect(0)
             t.render("clip.mkv", "--backend", "software", *span, output="clip.png").expect(0)
             same(t, "clip.png", "data.png")
+
+
+def test_extraction_with_the_old_name_of_colours_is_read(t):
+    moving_clip(t)
+    t.vvr("extract", "clip.mkv", "-o", "data", "--with-color").expect(0)
+    t.render("data", "--color", "video", "--backend", "software", output="new.png").expect(0)
+    t.path("data/color").rename(t.path("data/colour"))
+    manifest = t.path("data/manifest.json")
+    manifest.write_text(manifest.read_text().replace('"color":', '"colour":'))
+    t.render("data", "--color", "video", "--backend", "software", output="old.png").expect(0)
+    same(t, "new.png", "old.png")
+    t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
+    check(not t.path("data/colour").exists() and not t.path("data/color").exists(), "old colours are left over")
 
 
 def test_extract_takes_pictures_at_full_size(t):
@@ -135,10 +148,10 @@ def test_extract_replaces_only_its_own(t):
     t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "there is no folder 'none'")
     t.vvr("extract", "clip.mkv").expect(1, "no output", "-o DIR")
     t.vvr("extract", "-o", "data").expect(1, "no INPUT")
-    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40f").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
     t.expect_files("clip.mkv", "mine", "mine/notes.txt")
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
-    t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5", "--flow", "none").expect(0, "5 frames")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--end", "5f", "--flow", "none").expect(0, "5 frames")
     check(len(list(t.path("data/scalar").iterdir())) == 5, "the older extraction was not replaced")
     t.render("data", "--show", "arrows").expect(1, "was extracted without flow", "--show")
     t.render("data", "--show", "volume").expect(0)
@@ -148,7 +161,7 @@ def test_options_that_an_extraction_decided(t):
     t.vvr("extract", moving_clip(t), "-o", "data").expect(0)
     t.render("data", "--filter", "edges").expect(1, "--filter edges: 'data' was extracted with difference")
     t.render("data", "--grid", "9").expect(1, "--grid 9: 'data' was extracted with 14; leave it out, or run `vvr seeds` with it")
-    t.render("data", "--end", "9").expect(1, "--end 9: 'data' was extracted with none", "vvr extract")
+    t.render("data", "--end", "9f").expect(1, "--end 9f: 'data' was extracted with none", "vvr extract")
 
 
 def test_manifest_that_lies(t):
@@ -203,12 +216,12 @@ def test_seeds_from_lists(t):
 
 def test_inspect_shows_one_frame(t):
     moving_clip(t)
-    t.vvr("inspect", "clip.mkv", "--frame", "20", "-o", "a.png").expect(0, "frame 20 at 2.000 s")
+    t.vvr("inspect", "clip.mkv", "--frame", "20f", "-o", "a.png").expect(0, "frame 20 at 2.000 s")
     t.vvr("inspect", "clip.mkv", "--frame", "2.05s", "-o", "b.png").expect(0, "frame 20 at 2.000 s")
     same(t, "a.png", "b.png")
     check(t.picture_size("a.png")[0] == 1280, f"{t.picture_size('a.png')}")
-    t.vvr("inspect", "clip.mkv", "--frame", "40", "-o", "c.png").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
+    t.vvr("inspect", "clip.mkv", "--frame", "40f", "-o", "c.png").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
     t.vvr("inspect", "clip.mkv", "--frame", "00:01:00", "-o", "c.png").expect(1, "40 frames")
     t.vvr("inspect", "clip.mkv", "-o", "c.png").expect(1, "no frame: say which with --frame")
-    t.vvr("inspect", "clip.mkv", "--frame", "3").expect(1, "no output")
+    t.vvr("inspect", "clip.mkv", "--frame", "3f").expect(1, "no output")
     t.expect_files("a.png", "b.png", "clip.mkv")

@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import sys
 
 from harness import check
 
@@ -103,6 +104,25 @@ def rows_of(page):
     return rows
 
 
+def test_commands_of_pages_have_their_options(t):
+    sys.path.insert(0, str(t.source / "scripts" / "manual"))
+    try:
+        from command_help import read_commands
+    finally:
+        sys.path.pop(0)
+    known = {command.name: {f"--{name}" for option in command.options() for name in option.names} for command in read_commands(t.vvr_path)}
+    found = 0
+    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md"), *(t.source / "docs" / "examples").iterdir()]:
+        text = page.read_text().replace("\\\n", " ")
+        for command, rest in re.findall(r"(?<![\w.-])vvr (\w+)((?: +[^\n`|;#&]+)?)", text):
+            for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+(?![a-z<-])", rest if command in known else ""):
+                found += 1
+                check(option in known[command], f"{page.name}: `vvr {command}{rest}`: there is no {option}")
+            bare = re.search(r"--(?:start|end|frame|from|to|brick)[ =][1-9][\d.]*(?![\d:.a-z])", rest)
+            check(command not in known or not bare, f"{page.name}: `vvr {command}{rest}`: a time without its unit")
+    check(found > 150, f"only {found} options were looked at")
+
+
 def test_reliability_names_its_tests(t):
     """Each promise has its tests, and each test that is named is there."""
     tests = t.source / "tests"
@@ -131,7 +151,7 @@ def test_links_lead_somewhere(t):
 
 def test_scripts_are_sound(t):
     jobs = sorted((t.source / "scripts" / "cluster").iterdir())
-    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "cli-page", "lib.sh", "fuzz", "faults", "package",
+    for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "lib.sh", "fuzz", "faults", "package",
                                                           "package-test")] + jobs:
         done = t.run(["bash", "-n", str(script)])
         check(done.status == 0, str(done))

@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 
+import pytest
 from harness import check
 
 
@@ -42,6 +43,9 @@ def test_example_workflow_compares(t):
     check(failed.status == 1 and "differs from 'golden/door.png'" in failed.err, str(failed))
     kept = sorted(path.name for path in t.path("golden").glob("door.*"))
     check(kept == ["door.candidate.png", "door.diff.png", "door.png"], f"{kept}")
+    # No text, so the machine's fonts don't count.
+    settings = t.run(["ffprobe", "-v", "error", "-show_entries", "frame_tags", "golden/hall.png"]).out
+    check("vvr:renderer" in settings and "vvr:font" not in settings, settings)
 
 
 def test_example_workflow_builds_with_what_is_there(t):
@@ -61,29 +65,82 @@ def test_example_services_can_write(t):
         check("\nUser=vvr\n" in unit and any(f"{written}/".startswith(f"{folder}/") for folder in opened), unit)
 
 
-def test_examples_for_cron_and_systemd_draw_what_is_new(t):
+def cron_lines(t):
+    """Every line for a crontab in the docs: page and command."""
+    lines = [(page.name, line) for page in [t.source / "README.md", *sorted((t.source / "docs").glob("*.md"))]
+             for line in re.findall(r"^[\d*/,-]+(?: +[\d*/,-]+){4} +(\S.*)$", page.read_text(), flags=re.MULTILINE)]
+    check(len(lines) >= 4, f"{lines}")
+    return lines
+
+
+def as_cron_has_it(t):
+    return {"PATH": "/usr/bin:/bin", "SHELL": "/bin/sh", "HOME": str(t.folder), "LOGNAME": "vvr"}
+
+
+def test_cron_lines_draw_what_is_new(t):
+    drawn = 0
+    for number, (page, line) in enumerate(cron_lines(t)):
+        check(line.startswith("/usr/local/bin/vvr "), f"{page}: cron does not find the program of `{line}`")
+        here = t.path(f"{number}")
+        (here / "clips").mkdir(parents=True)
+        (here / "pictures").mkdir()
+        for name in "abc":
+            t.clip(f"{number}/clips/door {name}.avi", seconds=1)
+            os.utime(here / "clips" / f"door {name}.avi", (1e9, 1e9))
+        for place, there in (("/usr/local/bin/vvr", t.vvr_path), ("/srv/cctv", "clips"), ("/data/cctv", "clips"),
+                             ("/srv/pictures", "pictures"), ("/data/pictures", "pictures"), ("/var/log/vvr", ".")):
+            line = line.replace(place, str(there))
+        for _ in range(2):
+            done = t.run(["/bin/sh", "-c", line], cwd=here, env=as_cron_has_it(t))
+            check(done.status == 0 and done.out + done.err == "", f"{page}: cron would send a mail: {done}")
+        if "--index-only" in line:
+            check((here / "pictures/index.html").exists(), str(done))
+        else:
+            drawn += len(list((here / "pictures").glob("*.avi.png")))
+        if "--log-file" in line:
+            check("3 clips drawn" in (here / "archive.log").read_text(), "the log is empty")
+    check(drawn >= 6, f"{drawn} pictures were drawn")
+
+
+def exec_line(t, unit, **places):
+    """What a unit starts, with places of this machine."""
+    line = re.search(r"^ExecStart=(.*)", (t.source / "docs" / "examples" / unit).read_text(), flags=re.MULTILINE).group(1)
+    for there, here in places.items():
+        line = line.replace(there, str(here))
+    return line
+
+
+def test_archive_service_draws_what_is_new(t):
     examples = t.source / "docs" / "examples"
     unit = (examples / "vvr-archive.service").read_text()
-    lines = re.findall(r"^ExecStart=(.*)", unit, flags=re.MULTILINE)
-    lines += re.findall(r"^\*/10 \* \* \* \*  (.*)", (t.source / "docs" / "archive.md").read_text(), flags=re.MULTILINE)
-    check(len(lines) == 3, f"{lines}")
     check("\nSuccessExitStatus=6\n" in unit and "ReadWritePaths=/srv/pictures\n" in unit, unit)
-    check("/var/log/vvr/*.log" in (examples / "vvr-archive.logrotate").read_text() and "/var/log/vvr/archive.log" in lines[2], lines[2])
-    if shutil.which("systemd-analyze"):
-        for name in ("vvr-archive.service", "vvr-archive.timer"):
-            copy = (examples / name).read_text().replace("/usr/local/bin/vvr", t.vvr_path)
-            t.write(name, copy)
-        done = t.run(["systemd-analyze", "verify", "--man=no", t.path("vvr-archive.timer")])
-        check("vvr-archive" not in done.err, str(done))
-    for number, line in enumerate(lines):
-        t.path(f"clips{number}").mkdir()
-        t.clip(f"clips{number}/door one.avi", seconds=1)
-        os.utime(t.path(f"clips{number}/door one.avi"), (1e9, 1e9))
-        for place, here in (("/usr/local/bin/vvr", t.vvr_path), ("/srv/cctv", f"clips{number}"), ("/srv/pictures", f"pictures{number}"),
-                            ("/var/log/vvr", ".")):
-            line = line.replace(place, here)
-        done = t.run(["sh", "-c", line], env={"PATH": "/usr/bin:/bin", "HOME": str(t.folder)})  # as cron has it
-        check(done.status == 0 and done.out == "", f"cron would send a mail: {done}")
-        check(t.path(f"pictures{number}/door one.avi.png").exists(), str(done))
-        check(("1 clip drawn" in done.err) == (number == 0), f"what it prints: {done}")
-    check("1 clip drawn" in t.path("archive.log").read_text(), "the log is empty")
+    check("/var/log/vvr/*.log" in (examples / "vvr-archive.logrotate").read_text(), "logs of the crontab are not rotated")
+    t.path("clips").mkdir()
+    t.clip("clips/door one.avi", seconds=1)
+    os.utime(t.path("clips/door one.avi"), (1e9, 1e9))
+    line = exec_line(t, "vvr-archive.service", **{"/usr/local/bin/vvr": t.vvr_path, "/srv/cctv": "clips", "/srv/pictures": "pictures"})
+    done = t.run(line.split(), env={})
+    check(done.status == 0 and "1 clip drawn" in done.err and t.path("pictures/door one.avi.png").exists(), str(done))
+
+
+def test_watch_service_keeps_the_address_to_itself(t):
+    t.clip("gate.avi", seconds=4)
+    t.write("stream", "gate.avi\n")
+    line = exec_line(t, "vvr-watch@.service", **{"/usr/local/bin/vvr": t.vvr_path, "${CREDENTIALS_DIRECTORY}": t.folder,
+                                                 "/var/lib/vvr/%i": "gate", "$OPTIONS": "--brick 1s --reference first --size 320x200"})
+    done = t.run(line.split(), env={})
+    check(done.status == 0 and t.path("gate.html").exists(), str(done))
+    check("gate.avi" not in line and "rtsp" not in line, f"other users read {line}")
+    t.write("stream", "\n")
+    t.vvr("watch", "@stream", "-o", "gate.png").expect(1, "the file 'stream' holds no address; its first line is one")
+    t.vvr("watch", "@none", "-o", "gate.png").expect(2, "none: can't be opened: No such file or directory")
+
+
+def test_units_are_sound(t):
+    if not shutil.which("systemd-analyze"):
+        pytest.skip("systemd-analyze is not there")
+    for name in ("vvr-archive.service", "vvr-archive.timer", "vvr-watch@.service"):
+        text = (t.source / "docs" / "examples" / name).read_text().replace("/usr/local/bin/vvr", t.vvr_path)
+        t.write(name.replace("@", "@gate"), text)
+    done = t.run(["systemd-analyze", "verify", "--man=no", t.path("vvr-archive.timer"), t.path("vvr-watch@gate.service")])
+    check("vvr-" not in done.err, str(done))

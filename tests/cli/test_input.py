@@ -78,15 +78,15 @@ def test_nothing_piped(t):
 
 def test_frames_and_seconds_mean_the_same(t):
     t.clip()
-    t.render("clip.avi", "--start", "5", "--end", "15", output="frames.png").expect(0, "10 frames")
+    t.render("clip.avi", "--start", "5f", "--end", "15f", output="frames.png").expect(0, "10 frames")
     t.render("clip.avi", "--start", "0.5s", "--end", "00:00:01.5", output="seconds.png").expect(0, "10 frames")
 
 
 def test_start_beyond_the_end(t):
     t.clip()
-    t.render("clip.avi", "--start", "20").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
+    t.render("clip.avi", "--start", "20f").expect(1, "has no frame from frame 20 to its end: it has 20 frames, the last at 1.900 s", "--start")
     t.render("clip.avi", "--start", "5s").expect(1, "has no frame from 5 s")
-    t.render("clip.avi", "--start", "9", "--end", "3").expect(1, "--end has to come after the start")
+    t.render("clip.avi", "--start", "9f", "--end", "3f").expect(1, "--end has to come after the start")
     t.expect_files("clip.avi")
 
 
@@ -96,7 +96,7 @@ def test_info_says_what_a_render_would_do(t):
     check(text.err == "", str(text))
     for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, as the container says", "2.000 s", "20 layers", "MB"):
         check(part in text.out, f"{text}\nexpected: {part}")
-    told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11", "--step", "2").expect(0, out=None).out)
+    told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11f", "--step", "2").expect(0, out=None).out)
     check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))
     check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))
 

@@ -15,7 +15,8 @@ UNUSABLE = {  # option and value, and what the text has to say
     ("--alpha", "3,5"): "is not a number",
     ("--iterations", "2.5"): "is not a whole number",
     ("--threshold", "256"): "is not a whole number from 0 to 255",
-    ("--start", "soon"): "is not a time like 250 (a frame), 12.5s or 00:00:12.5",
+    ("--start", "soon"): "is not a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame",
+    ("--start", "250"): "'250' has no unit: write 250f for frames or 250s for seconds",
     ("--start", "-1s"): "is not a time",
     ("--start", "00:99:00"): "is not a time",
     ("--brick", "0"): "longer than nothing",
@@ -71,7 +72,7 @@ def test_missing_or_too_many_arguments(t):
 
 def test_options_that_exclude_each_other(t):
     t.clip()
-    t.render("clip.avi", "--brick", "5", "--window", "2").expect(1, "--brick excludes --window")
+    t.render("clip.avi", "--brick", "5f", "--window", "2").expect(1, "--brick excludes --window")
     t.render("clip.avi", "--quiet", "--verbose").expect(1, "--verbose", "--quiet")
 
 

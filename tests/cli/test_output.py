@@ -36,7 +36,7 @@ def test_layers_stand_in_an_exr(t):
         for channel in (b"R", b"G", b"B", b"Z", b"time", b"frame"):
             kind = struct.pack("<i", 1 if channel in b"RGB" else 2)  # half and float, as the format numbers them
             check(b"\0" + channel + b"\0" + kind in header, f"{backend}: no channel {channel}, or of another type")
-    t.render("clip.avi", "--brick", "10", output="series.{brick}.exr").expect(0, "2 pictures")
+    t.render("clip.avi", "--brick", "10f", output="series.{brick}.exr").expect(0, "2 pictures")
     check(b"\0time\0" in t.path("series.1.exr").read_bytes()[:2000], "a series has no layers")
 
 

@@ -53,7 +53,7 @@ def test_alpha_of_100_gives_almost_no_flow(t):
     u = {}
     for alpha in ("10", "100"):
         t.vvr("extract", "shift.y4m", "-o", f"a{alpha}", "--solver", "jacobi", "--iterations", "60", "--alpha", alpha,
-              *MOVES, "--end", "12").expect(0)
+              *MOVES, "--end", "12f").expect(0)
         u[alpha] = flow_of(t, f"a{alpha}/flow/000006.flo")[0]
     check(u["10"] > 0.5 * SPEED, f"60 steps with λ = α² = 100 find {u['10']:.2f} of {SPEED} pixels")
     check(u["100"] < 0.25 * SPEED, f"60 steps with α = 100 find {u['100']:.2f} of {SPEED} pixels")
@@ -63,7 +63,7 @@ def test_solvers(t):
     texture(t)
     flows = {}
     for solver in ("pyramid", "multigrid", "jacobi"):
-        t.vvr("extract", "shift.y4m", "-o", solver, "--solver", solver, *MOVES, "--end", "12").expect(0)
+        t.vvr("extract", "shift.y4m", "-o", solver, "--solver", solver, *MOVES, "--end", "12f").expect(0)
         flows[solver] = flow_of(t, f"{solver}/flow/000006.flo")
     for solver in ("pyramid", "multigrid"):
         u, v = flows[solver]
@@ -166,7 +166,7 @@ def test_figure_4_shows_object_flow_and_seeds(t):
     t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=96x64", "-frames:v", "1", "empty.png")
     options = ("--grid", "8", "--reference", "empty.png")
     t.vvr("extract", "clip.mkv", "-o", "data", *options).expect(0)
-    t.vvr("inspect", "clip.mkv", "--frame", "25", *options, "-o", "out.png").expect(0)
+    t.vvr("inspect", "clip.mkv", "--frame", "25f", *options, "-o", "out.png").expect(0)
     rows = t.rgb("out.png")
     gap, width = 14, (1280 - 4 * 14) // 3  # as cli/render/inspection.cpp places them
     scale = width / 96

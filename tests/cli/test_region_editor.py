@@ -5,7 +5,7 @@ import re
 
 import pytest
 from browser import Page
-from harness import check
+from harness import check, moving_clip
 
 SIZE = (320, 240)
 
@@ -31,7 +31,7 @@ def test_inspect_makes_a_region_editor(t):
 
 def test_region_editor_shows_the_frame_itself(t):
     clip(t)
-    t.vvr("inspect", "clip.mkv", "--frame", "20", "-o", "roi.html").expect(0)
+    t.vvr("inspect", "clip.mkv", "--frame", "20f", "-o", "roi.html").expect(0)
     base64 = re.search(r'src="data:image/jpeg;base64,([^"]+)"', t.path("roi.html").read_text())[1]
     t.write("frame.b64", base64)
     t.run(["bash", "-c", "base64 -d frame.b64 >frame.jpg"])
@@ -233,3 +233,27 @@ def test_region_editor_looks(t):
             check(abs(box[0] / box[1] - SIZE[0] / SIZE[1]) < 0.02 and box[2] <= height, f"{width}: {box}")
             check(box[0] >= 350, f"{width}: the frame is {box[0]} wide")
         check(page.complaints() == [], str(page.complaints()))
+
+
+def test_areas_come_from_a_text_file(t):
+    moving_clip(t)
+    t.write("areas.txt", "# where it begins\n0,0 30,0 30,64 0,64\n\n60,0 96,0 96,64 60,64   # where it ends\n")
+    t.render("clip.mkv", "--roi", "0,0 30,0 30,64 0,64; 60,0 96,0 96,64 60,64", "--show", "volume", output="text.png").expect(0)
+    t.render("clip.mkv", "--roi", "areas.txt", "--show", "volume", output="file.png").expect(0)
+    t.render("clip.mkv", "--show", "volume", output="all.png").expect(0)
+    check(t.rgb("text.png") == t.rgb("file.png") != t.rgb("all.png"), "the file does not say the same")
+    t.vvr("inspect", "clip.mkv", "--frame", "1s", "--mask", "areas.txt", "-o", "roi.html").expect(0)
+    check("0,0 30,0 30,64 0,64" in t.path("roi.html").read_text(), "the page begins without the areas")
+    t.write("two.txt", "0,0 30,0\n")
+    t.render("clip.mkv", "--roi", "two.txt").expect(1, "--roi: a polygon has at least three points", "; the file 'two.txt' has it")
+    t.render("clip.mkv", "--mask", "none.txt").expect(2, "--mask: none.txt: can't be opened: No such file or directory")
+
+
+def test_a_picture_is_an_area_where_it_is_128_or_brighter(t):
+    moving_clip(t)
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x808080:size=10x10", "-frames:v", "1", "grey128.png")
+    t.ffmpeg("-f", "lavfi", "-i", "color=0x7f7f7f:size=10x10", "-frames:v", "1", "grey127.png")
+    t.render("clip.mkv", "--roi", "grey128.png", "--show", "volume", output="in.png").expect(0)
+    t.render("clip.mkv", "--show", "volume", output="all.png").expect(0)
+    t.render("clip.mkv", "--roi", "grey127.png", "--show", "volume", output="out.png").expect(0, "nothing moves")
+    check(t.rgb("in.png") == t.rgb("all.png"), "grey 128 does not count")

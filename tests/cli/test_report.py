@@ -172,7 +172,7 @@ def test_report_of_no_frames(t):
 def test_report_of_a_series(t):
     t.scene("two_walkers_cross", "cross.y4m", "--size", "192x144", "--frames", "150")
     t.vvr("render", "cross.y4m", "--report", "whole.json").expect(0, "2 events")
-    t.render("cross.y4m", "--brick", "30", "--window", "2", "--report", "series.json", output="s{brick}.png").expect(
+    t.render("cross.y4m", "--brick", "30f", "--window", "2", "--report", "series.json", output="s{brick}.png").expect(
         0, "5 pictures of 150 frames", "2 events")
     whole, series = read(t, "whole.json"), read(t, "series.json")
     for part in ("frames", "span", "input", "events"):

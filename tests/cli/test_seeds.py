@@ -70,7 +70,7 @@ def test_a_digit_per_brick(t):
 
 def test_flags_count_bricks_from_the_first_of_the_clip(t):
     moving_clip(t)
-    t.render("clip.mkv", *STRAIGHT, "--brick", "10", "--window", "2", "--seed-flags", "100", output="s.{brick}.png").expect(0)
+    t.render("clip.mkv", *STRAIGHT, "--brick", "10f", "--window", "2", "--seed-flags", "100", output="s.{brick}.png").expect(0)
     shown = [arrows(t, f"s.{brick}.png") > 0 for brick in range(4)]
     check(shown == [True, True, False, True], f"arrows of bricks 0 and 3 in windows of two: {shown}")
 

@@ -14,7 +14,7 @@ def pixels(t, name):
 def test_a_picture_for_each_brick(t):
     moving_clip(t)
     for name, files in (("a.{brick:4}.png", "a.%04d.png"), ("b###.png", "b%03d.png"), ("c%d.png", "c%d.png")):
-        t.render("clip.mkv", "--brick", "7", "--window", "3", output=name).expect(
+        t.render("clip.mkv", "--brick", "7f", "--window", "3", output=name).expect(
             0, f"vvr: '{name}': 6 pictures of 40 frames")
         for i in range(6):
             t.expect_picture(files % i)
@@ -30,14 +30,14 @@ def test_a_picture_for_each_brick(t):
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
     # Seeds of every second frame, as 160 frames are visible at a time.
     moving_clip(t, frames=320)
-    t.render("clip.mkv", "--brick", "40", "--window", "4", *ALL, output="moved.{brick}.png").expect(0, "8 pictures")
+    t.render("clip.mkv", "--brick", "40f", "--window", "4", *ALL, output="moved.{brick}.png").expect(0, "8 pictures")
     for moved in (0, 1, 3, 4):
         begin, end = 40 * moved, 40 * (moved + 4)
         start = ("--start", f"{begin / 10}s") if moved else ()
-        t.vvr("extract", "clip.mkv", "-o", f"part{moved}", *start, "--end", str(end), "--flow-every", "1").expect(
+        t.vvr("extract", "clip.mkv", "-o", f"part{moved}", *start, "--end", f"{end}f", "--flow-every", "1").expect(
             0, "160 frames")
         # Stripes run on by an eighth from picture to picture.
-        t.render(f"part{moved}", "--brick", "40", *ALL, "--animate", "8", output=f"fresh{moved}.{{frame}}.png").expect(0, "160 layers and 4 bricks")
+        t.render(f"part{moved}", "--brick", "40f", *ALL, "--animate", "8", output=f"fresh{moved}.{{frame}}.png").expect(0, "160 layers and 4 bricks")
         fresh = pixels(t, f"fresh{moved}.{(moved + 3) % 8}.png")
         check(fresh == pixels(t, f"moved.{moved + 3}.png"), f"moved by {moved} bricks")
     check(pixels(t, "moved.3.png") != pixels(t, "moved.4.png"), "moving makes no difference")
@@ -47,7 +47,7 @@ def test_a_window_that_moved_is_a_window_rendered_afresh(t):
 def test_a_window_whose_last_brick_is_shorter(t):
     # Of 80, 80 and 40 layers, which are three, three and two pieces.
     moving_clip(t, frames=200, step=0.35)
-    look = ("--brick", "80", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
+    look = ("--brick", "80f", "--window", "2", "--show", "volume,arrows,outline", "--backend", "software")
     t.vvr("extract", "clip.mkv", "-o", "all", "--flow-every", "1").expect(0, "200 frames")
     t.vvr("extract", "clip.mkv", "-o", "end", "--start", "8s", "--flow-every", "1").expect(0, "120 frames")
     t.render("all", *look, output="all.{brick}.png").expect(0, "3 pictures")
@@ -57,9 +57,9 @@ def test_a_window_whose_last_brick_is_shorter(t):
 
 def test_a_series_of_layers_that_hold_several_frames(t):
     moving_clip(t, frames=60)
-    t.render("clip.mkv", "--brick", "9", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
-    t.vvr("extract", "clip.mkv", "-o", "part", "--start", "1.8s", "--end", "45", "--flow-every", "1").expect(0, "27 frames")
-    t.render("part", "--brick", "9", "--step", "3", *ALL, "--animate", "8", output="fresh.{frame}.png").expect(0, "9 layers and 3 bricks")
+    t.render("clip.mkv", "--brick", "9f", "--window", "3", "--step", "3", *ALL, output="moved.{brick}.png").expect(0)
+    t.vvr("extract", "clip.mkv", "-o", "part", "--start", "1.8s", "--end", "45f", "--flow-every", "1").expect(0, "27 frames")
+    t.render("part", "--brick", "9f", "--step", "3", *ALL, "--animate", "8", output="fresh.{frame}.png").expect(0, "9 layers and 3 bricks")
     check(pixels(t, "fresh.4.png") == pixels(t, "moved.4.png"), "three frames a layer")
 
 
@@ -70,7 +70,7 @@ def pictures_in(t, name):
 
 def test_a_film_of_the_window(t):
     moving_clip(t)
-    look = ("--brick", "10", "--window", "2", "--show", "tracelines,outline", "--backend", "software", "--grid", "8",
+    look = ("--brick", "10f", "--window", "2", "--show", "tracelines,outline", "--backend", "software", "--grid", "8",
             "--size", "480x300")
     t.render("clip.mkv", *look, "--slide", "3", output="window.mp4").expect(0, "'window.mp4': 12 pictures of 40 frames")
     check(pictures_in(t, "window.mp4") == 12, f"{pictures_in(t, 'window.mp4')} pictures")
@@ -96,21 +96,21 @@ def test_a_film_of_the_window(t):
 def test_a_series_in_the_colours_of_the_video(t):
     t.ffmpeg("-i", moving_clip(t), "-frames:v", "1", "empty.png")
     for backend in ("software", "osmesa"):
-        look = ("--brick", "10", "--reference", "empty.png", "--color", "video", "--show", "volume,frames", "--backend",
+        look = ("--brick", "10f", "--reference", "empty.png", "--color", "video", "--show", "volume,frames", "--backend",
                 backend)
         t.render("clip.mkv", *look, "--window", "2", output=f"{backend}.{{brick}}.png").expect(0, "4 pictures")
-        t.render("clip.mkv", *look, "--end", "20", output="begin.png").expect(0, "2 bricks")
+        t.render("clip.mkv", *look, "--end", "20f", output="begin.png").expect(0, "2 bricks")
         check(pixels(t, "begin.png") == pixels(t, f"{backend}.1.png"), f"{backend}: the first full window")
 
 
 def test_a_series_of_extracted_data(t):
     t.vvr("extract", moving_clip(t), "-o", "data", "--flow-every", "1").expect(0)
-    look = ("--show", "volume,arrows,tracelines,outline", "--brick", "10", "--window", "2", "--backend", "software")
+    look = ("--show", "volume,arrows,tracelines,outline", "--brick", "10f", "--window", "2", "--backend", "software")
     t.render("clip.mkv", *look, output="clip.{brick}.png").expect(0)
     t.render("data", *look, output="data.{brick}.png").expect(0, "4 pictures of 40 frames")
     for i in range(4):
         check(pixels(t, f"clip.{i}.png") == pixels(t, f"data.{i}.png"), f"picture {i}")
-    t.render("data", "--brick", "10", output="d.{brick}.png").expect(
+    t.render("data", "--brick", "10f", output="d.{brick}.png").expect(
         0, "'data' holds only the clip's first and last picture", "4 pictures")
 
 
@@ -149,7 +149,7 @@ def test_series_that_cannot_be(t):
 def test_a_series_that_fails_half_way_leaves_whole_pictures(t):
     moving_clip(t)
     t.path("a.2.png").mkdir()
-    t.render("clip.mkv", "--brick", "10", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory")
+    t.render("clip.mkv", "--brick", "10f", output="a.{brick}.png").expect(2, "'a.2.png'", "Is a directory")
     t.expect_files("a.0.png", "a.1.png", "a.2.png", "clip.mkv")
     for i in range(2):
         t.expect_picture(f"a.{i}.png")

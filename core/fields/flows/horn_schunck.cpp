@@ -14,7 +14,7 @@ constexpr std::array solvers{
               {.alpha = 15, .iterations = 1, .pre_smooth = 0.8},
               make_pyramid},
     SolverRow{"multigrid",
-              "the paper's equations solved to the end, for motion under two pixels per frame",
+              "the paper's equations solved to the end, for motion of a few pixels per frame",
               {.alpha = 10, .iterations = 2, .pre_smooth = 1.5},
               make_multigrid},
     SolverRow{"jacobi",

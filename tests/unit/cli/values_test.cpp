@@ -8,30 +8,55 @@
 namespace vvr {
 namespace {
 
-TEST(ParseTime, TakesFramesSecondsAndClockTimes) {
-    EXPECT_EQ(parse_time("250"), (Time{250, Time::Unit::frames}));
+TEST(ParseTime, TakesFramesSecondsUnitsAndClockTimes) {
+    EXPECT_EQ(parse_time("250f"), (Time{250, Time::Unit::frames}));
     EXPECT_EQ(parse_time("12.5s"), (Time{12.5, Time::Unit::seconds}));
+    EXPECT_EQ(parse_time("0"), (Time{0, Time::Unit::seconds}));
+    EXPECT_EQ(parse_time("1h30m"), (Time{5400, Time::Unit::seconds}));
+    EXPECT_EQ(parse_time("1d2h3m4.5s"), (Time{93784.5, Time::Unit::seconds}));
     EXPECT_EQ(parse_time("00:00:12.5"), (Time{12.5, Time::Unit::seconds}));
     EXPECT_EQ(parse_time("90:30"), (Time{5430, Time::Unit::seconds}));
     EXPECT_EQ(parse_time("25:01:02.25"), (Time{90062.25, Time::Unit::seconds}));
 }
 
 TEST(ParseTime, RefusesEverythingElse) {
-    for (const char* text : {"", "s", ":", "1:", "-1", "1.5", "1e400s", "nans", "infs", "1:60", "1:60:00", "1.5:00",
-                             "1:2:3:4", "12 s", "0x10", "1,5s"}) {
+    for (const char* text :
+         {"",        "s",      "f",       ":",    "1:",   "-1",   "-1f",   "1.5f",    "1e400s", "nans", "infs", "1:60",
+          "1:60:00", "1.5:00", "1:2:3:4", "12 s", "0x10", "1,5s", "30m1h", "1.5h30m", "1h2h",   "10ms", "5w"}) {
         EXPECT_THROW(parse_time(text), Error) << text;
     }
 }
 
-TEST(ParseDuration, TakesUnits) {
-    EXPECT_EQ(parse_duration("90"), std::chrono::seconds(90));
-    EXPECT_EQ(parse_duration("60s"), std::chrono::seconds(60));
-    EXPECT_EQ(parse_duration("10m"), std::chrono::minutes(10));
-    EXPECT_EQ(parse_duration("2h"), std::chrono::hours(2));
-    EXPECT_EQ(parse_duration("1d"), std::chrono::hours(24));
-    for (const char* text : {"", "s", "-1s", "1.5h", "1 h", "2w", "1hs", "99999999999999999999"}) {
+/// What an error says.
+template <class Action>
+std::string refusal(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
+    EXPECT_EQ(refusal([] { parse_time("250"); }),
+              "'250' has no unit: write 250f for frames or 250s for seconds");
+    EXPECT_EQ(refusal([] { parse_time("2.5"); }), "'2.5' has no unit: write 2.5s for seconds");
+}
+
+TEST(ParseDuration, IsInSecondsWithoutAUnit) {
+    EXPECT_EQ(parse_duration("90"), 90);
+    EXPECT_EQ(parse_duration("0.5"), 0.5);
+    EXPECT_EQ(parse_duration("60s"), 60);
+    EXPECT_EQ(parse_duration("10m"), 600);
+    EXPECT_EQ(parse_duration("1.5h"), 5400);
+    EXPECT_EQ(parse_duration("1d"), 86400);
+    EXPECT_EQ(parse_duration("00:01:30"), 90);
+    EXPECT_EQ(parse_whole_seconds("1.2s"), std::chrono::seconds(2));
+    for (const char* text : {"", "s", "-1s", "1 h", "2w", "1hs", "250f", "99999999999999999999"}) {
         EXPECT_THROW(parse_duration(text), Error) << text;
     }
+    EXPECT_EQ(refusal([] { parse_duration("2m", {0.1, 60}); }), "'2m' is not a length of time from 0.1s to 60s");
 }
 
 TEST(ParseBytes, TakesUnits) {

@@ -1,0 +1,133 @@
+#include "cli/options/help.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace vvr {
+
+namespace {
+
+constexpr std::size_t column = 30;        // where the help of an option begins
+constexpr std::size_t value_column = 15;  // where the help of a value begins, behind its own indent
+
+/// What a word in capitals stands for, where it does not say so itself.
+struct UnitRow {
+    std::string_view name;
+    std::string_view help;
+};
+
+constexpr std::array units{
+    UnitRow{"TIME",
+            "12.5s, 3m, 1h30m, 2d or 00:03:00; for a place in a clip and for a brick also 250f, a number of frames. A "
+            "number alone is seconds; where it could be frames too, it needs its unit"},
+    UnitRow{"AREA",
+            "polygons, 'x,y x,y x,y; x,y ...', in pixels of the video from its top left corner; a text file (.txt) of "
+            "them, a polygon per line; or a picture, stretched over the frame, in which grey 128 and brighter counts"},
+    UnitRow{"GREY", "levels of 0 to 255"},
+    UnitRow{"UNITS", "lengths in the picture's space, in which the outer radius of the horseshoe is 1"},
+    UnitRow{"LEVEL", "a share of a channel's range: 0 to 1"},
+    UnitRow{"LIST", "names with commas between them"},
+};
+
+/// Appends words, of which each line begins at column `indent`.
+/// \param at columns that the first line has already
+void append_wrapped(std::string& text, std::string_view words, std::size_t indent, std::size_t at, std::size_t width) {
+    std::istringstream stream{std::string(words)};
+    bool first = true;
+    for (std::string word; stream >> word; first = false) {
+        if (!first && at + 1 + word.size() > width) {
+            text += '\n';
+            text.append(indent, ' ');
+            at = indent;
+        } else if (!first) {
+            text += ' ';
+            ++at;
+        }
+        // A list that is longer than a line goes on after one of its commas.
+        for (auto comma = word.rfind(',', width - at - 1); at + word.size() > width && comma != std::string::npos;
+             comma = word.rfind(',', width - at - 1)) {
+            text += word.substr(0, comma + 1) + '\n';
+            text.append(indent, ' ');
+            at = indent;
+            word.erase(0, comma + 1);
+        }
+        text += word;
+        at += word.size();
+    }
+    text += '\n';
+}
+
+/// A name at column `from`, and what it means from column `to` on.
+void append_row(std::string& text, std::string_view name, std::string_view words, std::size_t from, std::size_t to,
+                std::size_t width) {
+    std::string left(from, ' ');
+    left += name;
+    if (left.size() + 2 > to) {
+        left += '\n';
+        left.append(to, ' ');
+    }
+    left.resize(std::max(left.size(), to), ' ');
+    text += left;
+    append_wrapped(text, words, to, to, width);
+}
+
+void append_option(std::string& text, const HelpOption& option, std::size_t width) {
+    std::string names = option.letter == 0 ? "" : fmt::format("-{}, ", option.letter);
+    names += fmt::format("--{}", fmt::join(option.names, ", --"));
+    if (!option.unit.empty()) names += " " + option.unit;
+    append_row(text, names, option.text, 2, column, width);
+    for (const HelpValue& value : option.values) {
+        append_row(text, value.name, value.help, column + 2, column + 2 + value_column, width);
+    }
+}
+
+bool has_unit(const CommandHelp& help, std::string_view unit) {
+    return std::ranges::any_of(help.options, [&](const HelpOption& option) { return option.unit == unit; });
+}
+
+}  // namespace
+
+std::string help_text(const CommandHelp& help, int width) {
+    const auto columns = static_cast<std::size_t>(width);
+    std::string text;
+    append_wrapped(text, fmt::format("vvr {}: {}", help.name, help.text), 0, 0, columns);
+    text +=
+        fmt::format("\nUsage: vvr {}{}{} [OPTIONS]\n", help.name, help.arguments.empty() ? "" : " ", help.arguments);
+    if (!help.arguments.empty()) {
+        text += '\n';
+        append_row(text, help.arguments, help.arguments_text, 2, column, columns);
+    }
+    for (const Group group : all_groups) {
+        if (std::ranges::find(help.options, group, &HelpOption::group) == help.options.end()) continue;
+        text += fmt::format("\n{}:\n", title_of(group));
+        for (const HelpOption& option : help.options) {
+            if (option.group == group) append_option(text, option, columns);
+        }
+    }
+    text += "\nDefaults are in brackets, ranges in parentheses.\n";
+    for (const UnitRow& unit : units) {
+        if (has_unit(help, unit.name)) append_row(text, unit.name, unit.help, 2, column, columns);
+    }
+    if (!help.examples.empty()) text += "\nExamples:\n";
+    for (const Example& example : help.examples) text += fmt::format("  # {}\n  {}\n", example.what, example.command);
+    return text;
+}
+
+int help_width() {
+    constexpr int usual = 80;
+    int width = 0;
+    if (const char* const columns = std::getenv("COLUMNS")) width = std::atoi(columns);
+    winsize terminal{};
+    if (width <= 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) == 0) width = terminal.ws_col;
+    return std::clamp(width > 0 ? width : usual, 72, 120);
+}
+
+}  // namespace vvr

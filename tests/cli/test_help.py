@@ -1,0 +1,155 @@
+"""What `vvr COMMAND --help` says is so: width, options, values, aliases and examples."""
+
+import os
+import pathlib
+import re
+import sys
+
+import pytest
+from harness import check
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts" / "manual"))
+from command_help import parse, read_commands  # noqa: E402
+
+COMMANDS = ["render", "watch", "extract", "seeds", "inspect", "cut", "archive", "compare", "info", "config", "doctor"]
+
+
+def help_of(t, command, columns="100"):
+    return t.vvr(command, "--help", env=os.environ | {"COLUMNS": columns}).expect(0, out=None).out
+
+
+def test_help_lists_every_command(t):
+    check([command.name for command in read_commands(t.vvr_path)] == COMMANDS, "COMMANDS of this file is old")
+
+
+def test_help_is_as_wide_as_the_terminal(t):
+    for columns in ("72", "80", "120"):
+        for command in COMMANDS:
+            text, examples, _ = help_of(t, command, columns).partition("\nExamples:")
+            check(examples, f"vvr {command} --help has no examples")
+            long = [line for line in text.splitlines() if len(line) > int(columns)]
+            check(not long, f"{command}, {columns} columns: {long}")
+
+
+def sample(option):
+    """Values that the help says an option takes."""
+    if option.values:
+        return [name for name, _ in option.values]
+    found = re.search(r"\(([-\d.]+)s? to ([-\d.]+)s?\)", option.help)
+    if found and option.unit not in ("IN:OUT", "WxH"):
+        return [end + ("s" if option.unit == "TIME" else "") for end in found.groups()]
+    return {
+        "": [None], "TIME": ["1s"], "WxH": ["64x48"], "IN:OUT": ["0.4:1"], "AZIMUTH,ELEVATION": ["0,46"], "COLOR": ["#ffffff"],
+        "TEXT": ["Hall"], "DATETIME": ["2026-11-21 08:00:00"], "AREA": ["0,0 9,0 9,9"], "HOW": ["first:2"], "DIGITS": ["10"],
+        "PATTERN": ["{camera}-%s"], "GLOB": ["*.mp4"], "I/N": ["1/2"], "BYTES": ["2G"], "COUNT": ["2"], "PATH": [],
+        "FILE": [], "DIR": [],  # have to be there
+    }[option.unit]
+
+
+# What a command needs to get as far as its input, which is not there.
+NEEDS = {
+    "render": ["-o", "out.png"], "watch": ["-o", "out.png"], "extract": ["-o", "out"], "seeds": ["-o", "out"],
+    "inspect": ["-o", "out.png", "--frame", "1s"], "cut": ["-o", "out.mkv", "--event", "1"], "info": [], "archive": ["-o", "out"],
+}
+TOGETHER = {  # options that are for other outputs, or go with others
+    "--plain-name": [], "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--bless": ["--golden", "golden.png"],
+    "--from": None, "--to": None,  # in place of --event
+    "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
+}
+
+
+@pytest.mark.parametrize("command", NEEDS)
+def test_help_lists_only_what_the_command_accepts(t, command):
+    t.clip()
+    missing = "missing" if command == "archive" else "missing.avi"
+    # What render has in the same words is looked at there.
+    shared = {} if command in ("render", "watch") else {option.text for option in parse("render", help_of(t, "render")).options()}
+    for option in parse(command, help_of(t, command)).options():
+        if option.text in shared:
+            continue
+        beside = TOGETHER.get(f"--{option.name}", [])
+        if option.name in ("help", "version", "config", "no-config", "log-file") or beside is None:
+            continue
+        for value in sample(option):
+            given = [f"--{option.name}"] if value is None else [f"--{option.name}={value}"]
+            done = t.vvr(command, missing, *NEEDS[command], *beside, *given)
+            # --index-only reads no clips.
+            accepted = done.status == 0 or (done.status == 2 and "missing" in done.err)
+            check(accepted, f"{done}\nthe help lists what is refused")
+
+
+def test_watch_help_has_no_options_that_need_an_end(t):
+    options = {option.name: option for option in parse("watch", help_of(t, "watch")).options()}
+    check(not options.keys() & {"start", "end", "time", "skip-idle"}, f"{options.keys()}")
+    check([name for name, _ in options["preset"].values] == ["paper"], str(options["preset"]))
+    check([name for name, _ in options["reference"].values] == ["first", "running"], str(options["reference"]))
+    check("recorded" not in options["start-time"].help, str(options["start-time"]))
+    for arguments, text in [
+        (["--start", "3s"], "--start: a stream begins now"), (["--end=3s"], "--end: --duration ends a stream"),
+        (["--time", "busy"], "--time: the pictures of a stream share one scale of time"),
+        (["--skip-idle", "3"], "--skip-idle: the pictures of a stream"),
+        (["--preset", "day"], "--preset: there is no 'day'"),
+    ]:
+        t.vvr("watch", "clip.avi", "-o", "out.png", *arguments).expect(1, text)
+
+
+def test_aliases_do_the_same(t):
+    t.clip()
+    for name, alias, value in [("--size", "--resolution", "80x60"), ("--camera", "--view", "20,30"), ("--transfer", "--colormap", "viridis"),
+                               ("--background", "--background-color", "#112233"), ("--reference", "--empty-scene", "first"),
+                               ("--start-time", "--clock", "2026-11-21 08:00:00")]:
+        t.render("clip.avi", "--size", "80x60", name, value, output="name.png").expect(0)
+        t.render("clip.avi", "--size", "80x60", alias, value, output="alias.png").expect(0)
+        same = t.path("name.png").read_bytes() == t.path("alias.png").read_bytes()
+        check(same, f"{alias} is not {name}")
+        shown = re.search(rf"^  {name}, {alias} ", help_of(t, "render"), flags=re.MULTILINE)
+        check(shown, f"the help does not show {alias} beside {name}")
+    t.write("alias.toml", 'resolution = "70x50"\n')
+    t.vvr("render", "clip.avi", "-o", "out.png", "--config", "alias.toml").expect(0)
+    t.expect_picture(size=(70, 50))
+    t.render("clip.avi", "--resolutoin", "3x3").expect(1, "did you mean '--resolution'?")
+
+
+def test_times_are_written_alike_everywhere(t):
+    t.clip(seconds=3)
+    for same in (["1s", "10f", "00:00:01", "0m1s"], ["2s", "20f", "00:02"]):
+        pictures = set()
+        for number, time in enumerate(same):
+            t.render("clip.avi", "--end", time, "--title", "Hall", "--show", "volume,outline", output=f"{number}.png").expect(0)
+            t.vvr("inspect", "clip.avi", "--frame", time, "-o", f"frame{number}.png").expect(0, f"frame {same[1][:-1]} at")
+            pictures.add(bytes(str(t.rgb(f"{number}.png")), "ascii"))
+        check(len(pictures) == 1, f"{same} are not the same")
+    for option, value in [("--lag", "0.5"), ("--lag", "0.5s"), ("--patience", "1m"), ("--duration", "00:00:09")]:
+        t.vvr("watch", "missing.avi", "-o", "out.png", option, value).expect(2, "missing.avi")
+    t.vvr("watch", "missing.avi", "-o", "out.png", "--lag", "2m").expect(1, "--lag: '2m' is not a length of time from 0.1s to 60s")
+    t.vvr("watch", "missing.avi", "-o", "out.png", "--patience", "20f").expect(1, "--patience: '20f' is not a length of time")
+    t.vvr("cut", "clip.avi", "-o", "piece.avi", "--from", "5").expect(1, "--from: '5' has no unit: write 5f for frames or 5s for seconds")
+    t.render("clip.avi", "--start-time", "00:00:01").expect(1, "To begin later in the clip, take --start")
+
+
+HERE = {"rtsp://camera/stream": "live.avi", "--duration 8h": "--duration 9s"}
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_examples_of_help_run(t, command):
+    t.clip("clip.avi", seconds=3)
+    t.scene("left_bag", "bag.y4m", "--size", "96x72", "--frames", "400")
+    for folder in ("clips", "recordings/2026-11-21/08/gate", "bin"):
+        t.path(folder).mkdir(parents=True)
+    for place in ("clips/door.avi", "recordings/2026-11-21/08/gate/00.10.avi"):
+        t.clip(place, seconds=1)
+    t.path("bin/vvr").symlink_to(t.vvr_path)
+    if command == "cut":
+        t.ffmpeg("-i", "bag.y4m", "-c:v", "mpeg4", "-g", "25", "clip.avi")
+    if command == "watch":
+        t.ffmpeg("-i", "bag.y4m", "-c:v", "mpeg4", "-g", "25", "live.avi")
+    if command == "compare":
+        for picture in ("golden.png", "out.png"):
+            t.render("clip.avi", output=picture).expect(0)
+    examples = parse(command, help_of(t, command)).examples
+    check(examples, f"vvr {command} --help has no examples")
+    for line, _ in examples:
+        for there, here in HERE.items():
+            line = line.replace(there, here)
+        done = t.run(["bash", "-euc", line], env=os.environ | {"PATH": f"{t.path('bin')}:{os.environ['PATH']}"})
+        check(done.status == 0, str(done))
