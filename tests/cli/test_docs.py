@@ -65,6 +65,10 @@ def test_pictures_commands(t):
     run_commands(t, "docs/pictures.md")
 
 
+def test_reading_commands(t):
+    run_commands(t, "docs/reading.md")
+
+
 def test_watch_commands(t):
     run_commands(t, "docs/watch.md")
 
