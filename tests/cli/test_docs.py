@@ -66,6 +66,14 @@ def test_pictures_commands(t):
     run_commands(t, "docs/pictures.md")
 
 
+def test_reading_commands(t):
+    run_commands(t, "docs/reading.md")
+
+
+def test_faq_commands(t):
+    run_commands(t, "docs/faq.md")
+
+
 def test_watch_commands(t):
     run_commands(t, "docs/watch.md")
 
@@ -149,9 +157,31 @@ def test_links_lead_somewhere(t):
             check((t.source / name).exists(), f"{page.name} names {name}, which is not there")
 
 
+def test_every_page_is_listed_and_links_back(t):
+    listed = set(re.findall(r"\]\(([\w-]+\.md)\)", (t.source / "docs" / "README.md").read_text()))
+    pages = {page.name for page in (t.source / "docs").glob("*.md")} - {"README.md"}
+    check(listed == pages, f"docs/README.md lists {sorted(listed - pages)} that are not there, and not {sorted(pages - listed)}")
+    for name in sorted(pages):
+        last = (t.source / "docs" / name).read_text().rstrip("\n").splitlines()[-1]
+        check(last == "[All pages](README.md)", f"docs/{name} ends with '{last}', not with a link to docs/README.md")
+
+
+def test_anchors_are_there(t):
+    """A link to a heading of a page, by the name that GitHub gives it."""
+    headings = {}
+    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md")]:
+        text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.DOTALL | re.MULTILINE)
+        titles = re.findall(r"^#+ (.*)$", text, flags=re.MULTILINE)
+        headings[page] = {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+    for page in headings:
+        for link, anchor in re.findall(r"\]\((?!http)([^)#]*)#([^)]+)\)", page.read_text()):
+            target = (page.parent / link).resolve() if link else page
+            check(anchor in headings.get(target, ()), f"{page.name} links to {link}#{anchor}: there is no such heading")
+
+
 def test_scripts_are_sound(t):
     jobs = sorted((t.source / "scripts" / "cluster").iterdir())
     for script in [t.source / "scripts" / name for name in ("install", "demo", "test", "bench", "lib.sh", "fuzz", "faults", "package",
-                                                          "package-test")] + jobs:
+                                                          "package-test", "figures", "reading-figures")] + jobs:
         done = t.run(["bash", "-n", str(script)])
         check(done.status == 0, str(done))

@@ -296,4 +296,45 @@ Scene make_clock(const Options& options) {
     return make(options, 300, {clock});
 }
 
+Scene make_walks_by(const Options& options) {
+    return make(options, 250, {walker("person", options, 2, across(30, 1.2, 116))});
+}
+
+Scene make_stands(const Options& options) {
+    return make(options, 350, {walker("person", options, 9, with_stop(90, 90, 290, 1.3, 118))});
+}
+
+Scene make_comes_closer(const Options& options) {
+    const double scale = scale_of(options);
+    constexpr double begins = 30;
+    constexpr double takes = 190;
+    const auto height = [](double frame) { return 20 * std::pow(8.5, (frame - begins) / takes); };
+    const auto feet = [=](double frame) -> std::optional<Point> {
+        if (frame < begins || frame > begins + takes) return std::nullopt;
+        // Whoever walks straight ahead grows and goes away from the point at which parallel ways meet, in proportion.
+        return Point{60 + height(frame), 55 + 1.1 * height(frame)};
+    };
+    const Actor person_near{"person",
+                            [=](double frame) -> std::optional<Point> {
+                                const auto at = feet(frame);
+                                if (!at) return std::nullopt;
+                                return Point{at->x, at->y - height(frame) / 2};
+                            },
+                            [=](Canvas& canvas, double frame) {
+                                const Point at = *feet(frame);
+                                const Point floor{at.x * scale, at.y * scale};
+                                const double tall = height(frame) * scale;
+                                paint_shadow(canvas, floor, 0.26 * tall);
+                                paint_figure(canvas, {.feet = floor,
+                                                      .height = tall,
+                                                      .stride = frame / 25 * 2 * std::numbers::pi,
+                                                      .facing = 1,
+                                                      .gait = 0.4,
+                                                      .bow = 0,
+                                                      .fall = 0,
+                                                      .seed = options.seed + 6});
+                            }};
+    return make(options, 250, {person_near});
+}
+
 }  // namespace vvr::scene

@@ -47,4 +47,13 @@ Interval long_stand();
 /// A camera's clock counts in a corner; nothing else happens. 300 frames.
 Scene make_clock(const Options& options = {});
 
+/// Somebody walks through. Object "person". 250 frames.
+Scene make_walks_by(const Options& options = {});
+
+/// Somebody comes, stands in the middle for 8 s, and goes on. Object "person". 350 frames.
+Scene make_stands(const Options& options = {});
+
+/// Somebody comes from the wall towards the camera, and passes it on the right. Object "person". 250 frames.
+Scene make_comes_closer(const Options& options = {});
+
 }  // namespace vvr::scene

@@ -22,7 +22,9 @@ constexpr const char* usage =
     "                 [--detail SIGMA] [--noise SIGMA] [--drift LEVELS] [--jump LEVELS --jump-at FRAME]\n"
     "                 [--velocity U,V] [--omega RADIANS]\n"
     "NAME: left_bag, left_box, fall_on_floor, walkers, two_walkers_cross, spinning_sphere, shifted_texture, still,\n"
-    "      one_object_a_second\n";
+    "      one_object_a_second, walks_by, walks_by_shaken, stands, comes_closer, group_splits, train, taken_box, "
+    "rain,\n"
+    "      crowd, clock\n";
 
 void write_picture(const std::string& name, const Plane<Bgr>& picture) {
     std::vector<std::uint8_t> rgb;

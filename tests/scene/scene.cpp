@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/scene/happenings.h"
+#include "tests/scene/shaken.h"
 #include "tests/scene/texture.h"
 
 namespace vvr::scene {
@@ -14,15 +16,26 @@ struct Entry {
     std::string_view name;
     Scene (*make)(const Options&);
 };
-constexpr std::array table{Entry{"left_bag", make_left_bag},
-                           Entry{"left_box", make_left_box},
-                           Entry{"fall_on_floor", make_fall_on_floor},
-                           Entry{"walkers", make_walkers},
-                           Entry{"two_walkers_cross", make_two_walkers_cross},
-                           Entry{"spinning_sphere", make_spinning_sphere},
-                           Entry{"shifted_texture", make_shifted_texture},
-                           Entry{"still", make_still},
-                           Entry{"one_object_a_second", make_one_object_a_second}};
+constexpr std::array table{
+    Entry{"left_bag", make_left_bag},
+    Entry{"left_box", make_left_box},
+    Entry{"fall_on_floor", make_fall_on_floor},
+    Entry{"walkers", make_walkers},
+    Entry{"two_walkers_cross", make_two_walkers_cross},
+    Entry{"spinning_sphere", make_spinning_sphere},
+    Entry{"shifted_texture", make_shifted_texture},
+    Entry{"still", make_still},
+    Entry{"one_object_a_second", make_one_object_a_second},
+    Entry{"walks_by", make_walks_by},
+    Entry{"walks_by_shaken", [](const Options& options) { return make_shaken(make_walks_by(options)); }},
+    Entry{"stands", make_stands},
+    Entry{"comes_closer", make_comes_closer},
+    Entry{"group_splits", make_group_splits},
+    Entry{"train", make_train},
+    Entry{"taken_box", make_taken_box},
+    Entry{"rain", make_rain},
+    Entry{"crowd", make_crowd},
+    Entry{"clock", make_clock}};
 
 /// Four even numbers added up are close to normal, and a sum of bits of one hash is cheap.
 double normal(std::uint64_t value) {

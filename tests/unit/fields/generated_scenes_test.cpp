@@ -228,6 +228,7 @@ TEST(SceneSource, GivesTheScenesPixels) {
 
 TEST(Scene, HasNames) {
     EXPECT_EQ(make_scene("walkers").frames(), 600);
+    EXPECT_EQ(make_scene("stands").frames(), 350);
     EXPECT_THROW(make_scene("nothing"), std::invalid_argument);
 }
 

@@ -1,0 +1,94 @@
+"""What docs/reading.md says helps, on generated clips."""
+
+import json
+import os
+import subprocess
+
+from harness import check
+
+NOISE = ("--noise", "2", "--detail", "4")
+SMALL = ("--size", "192x144")
+
+
+def scene(t, name, *options):
+    clip = t.path(f"{name}.y4m")
+    subprocess.run([os.environ["VVR_SCENE"], name, clip, *NOISE, *options], check=True)
+    return clip
+
+
+def filtered(t, clip, name, *filters):
+    out = t.path(f"{name}.mkv")
+    subprocess.run(["ffmpeg", "-v", "error", "-i", clip, *filters, "-c:v", "ffv1", out], check=True)
+    return out
+
+
+def report(t, clip, *options):
+    done = t.vvr("render", clip, "--report", "r.json", "--flow", "none", *options)
+    check(done.status == 0, str(done))
+    return json.loads(t.path("r.json").read_text())
+
+
+def kinds(t, clip, *options):
+    return [event["kind"] for event in report(t, clip, *options)["events"] or []]
+
+
+def test_reading_a_clock_is_masked(t):
+    clip = scene(t, "clock", *SMALL)
+    check(not report(t, clip)["volume"]["still"], "the clock shows nothing")
+    check(report(t, clip, "--mask", "115,0 192,0 192,20 115,20")["volume"]["still"], "the mask does not hide the clock")
+
+
+def test_reading_a_train_is_masked(t):
+    clip = scene(t, "train", *SMALL)
+    check(kinds(t, clip) == ["stood", "moved"], str(kinds(t, clip)))
+    check(kinds(t, clip, "--mask", "0,30 192,30 192,95 0,95") == ["moved"], "the mask does not hide the train")
+
+
+def test_reading_a_shaking_camera(t):
+    clip = scene(t, "walks_by_shaken")
+    check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
+    check(kinds(t, clip, "--stabilize", "off") == [], "it makes no difference")
+
+
+def test_reading_flicker(t):
+    clip = filtered(t, scene(t, "walks_by", *SMALL), "flicker", "-vf", "eq=brightness='0.12*sin(2*PI*t*3)':eval=frame")
+    check(kinds(t, clip) == ["moved"], str(kinds(t, clip)))
+    check(kinds(t, clip, "--illumination", "none") == [], "it makes no difference")
+
+
+def test_reading_somebody_who_was_always_there(t):
+    clip = scene(t, "stands", *SMALL)
+    subprocess.run(["ffmpeg", "-v", "error", "-i", clip, "-frames:v", "1", t.path("empty.png")], check=True)
+    piece = ("--start", "4s", "--end", "11s")
+    check(kinds(t, clip, *piece) == [], str(kinds(t, clip, *piece)))
+    check(len(kinds(t, clip, *piece, "--reference", "empty.png")) == 1, "the empty scene's picture does not help")
+
+
+def lit(t, clip, *options):
+    """How much of the frames the volume shows, on the disk of an extraction."""
+    done = t.vvr("extract", clip, "-o", "data", "--flow", "none", "--end", "3s", *options)
+    check(done.status == 0, str(done))
+    size = sum(file.stat().st_size for file in t.path("data/scalar").iterdir())
+    subprocess.run(["rm", "-r", t.path("data")], check=True)
+    return size
+
+
+def test_reading_rain_and_trees(t):
+    rain = scene(t, "rain")
+    check(kinds(t, rain, "--min-area", "60") == ["moved"], str(kinds(t, rain, "--min-area", "60")))
+    check(lit(t, rain, "--min-area", "60") < 0.8 * lit(t, rain), "rain is as much as before")
+    sway = ("[0:v]split[a][b];[b]crop=150:130:230:5[p];"
+            "[a][p]overlay=x='230+5*sin(2*PI*t*1.3)':y='5+3*sin(2*PI*t*0.9)'")
+    tree = filtered(t, scene(t, "walks_by"), "tree", "-filter_complex", sway)
+    check(kinds(t, tree, "--mask", "220,0 384,0 384,145 220,145") == ["moved"], "nobody walks beside the tree")
+    check(lit(t, tree, "--mask", "220,0 384,0 384,145 220,145") < 0.8 * lit(t, tree), "the tree is as much as before")
+
+
+def test_reading_colours_of_objects(t):
+    clip = scene(t, "walks_by")
+    legend = {}
+    for name, options in {"default": [], "blue": ["--transfer", "blue"], "both": ["--transfer", "blue", "--color", "object"],
+                          "temporal": ["--filter", "temporal"]}.items():
+        done = report(t, clip, "-o", "p.png", "--size", "640x440", *options)
+        legend[name] = any("colour for each object" in label["text"] for label in done["labels"])
+    check(legend == {"default": True, "blue": False, "both": True, "temporal": False}, str(legend))
