@@ -57,8 +57,9 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
     if (!report.squeezed.empty()) {
         double idle = 0;
         for (const Squeezed& stretch : report.squeezed) idle += stretch.seconds;
-        observer.info(fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                                  format_length(idle), counted(std::ssize(report.squeezed), "place")));
+        observer.info(
+            fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
+                        format_length(idle), counted(std::ssize(report.squeezed), "place")));
     } else if (report.step > 1) {
         observer.info(
             fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));
