@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 
 #include <sys/ioctl.h>
@@ -124,7 +126,8 @@ std::string help_text(const CommandHelp& help, int width) {
 int help_width() {
     constexpr int usual = 80;
     int width = 0;
-    if (const char* const columns = std::getenv("COLUMNS")) width = std::atoi(columns);
+    const char* const columns = std::getenv("COLUMNS");
+    if (columns != nullptr) std::from_chars(columns, columns + std::strlen(columns), width);
     winsize terminal{};
     if (width <= 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) == 0) width = terminal.ws_col;
     return std::clamp(width > 0 ? width : usual, 72, 120);

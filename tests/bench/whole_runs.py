@@ -38,6 +38,7 @@ def core_shares(ours, floor, cores):
 
 
 AIMS = (0.5, 0.7)  # of FFmpeg's rate
+FIELDS = "384:384:force_original_aspect_ratio=decrease"  # the size of vvr's fields
 
 
 def pipeline(setting):
@@ -47,7 +48,7 @@ def pipeline(setting):
     for clip in (setting.clip, setting.made("left_bag.mp4"), setting.made("camera.mp4")):
         data = setting.scratch / "data"
         shutil.rmtree(data, ignore_errors=True)
-        floor = ["ffmpeg", "-v", "error", "-threads", str(cores), "-i", clip, "-vf", "scale=384:288,format=gray", "-f", "null", "-"]
+        floor = ["ffmpeg", "-v", "error", "-threads", str(cores), "-i", clip, "-vf", f"scale={FIELDS},format=gray", "-f", "null", "-"]
         results = in_turn({"ffmpeg": floor, "render": setting.render(clip)}, setting.runs)
         # By themselves: the system still writes their gigabytes to the disk while the next program runs.
         writing = in_turn({"ffmpeg": floor, "extract": [setting.vvr, "extract", clip, "-o", str(data), "--quiet"]}, setting.runs)
@@ -72,7 +73,7 @@ def pipeline(setting):
             key: numbers_of(of) for key, of in results.items()}
     plots.pipeline(drawn, AIMS, setting.plot("pipeline"))
     measured = ("Frames per second of `vvr render CLIP -o out.png` and `vvr extract CLIP -o DIR`, all defaults, beside `ffmpeg "
-                f"-threads {cores} -i CLIP -vf scale=384:288,format=gray -f null -`, which decodes and scales and does nothing "
+                f"-threads {cores} -i CLIP -vf scale={FIELDS},format=gray -f null -`, which decodes and scales and does nothing "
                 "else. A share is a rate over FFmpeg's; above 1 are clips whose frames vvr scales on more threads.")
     head = ["clip", "frames", "FFmpeg, frames/s", "render, frames/s", "extract, frames/s", "render's share", "extract's share",
             "render, s", "MB"]
