@@ -1,5 +1,6 @@
 """What README and docs/ say is true: their commands run, the list of options is the program's own."""
 
+import pathlib
 import re
 import subprocess
 import sys
@@ -120,7 +121,7 @@ def test_commands_of_pages_have_their_options(t):
         sys.path.pop(0)
     known = {command.name: {f"--{name}" for option in command.options() for name in option.names} for command in read_commands(t.vvr_path)}
     found = 0
-    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md"), *(t.source / "docs" / "examples").iterdir()]:
+    for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md"), *filter(pathlib.Path.is_file, (t.source / "docs" / "examples").rglob("*"))]:
         text = page.read_text().replace("\\\n", " ")
         for command, rest in re.findall(r"(?<![\w.-])vvr (\w+)((?: +[^\n`|;#&]+)?)", text):
             for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+(?![a-z<-])", rest if command in known else ""):
