@@ -51,7 +51,7 @@ std::vector<std::string> arguments_of(const Settings& settings) {
 RenderJob job_of(const std::string& clip, const Settings& settings) {
     RenderJob job;
     CommandLine line("render", "");
-    add_input_options(line, job.input, "");
+    add_input_options(line, job.input, "INPUT", "");
     add_layout_options(line, job.input);
     add_picture_options(line, job);
     line.parse(arguments_of(settings));

@@ -1,5 +1,6 @@
 """What README and docs/ say is true: their commands run, the list of options is the program's own."""
 
+import pathlib
 import re
 import subprocess
 import sys
