@@ -18,6 +18,7 @@ extern "C" {
 
 #include "core/error.h"
 #include "core/loading.h"
+#include "core/shown_text.h"
 #include "core/video/settings.h"
 #include "core/video/watchdog.h"
 
@@ -92,15 +93,6 @@ Input open_any(const std::string& name, const Watchdog& watchdog) {
 }
 
 }  // namespace
-
-std::string without_secrets(const std::string& url) {
-    const auto host = url.find("://") + 3;
-    const auto path = std::min(url.find_first_of("/?#", host), url.size());
-    const auto at = url.rfind('@', path);
-    const auto query = std::min(url.find_first_of("?#", path), url.size());
-    const auto begin = at == std::string::npos || at < host ? host : at + 1;
-    return url.substr(0, host) + url.substr(begin, query - begin);
-}
 
 Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog) {
     Input input = open_any(name, *watchdog);

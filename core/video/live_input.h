@@ -14,7 +14,4 @@ namespace vvr {
 /// a terminal or a device where libav's devices aren't installed
 Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog);
 
-/// A URL without user, password and query.
-std::string without_secrets(const std::string& url);
-
 }  // namespace vvr
