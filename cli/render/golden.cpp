@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
+#include <string>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/render/show_comparison.h"
 #include "core/error.h"
@@ -43,7 +46,22 @@ std::string value_of(const Metadata& metadata, std::string_view name) {
     return found == metadata.end() ? "" : found->second;
 }
 
-/// Another renderer and another font are the first things to suspect.
+/// Settings that both record with other values, as words; empty where there are none.
+std::string settings_that_differ(const Metadata& before, const Metadata& now) {
+    constexpr std::size_t most = 5;
+    std::vector<std::string> differ;
+    for (const auto& [name, value] : now) {
+        const std::string was = value_of(before, name);
+        if (was.empty() || was == value || name == "renderer" || name == "font") continue;
+        differ.push_back(fmt::format("{} was {}, is {}", name, was, value));
+    }
+    const std::size_t shown = std::min(most, differ.size());
+    std::string text = fmt::format("{}", fmt::join(std::span(differ).first(shown), "; "));
+    if (differ.size() > shown) text += fmt::format("; and {} more", differ.size() - shown);
+    return text;
+}
+
+/// Another renderer, another font and another setting are the first things to suspect.
 void show_what_else_differs(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
                             Observer& observer) {
     constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
@@ -55,6 +73,8 @@ void show_what_else_differs(const fs::path& golden, const Metadata& golden_setti
         observer.info(fmt::format("'{}' was {} {}, this {}", golden.string(), how, before,
                                   now.empty() ? "is not" : fmt::format("{} {}", how.substr(how.find(' ') + 1), now)));
     }
+    const std::string settings = settings_that_differ(golden_settings, metadata);
+    if (!settings.empty()) observer.info(fmt::format("'{}' has other settings: {}", golden.string(), settings));
 }
 
 }  // namespace
@@ -81,13 +101,13 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));
+    show_what_else_differs(golden, settings_of(expected), metadata, observer);
     if (comparison.verdict == Verdict::same) {
         remove_candidate(golden);
         observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
                                   golden.string(), comparison.percent, comparison.patch));
         return;
     }
-    show_what_else_differs(golden, settings_of(expected), metadata, observer);
     show_difference(comparison, how.tolerance, observer);
     fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }

@@ -41,7 +41,7 @@ Metadata record_of(const RenderJob& job, const RenderReport& report, bool series
         record.emplace_back("damaged", fmt::to_string(report.damaged));
     }
     record.emplace_back("frames-per-layer", fmt::to_string(report.step));
-    record.emplace_back("layers", fmt::to_string(report.layers));
+    record.emplace_back("layers-drawn", fmt::to_string(report.layers));
     record.emplace_back("renderer", report.renderer);
     return record;
 }

@@ -80,7 +80,8 @@ bool has_read_error(const std::string& name) {
                     fmt::format("cannot read '{}': nothing came in time; check that the stream runs", input.name));
     }
     if (is_local(input)) throw_unreadable_file(input, log, code);
-    if (code != AVERROR_INVALIDDATA)
+    // What is no camera's device doesn't know the question whether it is one.
+    if (code != AVERROR_INVALIDDATA && code != AVERROR(ENOTTY))
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the address", input.name, words));
     throw Error(
         ErrorKind::not_video,

@@ -162,13 +162,14 @@ ClipHeader header_of(const std::string& path) {
     }
 }
 
-/// Whether times make sense for files that follow each other: most end before the next begins.
-bool follow_each_other(std::vector<std::pair<double, double>> spans) {
+/// Whether times make sense for files that follow each other: few begin before the one before has ended.
+/// \param share of the files that may
+bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
     constexpr double overlap = 5;  // seconds
     std::ranges::sort(spans);
     std::size_t wrong = 0;
     for (std::size_t i = 1; i < spans.size(); ++i) wrong += spans[i].first + overlap < spans[i - 1].second ? 1 : 0;
-    return 2 * wrong <= spans.size();
+    return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
 }
 
 void set_times_of_containers(Recording& recording) {
@@ -178,20 +179,20 @@ void set_times_of_containers(Recording& recording) {
         if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
     }
     if (untold.empty()) return;
-    const auto try_times = [&](const std::function<std::optional<double>(const Untold&)>& begin_of) {
+    const auto try_times = [&](double share, const std::function<std::optional<double>(const Untold&)>& begin_of) {
         std::vector<std::pair<double, double>> spans;
         for (const Untold& file : untold) {
             const auto begin = begin_of(file);
             if (!begin && file.header.length > 0) return false;
             if (begin) spans.emplace_back(*begin, *begin + file.header.length);
         }
-        if (spans.empty() || !follow_each_other(spans)) return false;
+        if (spans.empty() || !follow_each_other(spans, share)) return false;
         for (const Untold& file : untold) {
             if (const auto begin = begin_of(file)) recording.segments[file.segment].begin = std::llround(*begin);
         }
         return true;
     };
-    if (try_times([](const Untold& file) -> std::optional<double> {
+    if (try_times(0.4, [](const Untold& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
@@ -201,7 +202,8 @@ void set_times_of_containers(Recording& recording) {
         untold.size() == recording.segments.size()
             ? "neither names nor containers tell"
             : fmt::format("of {} neither name nor container tells", counted(std::ssize(untold), "file"));
-    if (try_times([](const Untold& file) -> std::optional<double> {
+    // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
+    if (try_times(0.05, [](const Untold& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
             return file.written - file.header.length;
         })) {

@@ -128,6 +128,12 @@ bool RecordingSource::open_next() {
 
 void RecordingSource::close() {
     const VideoInfo& info = segment_->info();
+    constexpr double usual = 5;  // seconds that recorders keep from before, and that names leave open
+    if (static_cast<double>(left_out_) * frame_ > usual) {
+        problems_.push_back(fmt::format("'{}' begins before the file before it ends; left out: {}", info.name,
+                                        counted(left_out_, "frame")));
+    }
+    left_out_ = 0;
     if (const std::int64_t damaged = segment_->damaged(); damaged > 0) {
         damaged_ += damaged;
         problems_.push_back(fmt::format("'{}' has {}", info.name, counted(damaged, "damaged packet")));
@@ -148,7 +154,10 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
         }
         segment_end_ = frame->pts + frame_;
         const double time = on_clock(begin_.time, frame->pts, segment_->tick());
-        if (first_of_segment_ && begin_.overlaps && time < last_ + frame_ / 2) continue;
+        if (first_of_segment_ && begin_.overlaps && time < last_ + frame_ / 2) {
+            ++left_out_;
+            continue;
+        }
         const bool after_gap = first_of_segment_ && index_ >= 0 && !begin_.follows && !begin_.overlaps;
         index_ += after_gap ? std::max<std::int64_t>(1, std::llround((time - last_) / frame_duration(info_))) : 1;
         if (first_of_segment_) info_.segments.back().first_frame = index_;
@@ -172,6 +181,7 @@ void RecordingSource::rewind() {
     last_ = 0;
     index_ = -1;
     damaged_ = 0;
+    left_out_ = 0;
     problems_.clear();
     info_.segments.clear();
 }

@@ -61,7 +61,8 @@ class RecordingSource final : public FrameSource {
     double segment_end_ = 0;  ///< end of the last frame that was read, in seconds of the segment
     double last_ = 0;         ///< time of the last frame that was given
     std::int64_t index_ = -1;
-    std::int64_t damaged_ = 0;  ///< in segments that have been read
+    std::int64_t damaged_ = 0;   ///< in segments that have been read
+    std::int64_t left_out_ = 0;  ///< frames of this segment at times that the one before has shown
     std::vector<std::string> problems_;
 };
 

