@@ -68,6 +68,7 @@ Json badges_of(const Sidecar& sidecar) {
 }
 
 constexpr int gone_bit = 1 << 8;
+constexpr int damaged_bit = 1 << 9;
 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
@@ -76,7 +77,7 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              place.begin,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
-             files_of(sidecar) | (gone ? gone_bit : 0),
+             files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0),
              badges_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);

@@ -52,7 +52,7 @@ def opened(t):
 
 def test_index_lists_by_day_and_camera(t):
     known(t, "gate/2026-11-20/a.avi", NOW - 20 * HOUR, events=2)
-    known(t, "gate/b.avi", NOW - HOUR, events=1)
+    known(t, "gate/b.avi", NOW - HOUR, events=1, damaged=2)
     known(t, "hall/c.avi", NOW, events=None)
     known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
     known(t, "d.avi", NOW - 30 * HOUR, recorded="2026-11-21 07:30:00", seconds=12.3)
@@ -63,7 +63,7 @@ def test_index_lists_by_day_and_camera(t):
         check(page.texts("#days h3") == ["(top folder) · 1", "gate · 1", "hall · 2", "gate · 1"], str(page.texts("#days h3")))
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
         check(page.texts(".card .first b") == ["07:30:00", "07:00:00", "08:00:00", "06:10:00", "12:00:00"], str(page.texts(".card .first b")))
-        check(page.texts(".badge") == ["no events", "1 event", "2 events"], str(page.texts(".badge")))
+        check(page.texts(".badge") == ["no events", "1 event", "damaged", "2 events"], str(page.texts(".badge")))
         check(page.texts(".first small") == ["12 s", "10:00 min", "10:00 min", "10:00 min"], str(page.texts(".first small")))
         check(page.texts(".failed .reason") == ["Failed 3 times, status 3'bad.avi' is not a video"], str(page.texts(".reason")))
         check(page.text("summary") == "5 clips · 3 cameras · 3 events · 1 failure · times are those of UTC", page.text("summary"))

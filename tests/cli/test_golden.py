@@ -70,6 +70,7 @@ def test_another_rasteriser_draws_it_alike(t, name):
     t.vvr("compare", "llvmpipe.png", "softpipe.png", "--tolerance-patch", "0.05", "--quiet").expect(0, out=None)
 
 
+@pytest.mark.slow
 def test_golden_pictures_differ_from_each_other(t):
     folder = t.source / "tests" / "golden"
     check({path.stem for path in folder.glob("*.png")} == set(PICTURES), f"pictures in {folder} that no test draws")

@@ -42,7 +42,7 @@ function folded(text) {
 // Each row: camera, address, begins (seconds since 1970), length, events or null, the kinds of files that there are,
 // seconds for which something was left and stood and how many things were taken, and of a failure its status, its reason
 // and the number of tries.
-const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone] = [1, 2, 4, 16, 256];
+const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone, hasDamage] = [1, 2, 4, 16, 256, 512];
 // A recording is all that a camera recorded on a day, in one picture.
 const rows = [...data.clips.map(row => ({row})), ...data.recordings];
 const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badges, status, reason, tries], date: wholeDay, clips: of}) => {
@@ -53,6 +53,7 @@ const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badg
                   wholeDay, of, name: wholeDay ? many(of, 'clip') : path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: wholeDay ?? dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
     clip.gone = (files & hasGone) !== 0;
+    clip.damaged = (files & hasDamage) !== 0;
     clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? ''].join(' '));
     return clip;
 }).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));

@@ -9,6 +9,7 @@ function badgesOf(clip) {
     if (clip.events !== null) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
     }
+    if (clip.damaged) badges.push(element('span', 'badge left', 'damaged'));
     return badges;
 }
 
