@@ -207,7 +207,7 @@ std::string list_of(const PageContent& content) {
             "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
             event.kind == EventKind::left ? std::string_view("left behind") : name_of(event.kind),
-            still > 0 ? fmt::format(", still for {:.1f} s", still) : "");
+            still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
     }
     return list;
 }

@@ -54,7 +54,7 @@ const rowOf = number => number === null ? null : at('events').querySelector(`but
 /// What an event did, in words.
 function textOf(event) {
     const parts = [event.kind, spanOf(secondsFor(event))];
-    if (event.still > 0) parts.push('still for ' + spanOf(event.still));
+    if (event.still > 0) parts.push('still for ' + spanOf(event.still) + ' in all');
     const answer = answerOf(event);
     if (answer) parts.push(answer);
     return parts.join(' · ');
