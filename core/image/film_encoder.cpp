@@ -162,7 +162,8 @@ struct FilmEncoder::Parts {
     }
 
     void paint(const Plane<Bgr>& picture) {
-        Plane<Bgr> bgr(size);
+        // A row more than is shown: libswscale reads up to 16 bytes at a time, past the end of the last row.
+        Plane<Bgr> bgr({size.width, size.height + 1});
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
                 // A single row or column is repeated.
