@@ -18,6 +18,12 @@ std::optional<fs::path> cache_folder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"}) {
         if (const char* const folder = std::getenv(name)) return folder;
     }
+    if (const char* const home = std::getenv("HOME")) {
+        // Mesa would ask libc for the user's home, and libc crashes there where memory is short.
+        const fs::path folder = fs::path(home) / ".cache";
+        ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 0);
+        return folder;
+    }
     const passwd* const user = ::getpwuid(::getuid());
     return user == nullptr || user->pw_dir == nullptr ? std::nullopt : std::optional(fs::path(user->pw_dir) / ".cache");
 }

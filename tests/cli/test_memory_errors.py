@@ -17,6 +17,7 @@ COMMANDS = {
     "compare": ("compare", "one.png", "one.png"),
     # Workers of an archive are runs of render, and have limits that leave valgrind no room.
     "archive": ("archive", "clips", "-o", "pictures", "--settle", "0", "--dry-run"),
+    "watch": ("watch", "clip.avi", "-o", "out.png", "--size", "64x40", "--reference", "first"),
     "config": ("config", "render"),
     "doctor": ("doctor", "--json"),
 }
