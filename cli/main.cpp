@@ -7,10 +7,12 @@
 #include "cli/log.h"
 #include "cli/report_errors.h"
 #include "cli/signals.h"
+#include "cli/workers/worker_begin.h"
 #include "core/machine_memory.h"
 #include "gl/shader_cache.h"
 
 int main(int argc, char** argv) {
+    vvr::begin_worker();
     vvr::end_in_good_order();
     vvr::keep_freed_planes();
     vvr::choose_shader_cache();

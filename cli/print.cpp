@@ -1,26 +1,13 @@
 #include "cli/print.h"
 
-#include <cerrno>
-#include <string>
-#include <system_error>
+#include <span>
 
-#include <unistd.h>
-
-#include "core/error.h"
+#include "core/standard_output.h"
 
 namespace vvr {
 
 void print(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
-        if (written >= 0) {
-            text.remove_prefix(static_cast<std::size_t>(written));
-        } else if (errno == EPIPE) {
-            return;
-        } else if (errno != EINTR) {
-            throw Error(ErrorKind::io, "cannot write to stdout: " + std::generic_category().message(errno));
-        }
-    }
+    write_standard_output(std::as_bytes(std::span(text)));
 }
 
 }  // namespace vvr

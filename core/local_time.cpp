@@ -12,6 +12,7 @@ namespace vvr {
 namespace {
 
 constexpr std::int64_t day = 86'400;
+constexpr std::int64_t last = 7'258'118'400;  // 2200-01-01; who asks may have the times of a damaged file
 
 std::tm local(std::int64_t utc) {
     const auto time = static_cast<std::time_t>(utc);
@@ -58,6 +59,8 @@ std::int64_t utc_of_local(std::int64_t wall, std::optional<std::int64_t> near) {
 
 std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end) {
     std::vector<ZoneChange> changes{{begin, local_offset(begin)}};
+    begin = std::max<std::int64_t>(begin, 0);
+    end = std::min(end, last);
     while (begin < end) {
         std::int64_t before = begin;
         std::int64_t after = std::min(begin + day, end);

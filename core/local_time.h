@@ -29,7 +29,8 @@ struct ZoneChange {
     friend bool operator==(const ZoneChange&, const ZoneChange&) = default;
 };
 
-/// The offset at `begin`, and every change of it until `end`.
+/// The offset at `begin`, and every change of it until `end`. Of times beyond the years 1970 to 2199, which no clock on
+/// a wall shows, no change is known.
 std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end);
 
 }  // namespace vvr

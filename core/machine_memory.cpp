@@ -1,12 +1,21 @@
 #include "core/machine_memory.h"
 
 #include <malloc.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace vvr {
 
 std::int64_t machine_memory() {
     return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+}
+
+bool may_have(std::int64_t bytes) {
+    void* const room = ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) return false;
+    ::munmap(room, static_cast<std::size_t>(bytes));
+    return true;
 }
 
 void keep_freed_planes() {

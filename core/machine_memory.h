@@ -7,6 +7,9 @@ namespace vvr {
 /// Bytes of the machine's memory; 0 or less = unknown.
 std::int64_t machine_memory();
 
+/// Whether the process may still have so many bytes more: limits of its own may end before the machine's memory does.
+bool may_have(std::int64_t bytes);
+
 /// Has the process keep the memory of the planes that come and go by the frame, instead of giving it back and touching
 /// it anew. Larger things go back at once.
 void keep_freed_planes();

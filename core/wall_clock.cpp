@@ -1,8 +1,10 @@
 #include "core/wall_clock.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -19,6 +21,17 @@ double Clock::at(double seconds) const {
     return shown;
 }
 
+double Clock::when(double shown) const {
+    double seconds = shown - static_cast<double>(begin);
+    double since = -std::numeric_limits<double>::infinity();
+    for (const Leap& leap : leaps) {
+        if (seconds < leap.seconds) break;
+        seconds -= static_cast<double>(leap.by);
+        since = leap.seconds;
+    }
+    return std::max(seconds, since);
+}
+
 std::string Clock::iso(double seconds) const {
     const double shown = at(seconds);
     std::string text =
@@ -29,10 +42,11 @@ std::string Clock::iso(double seconds) const {
     return text + fmt::format("{}{:02}:{:02}", offset < 0 ? '-' : '+', minutes / 60, minutes % 60);
 }
 
-Clock local_clock(std::int64_t begin, double length) {
+Clock local_clock(std::int64_t begin, double length, ClockSource source) {
     const std::vector<ZoneChange> changes = zone_changes(begin, begin + std::llround(std::ceil(length)));
     Clock clock(begin + changes.front().offset);
     clock.ahead = changes.front().offset;
+    clock.source = source;
     clock.zone = zone_text(begin);
     for (std::size_t i = 1; i < changes.size(); ++i) {
         clock.leaps.push_back(

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/clock_source.h"
+
 namespace vvr {
 
 /// The clock on a wall while a clip was recorded.
@@ -22,11 +24,16 @@ struct Clock {
 
     std::int64_t begin;
     std::vector<Leap> leaps{};
-    std::optional<std::int64_t> ahead{};  ///< seconds ahead of UTC at second 0; none = nobody knows
-    std::string zone{};                   ///< "CET, UTC+1"; empty = nobody knows
+    std::optional<std::int64_t> ahead{};     ///< seconds ahead of UTC at second 0; none = nobody knows
+    std::string zone{};                      ///< "CET, UTC+1"; empty = nobody knows
+    ClockSource source = ClockSource::user;  ///< who says so
 
     /// What it showed at a second of the clip.
     double at(double seconds) const;
+
+    /// The second of the clip, negative before it began, at which it first showed a time; where it leapt over that, the
+    /// second of the leap.
+    double when(double shown) const;
 
     /// The same as ISO 8601: "2026-11-21T08:00:07+01:00"; without the zone where that is not known.
     std::string iso(double seconds) const;
@@ -38,6 +45,6 @@ using WallClock = std::optional<Clock>;
 /// The clock of this machine's time zone.
 /// \param begin of the clip, seconds since 1970 (UTC)
 /// \param length of the clip, seconds
-Clock local_clock(std::int64_t begin, double length);
+Clock local_clock(std::int64_t begin, double length, ClockSource source);
 
 }  // namespace vvr

@@ -39,9 +39,9 @@ Annotations::Annotations(const GladGLContext& gl)
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
     set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
     gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
-    set_attribute<Segment>(gl, 1, 3, offsetof(Segment, from), Per::instance);
-    set_attribute<Segment>(gl, 2, 3, offsetof(Segment, to), Per::instance);
-    set_attribute<Segment>(gl, 3, 4, offsetof(Segment, colour), Per::instance);
+    set_attribute<LineSegment>(gl, 1, 3, offsetof(LineSegment, from), Per::instance);
+    set_attribute<LineSegment>(gl, 2, 3, offsetof(LineSegment, to), Per::instance);
+    set_attribute<LineSegment>(gl, 3, 4, offsetof(LineSegment, colour), Per::instance);
 
     gl.BindVertexArray(picture_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
@@ -58,7 +58,7 @@ void Annotations::upload(const FloorShadow& floor, std::span<const StandingFrame
     for (const StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
 }
 
-void Annotations::draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture) {
+void Annotations::draw_lines(std::span<const LineSegment> lines, const Camera& camera, double width, Size picture) {
     if (lines.empty()) return;
     const GladGLContext& gl = *gl_;
     line_program_.use();

@@ -20,7 +20,7 @@ class Annotations {
     void upload(const FloorShadow& floor, std::span<const StandingFrame> frames);
 
     /// \param width in pixels of a picture of size `picture`
-    void draw_lines(std::span<const Segment> lines, const Camera& camera, double width, Size picture);
+    void draw_lines(std::span<const LineSegment> lines, const Camera& camera, double width, Size picture);
 
     /// One of the frames that were uploaded, standing at its time; an opaque one writes depth.
     void draw_frame(const StandingFrame& frame, std::size_t number, const Layout& layout, const Camera& camera);

@@ -6,8 +6,9 @@
 
 namespace vvr {
 
-BrickWindow::BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures)
-    : layout_(&layout), window_layers_(static_cast<double>(layers)), textures_(gl, textures) {}
+BrickWindow::BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures,
+                         double margin)
+    : layout_(&layout), window_layers_(static_cast<double>(layers)), margin_(margin), textures_(gl, textures) {}
 
 void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
                        const Identify& identify) {
@@ -26,7 +27,8 @@ void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std:
     oneapi::tbb::parallel_for(std::size_t{0}, shown_.size(), [&](std::size_t i) {
         const BrickLayers& layers = shown_[i].layers;
         Shown* const was = unchanged(i);
-        shown_[i].cells = was != nullptr ? std::move(was->cells) : brick_cells(layers, t_span(layers), *layout_);
+        shown_[i].cells =
+            was != nullptr ? std::move(was->cells) : brick_cells(layers, t_span(layers), *layout_, margin_);
     });
 
     textures_.keep_only(first, first + std::ssize(shown_));

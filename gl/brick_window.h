@@ -25,7 +25,8 @@ class BrickWindow {
     /// \param layout outlives the window
     /// \param layers that fill all of t_C; fewer fill its beginning
     /// \param textures at least 1. With fewer textures than bricks, bricks take them in turn in each drawing.
-    BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures);
+    /// \param margin of the cells, see brick_cells
+    BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures, double margin = 0);
 
     /// Replaces the bricks of the window.
     ///
@@ -63,6 +64,7 @@ class BrickWindow {
 
     const Layout* layout_;
     double window_layers_;
+    double margin_;
     BrickTextures textures_;
     std::vector<Shown> shown_;
     std::vector<PlacedCells> placed_;  ///< of `shown_`

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/memory.h"
 
 namespace vvr {
 
@@ -50,7 +51,9 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
                         doing),
             {"backend"});
     }
-    throw Error(ErrorKind::backend, fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing));
+    const std::string failure = fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing);
+    blame_memory(failure);
+    throw Error(ErrorKind::backend, failure);
 }
 
 }  // namespace vvr

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "gl/check.h"
+#include "gl/memory.h"
 #include "gl/program_sources.h"
 
 namespace vvr {
@@ -83,10 +84,11 @@ Framebuffer::Resolved Framebuffer::make_resolved() const {
 void Framebuffer::check_complete(int samples) const {
     check_gl(*gl_, fmt::format("making a framebuffer of {}x{} with {} samples", size_.width, size_.height, samples));
     const GLenum status = gl_->CheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error(ErrorKind::backend, fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
-                                                    size_.width, size_.height, samples, status));
-    }
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    const std::string failure = fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
+                                            size_.width, size_.height, samples, status);
+    blame_memory(failure);
+    throw Error(ErrorKind::backend, failure);
 }
 
 void Framebuffer::bind(Size size) const {

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "gl/check.h"
 #include "gl/framebuffer.h"
+#include "gl/memory.h"
 
 namespace vvr {
 
@@ -42,9 +43,10 @@ PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
         const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
-            throw Error(ErrorKind::backend,
-                        fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})", size.width,
-                                    size.height, status));
+            const std::string failure = fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})",
+                                                    size.width, size.height, status);
+            blame_memory(failure);
+            throw Error(ErrorKind::backend, failure);
         }
     }
     check_gl(gl, "making a framebuffer for pixel data");

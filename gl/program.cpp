@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "gl/memory.h"
 #include "shaders.h"
 
 namespace vvr {
@@ -23,6 +24,7 @@ void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::stri
     GLsizei length = 0;
     get_log(id, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
+    blame_memory(fmt::format("{}: {}", failed, log));
     throw Error(ErrorKind::backend, fmt::format("{}: {}", failed, log));
 }
 

@@ -13,21 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder in which Mesa makes one for its shaders. It makes the folder itself, but not those above.
+/// The folder in which Mesa would make one for its shaders.
 std::optional<fs::path> cache_folder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"}) {
         if (const char* const folder = std::getenv(name)) return folder;
     }
-    if (const char* const home = std::getenv("HOME")) {
-        // Mesa would ask libc for the user's home, and libc crashes there where memory is short.
-        const fs::path folder = fs::path(home) / ".cache";
-        ::setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 0);
-        return folder;
-    }
+    if (const char* const home = std::getenv("HOME")) return fs::path(home) / ".cache";
     const passwd* const user = ::getpwuid(::getuid());
     return user == nullptr || user->pw_dir == nullptr ? std::nullopt : std::optional(fs::path(user->pw_dir) / ".cache");
 }
 
+/// Mesa makes the folder itself, but not those above.
 bool can_be_written(const fs::path& folder) {
     std::error_code none;
     const fs::path there = fs::exists(folder, none) ? folder : folder.parent_path();
@@ -38,7 +34,11 @@ bool can_be_written(const fs::path& folder) {
 
 void choose_shader_cache() {
     const std::optional<fs::path> folder = cache_folder();
-    if (!folder || !can_be_written(*folder)) ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    if (folder && can_be_written(*folder)) {
+        ::setenv("MESA_SHADER_CACHE_DIR", folder->c_str(), 0);
+    } else {
+        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    }
 }
 
 }  // namespace vvr

@@ -1,7 +1,11 @@
 #include "cli/options/archive.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <span>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,11 +22,14 @@ namespace vvr {
 
 namespace {
 
+/// What workers draw with is told to them, and changes no picture.
+constexpr std::array drawn_with{setting::backend.name, setting::device.name, setting::gl_debug.name};
+
 /// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
 std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
     std::string text;
     for (const Group group : picture_groups) {
-        for (const OptionValue& value : line.values({group})) {
+        for (const OptionValue& value : line.values(std::span(&group, 1))) {
             if (value.value.empty()) continue;
             text += fmt::format("{}={}\n", value.name, value.shown());
             std::error_code none;
@@ -64,11 +71,10 @@ class Archive final : public Command {
         for (const std::string& layout : job_.input.layouts) {
             pass_on({std::string(setting::names.name), layout});
         }
-        for (const OptionValue& value : line.given({Group::run})) {
-            if (value.name == setting::backend.name || value.name == setting::device.name ||
-                value.name == setting::gl_debug.name) {
-                pass_on(value);
-            }
+        for (const OptionValue& value : line.given(std::array{Group::run})) {
+            if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
+            std::string passed = pass_on(value);
+            if (value.name != setting::gl_debug.name) options_.drawn_with.push_back(std::move(passed));
         }
         options_.needs.gpu = may_use_gpu(job_.backend.name);
         options_.names = job_.input.layouts;
@@ -77,9 +83,9 @@ class Archive final : public Command {
     }
 
   private:
-    void pass_on(const OptionValue& value) {
+    std::string pass_on(const OptionValue& value) {
         if (value.may_be_file) options_.needs.files.emplace_back(value.value);
-        options_.worker_options.push_back(fmt::format("--{}={}", value.name, value.value));
+        return options_.worker_options.emplace_back(fmt::format("--{}={}", value.name, value.value));
     }
 
     ArchiveOptions options_;

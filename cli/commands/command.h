@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/environment.h"
 #include "cli/exit_status.h"
@@ -34,6 +35,9 @@ struct CommandRow {
 
 /// Every command.
 std::span<const CommandRow> commands();
+
+/// The options that config files can set, of every command.
+std::vector<CommandNames> names_of_commands();
 
 /// \throws Error usage when there is no command of that name
 const CommandRow& find_command(const std::string& name);

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands/command.h"
+#include "cli/options/files_stay.h"
 #include "cli/options/talk.h"
 #include "cli/print.h"
 #include "cli/versions.h"
@@ -35,7 +39,40 @@ std::string help() {
     return text;
 }
 
+/// Whether a text looks like an input: `vvr clip.avi` is what people type first.
+bool looks_like_input(const std::string& text) {
+    std::error_code none;
+    return std::filesystem::exists(text, none) || text.find("://") != std::string::npos ||
+           std::filesystem::path(text).has_extension();
+}
+
+ExitStatus run_with(const CommandRow& row, Arguments arguments, const Environment& environment) {
+    const std::unique_ptr<Command> command = row.make();
+    TalkOptions talk;
+    CommandLine line(std::string(row.name), std::string(row.help));
+    line.knows_commands(names_of_commands);
+    command->add_options(line);
+    add_talk_options(line, talk);
+    if (!line.parse(arguments)) return ExitStatus::done;
+    check_inputs_stay(line);
+    apply(talk, environment.log);
+    return command->run(line, {environment.log, environment.signals, talk.quiet});
+}
+
 }  // namespace
+
+std::vector<CommandNames> names_of_commands() {
+    std::vector<CommandNames> names;
+    for (const CommandRow& row : table) {
+        const std::unique_ptr<Command> command = row.make();
+        TalkOptions talk;
+        CommandLine line(std::string(row.name), std::string(row.help));
+        command->add_options(line);
+        add_talk_options(line, talk);
+        names.push_back({std::string(row.name), line.configurable()});
+    }
+    return names;
+}
 
 std::span<const CommandRow> commands() {
     return table;
@@ -44,6 +81,10 @@ std::span<const CommandRow> commands() {
 const CommandRow& find_command(const std::string& name) {
     const auto row = std::ranges::find(table, name, &CommandRow::name);
     if (row == table.end()) {
+        if (looks_like_input(name)) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("there is no command '{0}'; to draw it: vvr render '{0}' -o picture.png", name));
+        }
         throw Error(ErrorKind::usage, fmt::format("there is no command '{}'{}; `vvr --help` lists them", name,
                                                   did_you_mean(name, names_of(table))));
     }
@@ -51,25 +92,24 @@ const CommandRow& find_command(const std::string& name) {
 }
 
 ExitStatus run_command(Arguments arguments, const Environment& environment) {
-    if (arguments.empty()) throw Error(ErrorKind::usage, "no command; `vvr --help` lists them");
+    if (arguments.empty()) {
+        throw Error(ErrorKind::usage, fmt::format("no command; there are {}: `vvr --help` says what they do",
+                                                  fmt::join(names_of(table), ", ")));
+    }
     const std::string& name = arguments.front();
     if (name == "--help" || name == "-h" || name == "help") {
+        if (name == "help" && arguments.size() > 1) {
+            const std::string asked = "--help";
+            return run_with(find_command(arguments[1]), std::span(&asked, 1), environment);
+        }
         print(help());
         return ExitStatus::done;
     }
-    if (name == "--version") {
+    if (name == "--version" || name == "-V" || name == "version") {
         print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
         return ExitStatus::done;
     }
-    const CommandRow& row = find_command(name);
-    const std::unique_ptr<Command> command = row.make();
-    TalkOptions talk;
-    CommandLine line(name, std::string(row.help));
-    command->add_options(line);
-    add_talk_options(line, talk);
-    if (!line.parse(arguments.subspan(1))) return ExitStatus::done;
-    apply(talk, environment.log);
-    return command->run(line, {environment.log, environment.signals, talk.quiet});
+    return run_with(find_command(name), arguments.subspan(1), environment);
 }
 
 }  // namespace vvr

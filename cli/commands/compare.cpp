@@ -47,7 +47,7 @@ class Compare final : public Command {
             write_picture(options_.diff, difference_picture(a, comparison));
         }
         if (comparison.verdict == Verdict::same) return ExitStatus::done;
-        show_difference(comparison, options_.tolerance, console);
+        show_difference(comparison, options_.tolerance, "A", "B", console);
         throw Error(ErrorKind::differs,
                     fmt::format("'{}' and '{}' differ: {}", names_[0], names_[1], comparison.reason));
     }

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <initializer_list>
 
 #include <fmt/format.h>
 
 #include "cli/commands/command.h"
+#include "cli/options/presets.h"
 #include "cli/options/talk.h"
 #include "cli/print.h"
 #include "core/error.h"
@@ -13,16 +13,17 @@ namespace vvr {
 
 namespace {
 
-constexpr std::initializer_list<Group> every_group{Group::input,      Group::fields, Group::bricks,  Group::view,
-                                                   Group::look,       Group::output, Group::archive, Group::workers,
-                                                   Group::comparison, Group::run};
-
 /// A command's options as a config file has them, without anything on the command line.
-void read(CommandLine& line, Command& command, TalkOptions& talk, const std::filesystem::path& file) {
+void read(CommandLine& line, Command& command, TalkOptions& talk, const ConfigChoice& choice,
+          const std::string& preset = {}) {
+    line.knows_commands(names_of_commands);
     command.add_options(line);
     add_talk_options(line, talk);
-    const std::vector<std::string> arguments{file.empty() ? std::string("--no-config")
-                                                          : fmt::format("--config={}", file.string())};
+    std::vector<std::string> arguments;
+    // What was not named on the command line is found again, so that errors say who named it.
+    if (choice.file.empty()) arguments.emplace_back("--no-config");
+    if (choice.is_given) arguments.push_back(fmt::format("--config={}", choice.file.string()));
+    if (!preset.empty()) arguments.push_back(fmt::format("--{}={}", setting::preset.name, preset));
     line.parse(arguments);
 }
 
@@ -37,20 +38,21 @@ std::string file_line(const ConfigChoice& choice) {
 }
 
 /// What the file sets for each command that it holds for.
-std::string settings_of_all(const std::filesystem::path& file) {
+std::string settings_of_all(const ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : commands()) {
         const std::unique_ptr<Command> command = row.make();
         TalkOptions talk;
         CommandLine line(std::string(row.name), std::string(row.help));
         try {
-            read(line, *command, talk, file);
+            read(line, *command, talk, choice);
         } catch (const Error& error) {
-            if (error.kind() != ErrorKind::usage) throw;
+            // A name that no command has is wrong for all; a value may be wrong for one.
+            if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
             text += fmt::format("vvr {}: {}\n", row.name, error.what());
             continue;
         }
-        for (const OptionValue& option : line.given(every_group)) {
+        for (const OptionValue& option : line.given(all_groups)) {
             if (option.name != "config")
                 text += fmt::format("vvr {}: {} = {}\n", row.name, option.name, shown_text(option.value));
         }
@@ -59,18 +61,23 @@ std::string settings_of_all(const std::filesystem::path& file) {
 }
 
 /// Every option of one command: its value, and who sets it.
-std::string settings_of(const CommandRow& row, const std::filesystem::path& file) {
+std::string settings_of(const CommandRow& row, const ConfigChoice& choice, const std::string& preset) {
     const std::unique_ptr<Command> command = row.make();
     TalkOptions talk;
     CommandLine line(std::string(row.name), std::string(row.help));
-    read(line, *command, talk, file);
+    read(line, *command, talk, choice, preset);
     std::string text;
-    const std::vector<OptionValue> given = line.given(every_group);
-    for (const OptionValue& option : line.values(every_group)) {
+    const auto of_preset = settings_of_preset(preset);
+    const std::vector<OptionValue> given = line.given(all_groups);
+    for (const OptionValue& option : line.values(all_groups)) {
         if (option.name == "config" || option.name == "no-config" || option.name == "help") continue;
         const bool set = std::ranges::find(given, option.name, &OptionValue::name) != given.end();
-        text += fmt::format("{:<20} {} ({})\n", option.name, option.value.empty() ? "-" : shown_text(option.value),
-                            set ? "config file" : "default");
+        // A preset that is asked for wins over the config file.
+        const bool preset_sets =
+            (!preset.empty() && option.name == setting::preset.name) ||
+            std::ranges::any_of(of_preset, [&](const auto& one) { return one.first == option.name; });
+        const std::string by = preset_sets ? fmt::format("preset {}", preset) : set ? "config file" : "default";
+        text += fmt::format("{:<20} {} ({})\n", option.name, option.value.empty() ? "-" : shown_text(option.value), by);
     }
     return text;
 }
@@ -81,9 +88,11 @@ class Config final : public Command {
         line.arguments(names_, "[COMMAND]",
                        "whose options are listed, with their values; what the file sets if not given");
         line.only_find_config();
+        line.choice(Group::output, presets(), preset_, setting::preset);
         line.examples({{"vvr config", "which config file is in force, and what it sets"},
                        {"vvr config render", "every option of render, and who sets it"},
-                       {"vvr config render --no-config", "the defaults"}});
+                       {"vvr config render --no-config", "the defaults"},
+                       {"vvr config render --preset paper", "what a preset sets"}});
     }
 
     ExitStatus run(const CommandLine& line, const Environment&) override {
@@ -92,10 +101,15 @@ class Config final : public Command {
             throw Error(ErrorKind::usage,
                         fmt::format("'{}' is one argument too many; `vvr config` takes one COMMAND", names_[1]));
         std::string text = file_line(choice);
+        if (names_.empty() && !preset_.empty()) {
+            throw Error(
+                ErrorKind::usage,
+                fmt::format("--preset: name the COMMAND of which you ask: vvr config render --preset {}", preset_));
+        }
         if (names_.empty()) {
-            if (!choice.file.empty()) text += settings_of_all(choice.file);
+            if (!choice.file.empty()) text += settings_of_all(choice);
         } else {
-            text += settings_of(find_command(names_.front()), choice.file);
+            text += settings_of(find_command(names_.front()), choice, preset_);
         }
         print(text);
         return ExitStatus::done;
@@ -103,6 +117,7 @@ class Config final : public Command {
 
   private:
     std::vector<std::string> names_;
+    std::string preset_;
 };
 
 }  // namespace

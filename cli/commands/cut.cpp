@@ -1,8 +1,10 @@
 #include "cli/render/cut.h"
 
 #include <chrono>
+#include <optional>
 #include <stop_token>
 #include <thread>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,18 +18,20 @@
 #include "cli/render/settings.h"
 #include "core/choice.h"
 #include "core/error.h"
-#include "core/video/packet_copy.h"
+#include "core/video/container.h"
 
 namespace vvr {
 
 namespace {
 
 namespace text {
-constexpr Setting output{"output", "FILE", "the piece; its extension names the container"};
+constexpr Setting output{
+    "output", "FILE", "the piece; its extension names the container, and is chosen if there is none, or for a folder"};
 constexpr Setting event{
     "event", "N", "cut this event, by its number in the picture, the report and the page", {1, 1'000'000'000}};
 constexpr Setting report{"report", "FILE", "read the events from this report of `vvr render --report`; no search"};
-constexpr Setting from{"from", "TIME", "cut from here; the beginning if not given"};
+constexpr Setting from{"from", "TIME",
+                       "cut from here; the beginning if not given; as --start, by the clock on the wall too"};
 constexpr Setting to{"to", "TIME", "the first frame that is no longer in the piece; the end if not given"};
 constexpr Setting margin{"margin", "TIME", "so much more before and after", {0, 3600}};
 constexpr Setting exact{"exact", "",
@@ -40,14 +44,17 @@ class Cut final : public Command {
     void add_options(CommandLine& line) override {
         constexpr Group output = Group::output;
         line.path(output, job_.path, text::output,
-                  {.letter = 'o', .help = fmt::format(": {}", fmt::join(names_of(containers()), " "))});
+                  {.letter = 'o',
+                   .help = fmt::format(": {}", fmt::join(names_of(containers()), " ")),
+                   .use = FileUse::written});
         line.value(output, text::event, "", [this](const std::string& given) {
             job_.event = parse_integer(given, static_cast<std::int64_t>(text::event.range.low),
                                        static_cast<std::int64_t>(text::event.range.high));
         });
-        line.path(output, job_.report, text::report);
-        line.value(output, text::from, "", [this](const std::string& given) { job_.from = parse_time(given); });
-        line.value(output, text::to, "", [this](const std::string& given) { job_.to = parse_time(given); });
+        line.path(output, job_.report, text::report, {.use = FileUse::read});
+        line.value(output, text::from, "",
+                   [this](const std::string& given) { set(given, job_.from, job_.asked.start); });
+        line.value(output, text::to, "", [this](const std::string& given) { set(given, job_.to, job_.asked.end); });
         line.duration(output, job_.margin, text::margin);
         line.flag(output, job_.exact, text::exact);
         line.exclude(text::event, text::from);
@@ -57,9 +64,16 @@ class Cut final : public Command {
         // Whatever decides which events there are, and which number each has.
         RenderJob& search = job_.search;
         add_event_options(line, output, search.output.events);
-        add_input_options(line, search.input, "INPUT", "the file of a clip");
+        add_input_options(
+            line, search.input, "INPUT...",
+            "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one "
+            "recording");
+        add_layout_options(line, search.input);
+        add_join_option(line, search.input);
+        add_start_time_option(line, search.look.start_time);
         add_span_options(line, search.fields.span);
         add_field_options(line, search.fields);
+        add_preset_option(line, Group::run);
         add_thread_options(line, search.fields.threads);
         line.examples(
             {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip's picture"},
@@ -68,9 +82,9 @@ class Cut final : public Command {
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
-        only_input(job_.search.input);
+        require_input(job_.search.input);
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the piece goes with -o FILE");
-        if (!job_.event && !job_.from && !job_.to) {
+        if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
             throw Error(ErrorKind::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
         }
         Console console(environment);
@@ -85,6 +99,13 @@ class Cut final : public Command {
     }
 
   private:
+    /// A time of the clip, or one by the clock on the wall.
+    static void set(const std::string& given, std::optional<Time>& time, std::optional<AskedTime>& asked) {
+        const auto place = parse_place(given);
+        time = std::holds_alternative<Time>(place) ? std::optional(std::get<Time>(place)) : std::nullopt;
+        asked = time ? std::nullopt : std::optional(std::get<AskedTime>(place));
+    }
+
     CutJob job_;
 };
 

@@ -44,17 +44,25 @@ nlohmann::ordered_json json_of(const BackendReport& report) {
             {"devices", report.devices}};
 }
 
+/// What `--backend auto` takes: the first that works.
+auto drawn_with(const std::vector<BackendReport>& reports) {
+    return std::ranges::find_if(reports, &BackendReport::works);
+}
+
 std::string as_json(const std::vector<BackendReport>& reports) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
     for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
     for (const BackendReport& report : reports) backends.push_back(json_of(report));
     const std::string font = font_name();
-    return json_text({{"vvr", version()},
-                      {"libraries", libraries},
-                      {"font", font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(font)},
-                      {"backends", backends}},
-                     2) +
+    const auto drawn = drawn_with(reports);
+    return json_text(
+               {{"vvr", version()},
+                {"libraries", libraries},
+                {"font", font.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(font)},
+                {"draws_with", drawn == reports.end() ? nlohmann::ordered_json() : nlohmann::ordered_json(drawn->name)},
+                {"backends", backends}},
+               2) +
            "\n";
 }
 
@@ -63,7 +71,14 @@ std::string as_text(const std::vector<BackendReport>& reports) {
     std::string text =
         version_text() + fmt::format("font           {}\n",
                                      font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
-    for (const BackendReport& report : reports) text += fmt::format("\n{}", describe(report));
+    const auto drawn = drawn_with(reports);
+    text += fmt::format("draws with     {}\n", drawn == reports.end()
+                                                   ? "nothing: no backend works; below is how to fix it"
+                                                   : fmt::format("{}: {}", drawn->name, drawn->renderer));
+    // What works comes first: where there is no GPU, a backend for GPUs that fails is no fault.
+    std::vector<BackendReport> sorted = reports;
+    std::ranges::stable_partition(sorted, &BackendReport::works);
+    for (const BackendReport& report : sorted) text += fmt::format("\n{}", describe(report));
     return text;
 }
 
@@ -74,20 +89,27 @@ class Doctor final : public Command {
     void add_options(CommandLine& line) override {
         line.flag(Group::output, json_, json_option);
         add_thread_options(line, threads_);
+        add_backend_options(line, backend_);
         line.examples({{"vvr doctor", "which OpenGL works here, and what to install for what does not"},
-                       {"vvr doctor --json", "the same for programs"}});
+                       {"vvr doctor --json", "the same for programs"},
+                       {"vvr doctor --backend software", "whether this one works: the status is 4 where it doesn't"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
         const std::vector<BackendReport> reports = probe_backends();
         print(json_ ? as_json(reports) : as_text(reports));
-        if (std::ranges::any_of(reports, &BackendReport::works)) return ExitStatus::done;
+        if (std::ranges::any_of(reports, &BackendReport::works)) {
+            const bool asked = backend_.name != BackendOptions().name || backend_.device >= 0;
+            if (asked) open_context(backend_.name, backend_.device);
+            return ExitStatus::done;
+        }
         environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
         return ExitStatus::backend;
     }
 
   private:
     bool json_ = false;
+    BackendOptions backend_;
     int threads_ = 0;  // taken for config files that hold for all commands
 };
 

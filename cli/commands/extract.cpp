@@ -23,7 +23,7 @@ class Extract final : public Command {
   public:
     void add_options(CommandLine& line) override {
         constexpr Group output = Group::output;
-        line.path(output, job_.folder, text::output, {.letter = 'o'});
+        line.path(output, job_.folder, text::output, {.letter = 'o', .use = FileUse::written});
         // Not in the group of the fields: it changes what is kept, not what a field is.
         line.number(output, job_.fields.flow.every, setting::flow_every);
         line.flag(output, job_.colour, text::with_color);
@@ -31,8 +31,11 @@ class Extract final : public Command {
         line.value(output, text::part, "", [this](const std::string& given) { job_.part = parse_share(given); });
         add_input_options(line, job_.input, "INPUT...", clip_input);
         add_layout_options(line, job_.input);
+        add_join_option(line, job_.input);
         add_span_options(line, job_.fields.span);
         add_field_options(line, job_.fields);
+        add_preset_option(line, Group::run);
+        add_start_time_option(line, job_.start_time);
         add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr extract clip.avi -o data", "fields, flow and seeds as files"},
                        {"vvr render data -o data.png", "the picture of them"},
@@ -42,7 +45,7 @@ class Extract final : public Command {
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
         if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
         require_input(job_.input);
-        job_.settings = shown(line.values({Group::input, Group::fields}));
+        job_.settings = shown(line.values(std::array{Group::input, Group::fields}));
         Console console(environment);
         extract(job_, console);
         return ExitStatus::done;

@@ -4,8 +4,10 @@
 #include "cli/commands/command.h"
 #include "cli/options/job_options.h"
 #include "cli/print.h"
+#include "cli/render/clip_list.h"
 #include "cli/render/open_fields.h"
 #include "cli/render/plan.h"
+#include "core/clock_source.h"
 #include "core/json_text.h"
 #include "core/labels/time_ticks.h"
 #include "core/shown_text.h"
@@ -23,7 +25,12 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-std::string as_text(const FieldSource& source, const Plan& plan) {
+bool recorded_is_known(const VideoInfo& info) {
+    return info.began && tells_recording(info.began_by);
+}
+
+std::string as_text(const FieldSource& source, const Plan& plan, const std::vector<Segment>& files,
+                    const std::vector<std::string>& warnings) {
     const VideoInfo& info = source.info();
     std::string text = shown_text(without_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
@@ -34,19 +41,45 @@ std::string as_text(const FieldSource& source, const Plan& plan) {
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames per second", info.rate)));
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
-    if (info.created) line("recorded", format_clock(*info.created) + " UTC");
+    if (recorded_is_known(info)) {
+        line("recorded", fmt::format("{} UTC, {}", format_clock(*info.began), row_of(info.began_by).words));
+    }
+    if (info.created) {
+        line("written", fmt::format("{} UTC, as the container says{}", format_clock(*info.created),
+                                    recorded_is_known(info)
+                                        ? ""
+                                        : "; that need not be when it was recorded (--start-time container takes it)"));
+    }
+    for (const std::string& warning : warnings) line("note", warning);
     text += "a render of it\n";
     line("fields", text_of(source.field_size()));
     line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
                                counted(plan.step, "frame")));
     line("bricks", fmt::to_string(plan.bricks));
     line("memory", fmt::format("at most about {} MB", plan.bytes / 1'000'000));
+    if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
+    for (const Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
     return text;
 }
 
-std::string as_json(const FieldSource& source, const Plan& plan) {
+nlohmann::ordered_json json_of(const Segment& clip) {
+    using Json = nlohmann::ordered_json;
+    return {{"file", clip.path},
+            {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
+            {"begin", clip.begin ? Json(format_clock(*clip.begin)) : Json()},
+            {"told_by", row_of(clip.begin_by).name},
+            {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
+}
+
+std::string as_json(const FieldSource& source, const Plan& plan, const std::vector<Segment>& files,
+                    const std::vector<std::string>& warnings) {
     const VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
+    const auto time = [](std::optional<std::int64_t> utc) {
+        return utc ? nlohmann::ordered_json(format_clock(*utc)) : nlohmann::ordered_json();
+    };
+    nlohmann::ordered_json listed = nlohmann::ordered_json::array();
+    for (const Segment& clip : files) listed.push_back(json_of(clip));
     const nlohmann::ordered_json json{
         {"name", info.name},
         {"container", info.container},
@@ -56,7 +89,11 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
         {"rate", known(info.rate)},
         {"frames", known(info.frames)},
         {"seconds", known(info.duration)},
-        {"recorded", info.created ? nlohmann::ordered_json(format_clock(*info.created)) : nlohmann::ordered_json()},
+        {"recorded", recorded_is_known(info) ? time(info.began) : time(std::nullopt)},
+        {"recorded_by",
+         recorded_is_known(info) ? nlohmann::ordered_json(row_of(info.began_by).name) : nlohmann::ordered_json()},
+        {"written", time(info.created)},
+        {"warnings", warnings},
         {"render",
          {{"field_width", source.field_size().width},
           {"field_height", source.field_size().height},
@@ -65,6 +102,7 @@ std::string as_json(const FieldSource& source, const Plan& plan) {
           {"layers", plan.layers},
           {"bricks", plan.bricks},
           {"memory_bytes", plan.bytes}}},
+        {"files", std::move(listed)},
     };
     return json_text(json, 2) + "\n";
 }
@@ -77,6 +115,7 @@ class Info final : public Command {
         line.flag(Group::output, json_, json_option);
         add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
         add_layout_options(line, job_.input);
+        add_join_option(line, job_.input);
         add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "what the clip is, and what a picture of it would need"},
                        {"vvr info clip.avi --json", "the same for programs"},
@@ -88,8 +127,9 @@ class Info final : public Command {
         finish(line, job_, false);
         validate(job_);
         const OpenedFields fields = open_fields(job_);
+        const std::vector<Segment> files = list_clips(job_.input);
         const Plan plan = make_plan(job_, {}, *fields.source);
-        print(json_ ? as_json(*fields.source, plan) : as_text(*fields.source, plan));
+        print((json_ ? as_json : as_text)(*fields.source, plan, files, fields.warnings));
         return ExitStatus::done;
     }
 

@@ -1,7 +1,5 @@
 #include "cli/render/inspect.h"
 
-#include <optional>
-
 #include <fmt/format.h>
 
 #include "cli/commands/command.h"
@@ -20,7 +18,7 @@ namespace {
 
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
-constexpr Setting frame{"frame", "TIME", "which frame"};
+constexpr Setting frame{"frame", "TIME", "which frame; the middle of the clip if not given, but at most 60s in"};
 }  // namespace text
 
 class Inspect final : public Command {
@@ -29,28 +27,29 @@ class Inspect final : public Command {
         line.path(Group::output, job_.path, text::output,
                   {.letter = 'o',
                    .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
-                                       fmt::join(picture_endings(), " "))});
+                                       fmt::join(picture_endings(), " ")),
+                   .use = FileUse::written});
         add_input_options(line, job_.input, "INPUT...", clip_input);
         add_layout_options(line, job_.input);
-        line.value(Group::input, text::frame, "", [this](const std::string& given) { frame_ = parse_time(given); });
+        add_join_option(line, job_.input);
+        line.value(Group::input, text::frame, "", [this](const std::string& given) { job_.frame = parse_time(given); });
         add_field_options(line, job_.fields);
+        add_preset_option(line, Group::run);
         line.path(Group::look, job_.font, setting::font);
         add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr inspect clip.avi --frame 1s -o frame.png", "object, flow and seeds of the frame at 1 s"},
-                       {"vvr inspect clip.avi --frame 10f -o roi.html", "a page to draw --roi and --mask on"},
+                       {"vvr inspect clip.avi -o roi.html", "a page to draw --roi and --mask on"},
                        {"vvr inspect clip.avi --frame 1s --threshold 40 -o strict.png", "what a threshold leaves"}});
     }
 
     ExitStatus run(const CommandLine&, const Environment& environment) override {
         require_input(job_.input);
-        if (!frame_) throw Error(ErrorKind::usage, "no frame: say which with --frame 12.5s, 00:00:12.5 or 250f");
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
         if (is_page(job_.path)) {
             check_file_path(job_.path);
         } else {
             check_picture_path(job_.path);
         }
-        job_.frame = *frame_;
         Console console(environment, false);
         inspect(job_, console);
         return ExitStatus::done;
@@ -58,7 +57,6 @@ class Inspect final : public Command {
 
   private:
     InspectJob job_;
-    std::optional<Time> frame_;
 };
 
 }  // namespace

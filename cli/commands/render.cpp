@@ -1,10 +1,19 @@
 #include "cli/render/render.h"
 
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/render/open_fields.h"
+#include "cli/render/tell_problems.h"
+#include "core/error.h"
 
 namespace vvr {
 
@@ -16,6 +25,7 @@ class Render final : public Command {
         add_output_options(line, job_.output);
         add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
         add_layout_options(line, job_.input);
+        add_join_option(line, job_.input);
         add_picture_options(line, job_);
         line.examples({{"vvr render clip.avi -o clip.png", "the whole clip as one picture"},
                        {"vvr render clip.avi -o clip.html --report clip.json",
@@ -25,16 +35,30 @@ class Render final : public Command {
     }
 
     ExitStatus run(const CommandLine& line, const Environment& environment) override {
+        check_meant_output();
         check(job_.output);
         finish(line, job_, is_series(job_.output));
         check_outputs(job_);
         require_input(job_.input);
         Console console(environment);
-        render(job_, console);
+        require_whole(render(job_, console).info);
         return ExitStatus::done;
     }
 
   private:
+    /// `vvr render clip.avi out.png`: the last name is that of a file which is to be made.
+    void check_meant_output() const {
+        const OutputOptions& output = job_.output;
+        const std::vector<std::string>& names = job_.input.names;
+        if (!output.path.empty() || !output.report.empty() || !output.golden.path.empty() || names.size() < 2) return;
+        std::error_code none;
+        const std::string& last = names.back();
+        if (std::filesystem::exists(last, none)) return;
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("no output, and there is no input '{0}'; if that is where the picture goes: -o '{0}'", last));
+    }
+
     RenderJob job_;
 };
 

@@ -16,7 +16,7 @@ class Seeds final : public Command {
   public:
     void add_options(CommandLine& line) override {
         line.arguments(flows_, "FLOW", "a folder that `vvr extract` wrote, or one with .flo files, named by frame");
-        line.path(Group::output, job_.folder, text::output, {.letter = 'o'});
+        line.path(Group::output, job_.folder, text::output, {.letter = 'o', .use = FileUse::written});
         add_seed_options(line, job_.seeds);
         line.examples({{"vvr extract clip.avi -o data", "the flow of a clip"},
                        {"vvr seeds data -o lists --seed-select first:2", "the two fastest points of each frame"},

@@ -43,6 +43,13 @@ std::vector<std::string> arguments_of(const Settings& settings) {
         for (const std::string_view other : not_settings) {
             if (name == other) throw Error(ErrorKind::usage, fmt::format("'{}' is not a setting; leave it out", name));
         }
+        // A name is told from its value by the first `=`, which must not be one of its own: "config=/x".
+        const bool plain =
+            !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+        if (!plain) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' is no name of a setting; it has small letters, digits and -", name));
+        }
         arguments.push_back(fmt::format("--{}={}", name, value));
     }
     return arguments;
@@ -53,6 +60,7 @@ RenderJob job_of(const std::string& clip, const Settings& settings) {
     CommandLine line("render", "");
     add_input_options(line, job.input, "INPUT", "");
     add_layout_options(line, job.input);
+    add_join_option(line, job.input);
     add_picture_options(line, job);
     line.parse(arguments_of(settings));
     job.input.names = {clip};

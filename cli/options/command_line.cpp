@@ -13,6 +13,8 @@
 #include "cli/options/presets.h"
 #include "cli/print.h"
 #include "core/error.h"
+#include "core/read_file.h"
+#include "core/shown_text.h"
 #include "core/suggest.h"
 
 namespace vvr {
@@ -69,8 +71,28 @@ HelpOption help_of(Group group, const Setting& setting, const std::string& shown
     return help;
 }
 
+/// Options of other programs for which people look here, and what does the same.
+constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
+    {"-i", "an input has no option: vvr COMMAND FILE"},
+    {"-ss", "--start TIME is where to begin"},
+    {"-st", "--start TIME is where to begin"},
+    {"-to", "--end TIME is where to end"},
+    {"-et", "--end TIME is where to end"},
+    {"-t", "--start TIME and --end TIME say which part is read"},
+    {"-r", "--rate FPS is for input that has no times"},
+    {"-framerate", "--rate FPS is for input that has no times"},
+    {"-y", "outputs are replaced without asking"},
+    {"-threads", "--threads COUNT"},
+    {"-R", "--roi FILE says where to look"},
+    {"--add-region", "--roi AREA says where to look"},
+    {"--load-region", "--roi FILE says where to look"},
+    {"--min-event-length", "--event-min-seconds TIME"},
+    {"--frame-skip", "--step FRAMES; nothing is skipped, frames share a layer"},
+};
+
 /// Whether an option stands among the arguments.
-bool is_given(const CLI::Option& option, std::span<const std::string> arguments) {
+bool is_given(const CLI::Option& option, std::span<const std::string> all) {
+    const std::span<const std::string> arguments(all.begin(), std::ranges::find(all, "--"));
     return std::ranges::any_of(arguments, [&](const std::string& argument) {
         return std::ranges::any_of(option.get_lnames(),
                                    [&](const std::string& name) {
@@ -100,12 +122,15 @@ struct CommandLine::Impl {
     CommandHelp help{};
     std::vector<Setting> absent{};  ///< that a live stream does not have
     std::map<const CLI::Option*, bool> files{};
+    NamesOfCommands names_of_commands{};
+    std::map<const CLI::Option*, FileUse> uses{};
+    const std::vector<std::string>* arguments = nullptr;
     ConfigChoice config{};
     bool reads_config = true;
 
     CLI::Option* option(const Setting& setting) { return app.get_option("--" + std::string(setting.name)); }
 
-    std::optional<OptionValue> value_of(const CLI::Option& option, std::initializer_list<Group> groups) const {
+    std::optional<OptionValue> value_of(const CLI::Option& option, std::span<const Group> groups) const {
         const bool asked =
             std::ranges::any_of(groups, [&](Group group) { return option.get_group() == title_of(group); });
         if (!asked || option.get_lnames().empty()) return std::nullopt;
@@ -114,13 +139,13 @@ struct CommandLine::Impl {
                            option.empty() ? option.get_default_str()
                            : all          ? fmt::format("{}", fmt::join(option.results(), " "))
                                           : option.results().back(),
-                           files.contains(&option)};
+                           files.contains(&option), uses.contains(&option) ? uses.at(&option) : FileUse::none};
     }
 };
 
 std::string OptionValue::shown() const {
-    if (!may_be_file) return value;
-    const std::filesystem::path path(value);
+    if (!may_be_file) return without_secrets(value);
+    const std::filesystem::path path(without_secrets(value));
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
@@ -137,8 +162,13 @@ CommandLine::~CommandLine() = default;
 
 void CommandLine::arguments(std::vector<std::string>& target, const std::string& name, const std::string& help) {
     impl_->app.add_option("INPUT", target)->type_name("");
+    impl_->arguments = &target;
     impl_->help.arguments = name;
     impl_->help.arguments_text = help;
+}
+
+std::vector<std::string> CommandLine::arguments() const {
+    return impl_->arguments == nullptr ? std::vector<std::string>() : *impl_->arguments;
 }
 
 void CommandLine::examples(std::initializer_list<Example> examples) {
@@ -156,6 +186,8 @@ void CommandLine::value(Group group, const Setting& setting, const std::string& 
         [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); });
     option->type_name(std::string(setting.unit))->default_str(shown)->group(title_of(group))->take_last();
     if (setting.may_be_file) impl_->files.emplace(option, true);
+    const FileUse use = setting.may_be_file ? FileUse::read : extra.use;
+    if (use != FileUse::none) impl_->uses.emplace(option, use);
     impl_->help.options.push_back(help_of(group, setting, shown, extra));
 }
 
@@ -194,8 +226,18 @@ void CommandLine::text(Group group, std::string& target, const Setting& setting,
 }
 
 void CommandLine::path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra) {
+    const bool is_output = group == Group::output || group == Group::comparison || extra.letter == 'o';
+    const bool refuses = is_output && !extra.standard_output;
     value(
-        group, setting, target.string(), [&target](const std::string& given) { target = given; }, extra);
+        group, setting, target.string(),
+        [&target, refuses](const std::string& given) {
+            if (refuses && given == "-") {
+                throw Error(ErrorKind::usage,
+                            "'-' is standard input or output, which this can't be; ./- is a file of that name");
+            }
+            target = given;
+        },
+        extra);
 }
 
 void CommandLine::flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra) {
@@ -227,6 +269,14 @@ void CommandLine::exclude(const Setting& a, const Setting& b) {
     impl_->option(a)->excludes(impl_->option(b));
 }
 
+void CommandLine::knows_commands(NamesOfCommands names) {
+    impl_->names_of_commands = std::move(names);
+}
+
+std::vector<std::string> CommandLine::configurable() const {
+    return configurable_names(impl_->app);
+}
+
 void CommandLine::only_find_config() {
     impl_->reads_config = false;
 }
@@ -249,8 +299,13 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     }
     impl_->config = find_config(arguments);
     const std::string config_name = impl_->config.file.string();
-    app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name));
-    std::vector<std::string> reversed = with_preset(arguments);
+    // What is found but can't be read is named where it is parsed.
+    if (!config_name.empty() && impl_->reads_config) check_is_file(config_name, most_bytes::text);
+    NamesOfCommands commands = impl_->names_of_commands;
+    if (!commands) commands = [this] { return std::vector<CommandNames>{{impl_->command, configurable()}}; };
+    app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name, std::move(commands)));
+    std::vector<std::string> reversed = with_preset(
+        arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
     // Help is there for whoever wants to mend a config file too.
     const bool found = !config_name.empty() && !is_given(*file, arguments);
     if (found && impl_->reads_config && !is_given(*help, arguments)) {
@@ -277,12 +332,25 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
     }
     refuse_leftovers();
+    refuse_two_outputs();
     return true;
+}
+
+void CommandLine::refuse_two_outputs() const {
+    for (const auto& [option, use] : impl_->uses) {
+        if (use != FileUse::written) continue;
+        const auto other = std::ranges::find_if(
+            option->results(), [&](const std::string& value) { return value != option->results().front(); });
+        if (other == option->results().end()) continue;
+        throw Error(ErrorKind::usage, fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
+                                                  option->get_lnames().front(), option->results().front(), *other));
+    }
 }
 
 void CommandLine::refuse_leftovers() const {
     const CLI::App& app = impl_->app;
-    const std::vector<std::string> leftovers = app.remaining();
+    std::vector<std::string> leftovers = app.remaining();
+    std::erase(leftovers, "--");  // ends the options, and CLI11 keeps it
     if (leftovers.empty()) return;
     const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
     if (option == leftovers.end()) {
@@ -294,11 +362,16 @@ void CommandLine::refuse_leftovers() const {
         if (name != fmt::format("--{}", setting.name) && name != fmt::format("--{}", setting.alias)) continue;
         throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live));
     }
+    const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
+    if (elsewhere != std::end(options_elsewhere)) {
+        throw Error(ErrorKind::usage, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
+                                                  elsewhere->second, app.get_name()));
+    }
     throw Error(ErrorKind::usage, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
                                               did_you_mean(name, option_names(app)), app.get_name()));
 }
 
-std::vector<OptionValue> CommandLine::values(std::initializer_list<Group> groups) const {
+std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {
     std::vector<OptionValue> values;
     for (const CLI::Option* option : std::as_const(impl_->app).get_options()) {
         const auto value = impl_->value_of(*option, groups);
@@ -307,7 +380,7 @@ std::vector<OptionValue> CommandLine::values(std::initializer_list<Group> groups
     return values;
 }
 
-std::vector<OptionValue> CommandLine::given(std::initializer_list<Group> groups) const {
+std::vector<OptionValue> CommandLine::given(std::span<const Group> groups) const {
     std::vector<OptionValue> values;
     for (const CLI::Option* option : std::as_const(impl_->app).get_options()) {
         if (const auto value = impl_->value_of(*option, groups); value && !option->empty()) values.push_back(*value);

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/options/command_names.h"
 #include "cli/options/find_config.h"
 #include "cli/options/group.h"
 #include "cli/options/help.h"
@@ -29,13 +30,23 @@ class Option;
 
 namespace vvr {
 
+/// What a run does with the file that an option may name.
+enum class FileUse {
+    none,
+    read,
+    written,
+    compared,  ///< read, but written with --bless
+};
+
 /// An option with its value as a text.
 struct OptionValue {
     std::string name;
     std::string value;
     bool may_be_file = false;
+    FileUse use = FileUse::none;
 
-    /// The value without a folder: what is passed on should not say where its maker keeps files.
+    /// The value without a folder, and an address without its secrets: what is passed on should not say where its maker
+    /// keeps files, nor how they get there.
     std::string shown() const;
 };
 
@@ -45,6 +56,8 @@ struct OptionExtra {
     std::string help{};               ///< goes on from the setting's
     std::vector<HelpValue> values{};  ///< each with what it does
     std::string defaults{};           ///< what help shows as the default; empty = what files record
+    bool standard_output = false;     ///< `-` is standard output, where others would write a file of that name
+    FileUse use = FileUse::none;      ///< of what may be a file by its setting: read
 };
 
 /// The end of a help text that lists names.
@@ -81,7 +94,7 @@ std::string defaults_of(const Rows& rows, Text default_of) {
 
 /// The command line of one command: its options, a config file for them, and errors in vvr's own words. All that is
 /// known of an option is in its Setting; the variable that takes the value holds the default. Given twice, the last
-/// value counts.
+/// value counts, but for files that are written: there two are an error.
 class CommandLine {
   public:
     CommandLine(const std::string& command, const std::string& help);
@@ -95,6 +108,9 @@ class CommandLine {
     /// What is not an option.
     /// \param name as the usage shows it: "INPUT..."
     void arguments(std::vector<std::string>& target, const std::string& name, const std::string& help);
+
+    /// What was given that is not an option.
+    std::vector<std::string> arguments() const;
 
     /// At the end of the help.
     void examples(std::initializer_list<Example> examples);
@@ -155,6 +171,12 @@ class CommandLine {
     /// Two options that can't both be given.
     void exclude(const Setting& a, const Setting& b);
 
+    /// What config files may hold for other commands. Without it a config file is for this command alone.
+    void knows_commands(NamesOfCommands names);
+
+    /// The options that a config file can set.
+    std::vector<std::string> configurable() const;
+
     /// For a command that tells of the config file instead of obeying it.
     void only_find_config();
 
@@ -167,16 +189,17 @@ class CommandLine {
     bool parse(std::span<const std::string> arguments);
 
     /// The options of some groups: as given, else the default, which may be empty.
-    std::vector<OptionValue> values(std::initializer_list<Group> groups) const;
+    std::vector<OptionValue> values(std::span<const Group> groups) const;
 
     /// Those of them that the user gave, on the command line or in a config file.
-    std::vector<OptionValue> given(std::initializer_list<Group> groups) const;
+    std::vector<OptionValue> given(std::span<const Group> groups) const;
 
     /// Whether the user gave an option.
     bool has(const Setting& setting) const;
 
   private:
     void refuse_leftovers() const;
+    void refuse_two_outputs() const;
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -1,31 +1,86 @@
 #include "cli/options/config_file.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "cli/options/presets.h"
 #include "core/error.h"
 #include "core/suggest.h"
 
 namespace vvr {
 
+namespace {
+
+const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
+    const CLI::Option* const option = app.get_option_no_throw("--" + name);
+    return option != nullptr && option->get_configurable() ? option : nullptr;
+}
+
+/// What the preset of a config file sets, where neither the file nor the command line does.
+void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
+    const auto named = std::ranges::find(items, std::string(setting::preset.name), &CLI::ConfigItem::name);
+    const CLI::Option* const option = option_of(app, std::string(setting::preset.name));
+    if (named == items.end() || named->inputs.empty() || option == nullptr || !option->empty()) return;
+    for (const auto& [name, value] : settings_of_preset(named->inputs.back())) {
+        const CLI::Option* const of_preset = option_of(app, name);
+        const bool is_set = std::ranges::any_of(
+            items, [&](const CLI::ConfigItem& item) { return option_of(app, item.name) == of_preset; });
+        if (of_preset != nullptr && !is_set) items.push_back({{}, name, {value}});
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> configurable_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* known : app.get_options()) {
+        if (!known->get_configurable()) continue;
+        const std::vector<std::string>& all = known->get_lnames();
+        names.insert(names.end(), all.begin(), all.end());
+    }
+    return names;
+}
+
+void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
+    if (item.parents.empty()) return;
+    std::vector<std::string> names;
+    for (const CommandNames& row : commands) names.push_back(row.command);
+    const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
+    if (std::ranges::find(names, section) != names.end()) return;
+    throw Error(ErrorKind::usage, fmt::format("the config file '{}' has a section [{}], and there is no such command{}",
+                                              file_, section, did_you_mean(section, names)));
+}
+
+void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
+    std::vector<std::string> names;
+    for (const CommandNames& row : commands) {
+        if (item.parents.empty() || item.parents.front() == row.command)
+            names.insert(names.end(), row.options.begin(), row.options.end());
+    }
+    if (std::ranges::find(names, item.name) != names.end()) return;
+    const std::string whose = item.parents.empty() ? std::string("which no command has")
+                                                   : fmt::format("which `vvr {}` does not have", item.parents.front());
+    throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
+                                              did_you_mean(item.name, names)));
+}
+
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
+    const std::vector<CommandNames> commands = names_();
     std::vector<CLI::ConfigItem> kept;
     for (CLI::ConfigItem& item : CLI::ConfigTOML::from_config(input)) {
+        check_section(item, commands);
         const bool section_mark = item.name == "++" || item.name == "--";
-        if (section_mark || (!item.parents.empty() && item.parents.front() != command_)) continue;
-        item.parents.clear();
-        const CLI::Option* option = app_.get_option_no_throw("--" + item.name);
-        if (option == nullptr || !option->get_configurable()) {
-            std::vector<std::string> names;
-            for (const CLI::Option* known : app_.get_options()) {
-                if (known->get_configurable() && !known->get_lnames().empty()) {
-                    names.push_back(known->get_lnames().front());
-                }
-            }
-            throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', which `vvr {}` does not have{}",
-                                                      file_, item.name, command_, did_you_mean(item.name, names)));
+        if (section_mark) continue;
+        const bool is_for_this = item.parents.empty() || item.parents.front() == command_;
+        if (!is_for_this || option_of(app_, item.name) == nullptr) {
+            refuse(item, commands);
+            continue;
         }
+        item.parents.clear();
         kept.push_back(std::move(item));
     }
+    add_preset(app_, kept);
     return kept;
 }
 

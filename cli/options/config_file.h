@@ -7,21 +7,31 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/options/command_names.h"
+
 namespace vvr {
 
-/// A config file: long option names and values, and sections `[COMMAND]` that hold for one command only. A name that
-/// no option has is an error, as it would be on the command line.
+/// A config file: long option names and values, and sections `[COMMAND]` that hold for one command only. What stands
+/// above all sections holds for every command that has such an option. A section or a name that no command has is an
+/// error, as it would be on the command line. A `preset` sets what the file leaves open.
 class ConfigFile : public CLI::ConfigTOML {
   public:
-    ConfigFile(const CLI::App& app, std::string command, std::string file)
-        : app_(app), command_(std::move(command)), file_(std::move(file)) {}
+    ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
+        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {}
 
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
 
   private:
+    void check_section(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+    void refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const;
+
     const CLI::App& app_;
     std::string command_;
     std::string file_;  ///< for errors
+    NamesOfCommands names_;
 };
+
+/// The options of a command that a config file can set, by all their names.
+std::vector<std::string> configurable_names(const CLI::App& app);
 
 }  // namespace vvr

@@ -17,6 +17,7 @@ std::optional<std::string> given_file(std::span<const std::string> arguments) {
     std::optional<std::string> file;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
+        if (argument == "--") break;
         if (argument == option && i + 1 < arguments.size()) file = arguments[i + 1];
         if (argument.starts_with(option) && argument.substr(option.size()).starts_with('=')) {
             file = argument.substr(option.size() + 1);
@@ -42,7 +43,7 @@ std::vector<std::filesystem::path> usual_places() {
 }  // namespace
 
 ConfigChoice find_config(std::span<const std::string> arguments) {
-    if (const auto file = given_file(arguments)) return {*file, "named by --config", {}};
+    if (const auto file = given_file(arguments)) return {*file, "named by --config", {}, true};
     if (std::ranges::find(arguments, "--no-config") != arguments.end()) return {{}, "because of --no-config", {}};
     if (const char* const named = std::getenv("VVR_CONFIG")) {
         return {named, *named == 0 ? "because VVR_CONFIG is empty" : "named by VVR_CONFIG", {}};

@@ -12,6 +12,7 @@ struct ConfigChoice {
     std::filesystem::path file;                 ///< empty = none
     std::string why;                            ///< why, as a person would say it: "named by --config"
     std::vector<std::filesystem::path> places;  ///< that were looked at, in turn
+    bool is_given = false;                      ///< by --config
 };
 
 /// --config of the arguments, else VVR_CONFIG of the environment, else the first of the user's and the machine's that

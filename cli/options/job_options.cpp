@@ -1,5 +1,7 @@
 #include "cli/options/job_options.h"
 
+#include <algorithm>
+
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
 #include "cli/render/settings.h"
@@ -28,8 +30,6 @@ void set_start(FrameSpan& span, const Time& time) {
 }
 
 void set_end(FrameSpan& span, const Time& time) {
-    span.end.reset();
-    span.stop.reset();
     if (time.unit == Time::Unit::seconds) {
         span.end = time.value;
     } else {
@@ -53,6 +53,10 @@ void add_brick_options(CommandLine& line, BrickOptions& options) {
     });
 }
 
+std::string name_of(TimeScale time) {
+    return std::string(std::ranges::find(time_scales, time, &TimeScaleRow::scale)->name);
+}
+
 }  // namespace
 
 void add_input_options(CommandLine& line, InputOptions& options, const std::string& name, const std::string& help) {
@@ -68,10 +72,30 @@ void add_layout_options(CommandLine& line, InputOptions& options) {
               {.help = fmt::format("{}", fmt::join(known_recorders(), ", "))});
 }
 
+void add_join_option(CommandLine& line, InputOptions& options) {
+    line.flag(Group::input, options.join, setting::join);
+}
+
 void add_span_options(CommandLine& line, FrameSpan& span) {
-    line.value(Group::input, setting::start, std::string(setting::start.otherwise),
-               [&span](const std::string& given) { set_start(span, parse_time(given)); });
-    line.value(Group::input, setting::end, "", [&span](const std::string& given) { set_end(span, parse_time(given)); });
+    line.value(Group::input, setting::start, std::string(setting::start.otherwise), [&span](const std::string& given) {
+        const auto place = parse_place(given);
+        const auto* const asked = std::get_if<AskedTime>(&place);
+        span.asked.start = asked ? std::optional(*asked) : std::nullopt;
+        set_start(span, asked ? Time{0, Time::Unit::seconds} : std::get<Time>(place));
+    });
+    line.value(Group::input, setting::end, "", [&span](const std::string& given) {
+        const auto place = parse_place(given);
+        span.end.reset();
+        span.stop.reset();
+        span.asked.end.reset();
+        if (const auto* const asked = std::get_if<AskedTime>(&place)) {
+            span.asked.end = *asked;
+        } else {
+            set_end(span, std::get<Time>(place));
+        }
+    });
+    line.value(Group::input, setting::between, "",
+               [&span](const std::string& given) { span.asked.between = parse_day_part(given); });
 }
 
 void add_field_options(CommandLine& line, FieldOptions& options) {
@@ -115,6 +139,15 @@ void add_seed_options(CommandLine& line, SeedOptions& options) {
     line.text(Group::fields, options.select, setting::seed_select);
 }
 
+void add_preset_option(CommandLine& line, Group group) {
+    line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
+}
+
+void add_backend_options(CommandLine& line, BackendOptions& backend) {
+    line.name(Group::run, backend.name, backend_names(), setting::backend);
+    line.number(Group::run, backend.device, setting::device);
+}
+
 void add_thread_options(CommandLine& line, int& threads) {
     line.number(Group::run, threads, setting::threads);
 }
@@ -134,10 +167,9 @@ void add_picture_options(CommandLine& line, RenderJob& job) {
     add_brick_options(line, job.bricks);
     add_view_options(line, job);
     add_look_options(line, job);
-    line.choice(Group::look, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
+    add_preset_option(line, Group::look);
     add_thread_options(line, job.fields.threads);
-    line.name(Group::run, job.backend.name, backend_names(), setting::backend);
-    line.number(Group::run, job.backend.device, setting::device);
+    add_backend_options(line, job.backend);
     line.flag(Group::run, job.backend.debug, setting::gl_debug);
 }
 
@@ -154,11 +186,19 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
                     "a series: -o out.{brick:4}.png");
     }
     job.settings = shown(line.values(picture_groups));
-    job.given = shown(line.given({Group::input, Group::fields}));
+    // What stands there can be given back: --skip-idle decides the scale of time, and --brick how many bricks there
+    // are.
+    for (Metadata::value_type& one : job.settings) {
+        if (one.first == setting::time.name) one.second = name_of(job.bricks.time);
+    }
+    if (line.has(setting::brick) && !series)
+        std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
+    job.given = shown(line.given(std::array{Group::input, Group::fields}));
     // These are about the render, not about the fields that an extraction holds.
     std::erase_if(job.given, [](const auto& given) {
         return given.first == setting::step.name || given.first == setting::seeds.name ||
-               given.first == setting::names.name || given.first == setting::seed_flags.name;
+               given.first == setting::names.name || given.first == setting::join.name ||
+               given.first == setting::seed_flags.name;
     });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "cli/options/command_line.h"
 #include "cli/render/job.h"
 
@@ -7,8 +9,7 @@
 namespace vvr {
 
 /// Groups of options that decide how a picture looks.
-inline constexpr std::initializer_list<Group> picture_groups{Group::input, Group::fields, Group::bricks, Group::view,
-                                                             Group::look};
+inline constexpr std::array picture_groups{Group::input, Group::fields, Group::bricks, Group::view, Group::look};
 
 /// What INPUT can be.
 inline constexpr const char* clip_input =
@@ -25,6 +26,9 @@ void add_input_options(CommandLine& line, InputOptions& options, const std::stri
 /// How files' names tell camera and time.
 void add_layout_options(CommandLine& line, InputOptions& options);
 
+/// Whether files are one recording that seem to be none.
+void add_join_option(CommandLine& line, InputOptions& options);
+
 /// The part of a clip that is read.
 void add_span_options(CommandLine& line, FrameSpan& span);
 
@@ -34,13 +38,22 @@ void add_field_options(CommandLine& line, FieldOptions& options);
 /// Where seeds lie, in which order, and how many.
 void add_seed_options(CommandLine& line, SeedOptions& options);
 
+/// A set of options for a purpose, of which a command takes those that it has.
+void add_preset_option(CommandLine& line, Group group);
+
 void add_thread_options(CommandLine& line, int& threads);
+
+/// What draws: the backend, and its device.
+void add_backend_options(CommandLine& line, BackendOptions& backend);
 
 /// What one picture or a series is made of, but neither INPUT nor where it goes.
 void add_picture_options(CommandLine& line, RenderJob& job);
 
 /// Layout, camera and size of the picture.
 void add_view_options(CommandLine& line, RenderJob& job);
+
+/// What the clock on the wall showed when a clip began.
+void add_start_time_option(CommandLine& line, StartTime& start);
 
 /// `2026-11-21 08:00:00`, or a word that says who knows it.
 /// \throws Error usage

@@ -1,9 +1,8 @@
 #include <charconv>
-#include <ctime>
-#include <iomanip>
 #include <sstream>
 
 #include "cli/options/job_options.h"
+#include "cli/options/parse_value.h"
 #include "cli/render/settings.h"
 #include "cli/render/volume_paint.h"
 #include "core/error.h"
@@ -52,24 +51,25 @@ std::string default_transfers() {
 }  // namespace
 
 StartTime parse_start_time(const std::string& text) {
-    if (text == "recorded") return {StartTime::From::recorded};
-    if (text == "none") return {StartTime::From::nobody};
-    for (const char* form : {"%Y-%m-%d %H:%M:%S", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M"}) {
-        std::tm parts{};
-        std::istringstream stream(text);
-        stream >> std::get_time(&parts, form);
-        if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof()) continue;
-        const std::tm asked = parts;
-        const std::time_t seconds = timegm(&parts);
-        // 30 February would become a day in March.
-        if (asked.tm_mday == parts.tm_mday && asked.tm_mon == parts.tm_mon)
-            return {StartTime::From::given, std::int64_t{seconds}};
+    using From = StartTime::From;
+    constexpr std::pair<std::string_view, From> words[] = {{"recorded", From::recorded},
+                                                           {"container", From::container},
+                                                           {"modified", From::modified},
+                                                           {"none", From::nobody}};
+    for (const auto& [word, from] : words) {
+        if (text == word) return {from};
     }
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is 'recorded' or 'none'. To begin "
-                    "later in the clip, take --start",
-                    text));
+    if (const auto seconds = parse_date_time(text)) return {From::given, *seconds};
+    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is "
+                                              "'recorded', 'container', 'modified' or 'none'. To begin later in the "
+                                              "clip, take --start",
+                                              text));
+}
+
+void add_start_time_option(CommandLine& line, StartTime& start) {
+    line.value(Group::look, setting::start_time, "",
+               [&start](const std::string& given) { start = parse_start_time(given); },
+               {.defaults = std::string(setting::start_time.otherwise)});
 }
 
 void add_look_options(CommandLine& line, RenderJob& job) {
@@ -83,9 +83,7 @@ void add_look_options(CommandLine& line, RenderJob& job) {
                [&look](const std::string& given) { look.background = parse_colour(given); });
     line.text(group, look.title, setting::title);
     line.path(group, look.font, setting::font);
-    line.value(group, setting::start_time, "",
-               [&look](const std::string& given) { look.start_time = parse_start_time(given); },
-               {.defaults = std::string(setting::start_time.otherwise)});
+    add_start_time_option(line, look.start_time);
     line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
                [&look](const std::string& given) { look.transfer = find_transfer(given); },
                {.help = list_of(transfer_functions()) + ", or a file of points", .defaults = default_transfers()});

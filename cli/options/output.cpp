@@ -1,5 +1,7 @@
 #include "cli/options/output.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <span>
 #include <sstream>
@@ -9,15 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/render/settings.h"
 #include "core/choice.h"
+#include "core/ending.h"
 #include "core/error.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
+#include "core/standard_output.h"
+#include "core/suggest.h"
 
 namespace vvr {
 
@@ -27,17 +34,22 @@ namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
 constexpr Setting plain_name{"plain-name", "", "FILE has no field, whatever is in its name"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
+constexpr Setting page_camera{"page-camera", "TEXT", "the camera that the page names in its heading"};
 constexpr Setting page_index{"page-index", "FILE", "the index of an archive, to which the page links"};
+constexpr Setting page_place{"page-place", "FILE",
+                             "where the page will stand, if it is moved there: its links lead from that place"};
 constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
 constexpr Setting still{"still", "FILE",
                         "the frame of the clip that tells most, with a frame around what it tells of: .jpg .png"};
-constexpr Setting report{"report", "FILE",
-                         "a JSON file of the input, the settings, the events and the run; needs no -o"};
+constexpr Setting report{
+    "report", "FILE",
+    "a JSON file of the input, the settings, the events and the run; needs no -o; - = standard output"};
 constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
 constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "shorter events are not listed", {0, 86'400}};
 constexpr Setting golden{"golden", "FILE",
                          "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
-constexpr Setting bless{"bless", "", "make the picture the golden one instead of comparing"};
+constexpr Setting bless{"bless", "",
+                        "make the picture the golden one instead of comparing; --diff is not written then"};
 constexpr Setting diff{"diff", "FILE",
                        "a picture of the differences: yellow = small, red = larger, black = all of the range"};
 }  // namespace text
@@ -87,6 +99,33 @@ void check_names(const OutputOptions& options) {
     }
 }
 
+/// What standard output can take: one picture, or the report.
+void check_standard_output(const OutputOptions& options) {
+    if (!is_standard_output(options.path)) return;
+    if (is_standard_output(options.report)) {
+        throw Error(ErrorKind::usage, "-o and --report both go to standard output; name a file for one of them");
+    }
+    if (::isatty(STDOUT_FILENO) == 1) {
+        throw Error(ErrorKind::usage,
+                    "-o -: standard output is a terminal, and would show a PNG file as letters; send it to a program, "
+                    "or name a file");
+    }
+}
+
+/// Names every kind of file that there is, which the codec of pictures can't.
+void check_ending(const std::filesystem::path& path) {
+    if (is_standard_output(path) || is_page(path) || is_animation(path)) return;
+    std::vector<std::string> known = picture_endings();
+    const std::string ending = ending_of(path);
+    if (std::ranges::find(known, ending) != known.end()) return;
+    known.emplace_back(".html");
+    std::ranges::copy(animation_endings(), std::back_inserter(known));
+    throw Error(ErrorKind::usage,
+                fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
+                            ending.empty() ? "a name without an ending" : "'" + ending + "'",
+                            did_you_mean(ending, known), fmt::join(known, " ")));
+}
+
 /// The page and the thumbnail beside a picture.
 void check_companions(const OutputOptions& options) {
     if (!options.page.empty() && !is_page(options.page)) {
@@ -110,17 +149,20 @@ void check_companions(const OutputOptions& options) {
     }
     if (!options.thumbnail.empty()) check_picture_ending(options.thumbnail);
     if (!options.still.empty()) check_picture_ending(options.still);
+    if (!options.page_camera.empty() && page_of(options).empty()) {
+        throw Error(ErrorKind::usage, "--page-camera is for a page; name one with --page FILE, or as -o FILE.html");
+    }
     if (!options.page_index.empty() && page_of(options).empty()) {
         throw Error(ErrorKind::usage, "--page-index is for a page; name one with --page FILE, or as -o FILE.html");
+    }
+    if (!options.page_place.empty() && page_of(options).empty()) {
+        throw Error(ErrorKind::usage, "--page-place is for a page; name one with --page FILE, or as -o FILE.html");
     }
 }
 
 void check_golden(const GoldenOptions& options) {
     check(options.comparison);
     if (!options.path.empty()) {
-        if (options.bless && !options.comparison.diff.empty()) {
-            throw Error(ErrorKind::usage, "--bless compares nothing, so there is nothing for --diff to show");
-        }
         // A folder that can only be read is good enough to compare with.
         return options.bless ? check_picture_path(options.path) : check_picture_ending(options.path);
     }
@@ -130,41 +172,13 @@ void check_golden(const GoldenOptions& options) {
     }
 }
 
-/// Whether a file is one of the pictures in a folder that is read.
-bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder) {
-    std::error_code none;
-    return std::filesystem::is_directory(folder, none) && std::filesystem::exists(file, none) &&
-           std::filesystem::equivalent(std::filesystem::absolute(file).parent_path(), folder, none);
-}
-
-/// What a run reads is never what it writes: footage may be evidence. Whatever the names, it is the files that count.
-void check_inputs_stay(const RenderJob& job) {
-    const OutputOptions& output = job.output;
-    std::vector<std::filesystem::path> read(job.input.names.begin(), job.input.names.end());
-    for (const std::string& file : {job.fields.reference, job.fields.roi, job.fields.mask, job.look.font.string()}) {
-        read.emplace_back(file);
-    }
-    if (!output.golden.bless) read.push_back(output.golden.path);
-    const std::pair<const char*, const std::filesystem::path&> written[] = {
-        {"-o", output.path},       {"--report", output.report},
-        {"--page", output.page},   {"--thumbnail", output.thumbnail},
-        {"--still", output.still}, {"--diff", output.golden.comparison.diff}};
-    for (const auto& [option, file] : written) {
-        for (const std::filesystem::path& input : read) {
-            if (file.empty() || input.empty() || !(same_file(file, input) || is_in_folder(file, input))) continue;
-            throw Error(ErrorKind::usage, fmt::format("{} '{}' would replace what is read, '{}'; choose another name",
-                                                      option, file.string(), input.string()));
-        }
-    }
-}
-
 }  // namespace
 
 void add_comparison_options(CommandLine& line, ComparisonOptions& options) {
     line.number(Group::comparison, options.tolerance.level, setting::tolerance);
     line.number(Group::comparison, options.tolerance.percent, setting::tolerance_percent);
     line.number(Group::comparison, options.tolerance.patch, setting::tolerance_patch);
-    line.path(Group::comparison, options.diff, text::diff);
+    line.path(Group::comparison, options.diff, text::diff, {.use = FileUse::written});
 }
 
 void add_event_options(CommandLine& line, Group group, EventChoice& choice) {
@@ -176,24 +190,30 @@ void add_event_options(CommandLine& line, Group group, EventChoice& choice) {
 
 void add_output_options(CommandLine& line, OutputOptions& options) {
     constexpr Group output = Group::output;
-    line.path(output, options.path, text::output,
-              {.letter = 'o',
-               .help = fmt::format(": {}; a page to watch the clip from: .html; or animated: {}; a series, one picture "
-                                   "per brick, has a field in its name: {{brick:4}}, #### or %04d",
-                                   fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " "))});
+    line.path(
+        output, options.path, text::output,
+        {.letter = 'o',
+         .help = fmt::format(
+             ": {}; a page to watch the clip from: .html; or animated: {}; - = a PNG file to "
+             "standard output; a series, one picture per brick, has a field in its name: {{brick:4}}, #### or %04d",
+             fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " ")),
+         .standard_output = true,
+         .use = FileUse::written});
     line.flag(output, options.plain_name, text::plain_name);
     line.number(output, options.animate, setting::animate,
                 {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
                                      default_animation)});
     line.number(output, options.slide, setting::slide,
                 {.help = fmt::format("; FILE is animated: {}", fmt::join(animation_endings(), " "))});
-    line.path(output, options.page, text::page);
+    line.path(output, options.page, text::page, {.use = FileUse::written});
+    line.text(output, options.page_camera, text::page_camera);
     line.path(output, options.page_index, text::page_index);
-    line.path(output, options.thumbnail, text::thumbnail);
-    line.path(output, options.still, text::still);
-    line.path(output, options.report, text::report);
+    line.path(output, options.page_place, text::page_place);
+    line.path(output, options.thumbnail, text::thumbnail, {.use = FileUse::written});
+    line.path(output, options.still, text::still, {.use = FileUse::written});
+    line.path(output, options.report, text::report, {.standard_output = true, .use = FileUse::written});
     add_event_options(line, output, options.events);
-    line.path(Group::comparison, options.golden.path, text::golden);
+    line.path(Group::comparison, options.golden.path, text::golden, {.use = FileUse::compared});
     line.flag(Group::comparison, options.golden.bless, text::bless);
     add_comparison_options(line, options.golden.comparison);
 }
@@ -204,7 +224,8 @@ void check(const ComparisonOptions& options) {
 
 void check(const OutputOptions& options) {
     check_golden(options.golden);
-    if (!options.report.empty()) check_file_path(options.report);
+    check_standard_output(options);
+    if (!options.report.empty() && !is_standard_output(options.report)) check_file_path(options.report);
     check_names(options);
     check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
@@ -229,6 +250,7 @@ void check(const OutputOptions& options) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
     }
     if (options.path.empty()) return;
+    check_ending(options.path);
     const NamePattern name = name_of(options);
     const std::string text = options.path.string();
     if (is_page(options.path)) {
@@ -264,7 +286,6 @@ void check(const OutputOptions& options) {
 
 void check_outputs(const RenderJob& job) {
     const OutputOptions& output = job.output;
-    check_inputs_stay(job);
     if (pictures_of(output) > 1 && !is_series(output) && !job.look.show.has(Part::tracelines)) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "

@@ -20,7 +20,7 @@ void check(const ComparisonOptions& options);
 /// can't be written
 void check(const OutputOptions& options);
 
-/// \throws Error usage when the report would be written over an input, or an animation shows nothing that moves
+/// \throws Error usage when an animation shows nothing that moves
 void check_outputs(const RenderJob& job);
 
 }  // namespace vvr

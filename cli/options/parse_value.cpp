@@ -78,6 +78,20 @@ std::optional<double> unit_seconds(std::string_view text) {
     return std::nullopt;
 }
 
+/// `02:00` or `02:00:30`, in seconds since midnight.
+std::optional<std::int64_t> time_of_day(std::string_view text) {
+    const auto parts = split(text, ':');
+    if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
+    std::int64_t seconds = 0;
+    for (const std::string_view part : parts) {
+        const bool hours = part.data() == parts.front().data();
+        const auto value = part.size() == 2 ? number<int>(part) : std::nullopt;
+        if (!value || *value < 0 || *value > (hours ? 23 : 59)) return std::nullopt;
+        seconds = seconds * 60 + *value;
+    }
+    return parts.size() == 2 ? seconds * 60 : seconds;
+}
+
 std::optional<double> seconds_of(std::string_view text) {
     return text.find(':') == std::string_view::npos ? unit_seconds(text) : clock_seconds(text);
 }
@@ -179,6 +193,44 @@ Time parse_time(std::string_view text) {
     const auto seconds = seconds_of(text);
     if (!seconds) refuse(text, "a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame");
     return {*seconds, Time::Unit::seconds};
+}
+
+std::optional<std::int64_t> parse_date_time(std::string_view text) {
+    constexpr std::size_t date = 10;  // characters of 2026-11-22
+    if (text.size() <= date || (text[date] != ' ' && text[date] != 'T')) return std::nullopt;
+    const auto parts = split(text.substr(0, date), '-');
+    const auto clock = time_of_day(text.substr(date + 1));
+    if (parts.size() != 3 || parts[0].size() != 4 || parts[1].size() != 2 || !clock) return std::nullopt;
+    const auto year = number<int>(parts[0]);
+    const auto month = number<unsigned>(parts[1]);
+    const auto day = number<unsigned>(parts[2]);
+    if (!year || !month || !day) return std::nullopt;
+    const std::chrono::year_month_day calendar{std::chrono::year(*year), std::chrono::month(*month),
+                                               std::chrono::day(*day)};
+    if (!calendar.ok()) return std::nullopt;
+    const std::chrono::sys_seconds midnight = std::chrono::sys_days(calendar);
+    return midnight.time_since_epoch().count() + *clock;
+}
+
+std::variant<Time, AskedTime> parse_place(std::string_view text) {
+    constexpr std::string_view forms = "a date and time like 2026-11-22 02:00, or a time of day like @02:00";
+    if (text.starts_with('@')) {
+        const auto clock = time_of_day(text.substr(1));
+        if (!clock) refuse(text, forms);
+        return AskedTime{*clock, false, std::string(text)};
+    }
+    if (const auto seconds = parse_date_time(text)) return AskedTime{*seconds, true, std::string(text)};
+    // Dates that are none, and dates alone.
+    if (text.size() > 4 && text[4] == '-') refuse(text, forms);
+    return parse_time(text);
+}
+
+DayPart parse_day_part(std::string_view text) {
+    const auto ends = split(text, '-');
+    const auto begin = time_of_day(ends.front());
+    const auto end = ends.size() == 2 ? time_of_day(ends.back()) : std::nullopt;
+    if (!begin || !end || *begin == *end) refuse(text, "a part of the day like 02:00-05:00");
+    return {*begin, *end, std::string(text)};
 }
 
 }  // namespace vvr

@@ -50,17 +50,34 @@ std::span<const Preset> presets() {
     return table;
 }
 
-std::vector<std::string> with_preset(std::span<const std::string> arguments) {
-    std::vector<std::string> all(arguments.begin(), arguments.end());
+std::vector<std::pair<std::string, std::string>> settings_of_preset(std::string_view name) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    const auto preset = std::ranges::find(table, name, &Preset::name);
+    if (preset == table.end()) return settings;
+    for (std::size_t i = 0; i + 1 < preset->arguments.size(); i += 2)
+        settings.emplace_back(preset->arguments[i].substr(2), preset->arguments[i + 1]);
+    return settings;
+}
+
+std::string preset_among(std::span<const std::string> arguments) {
+    std::string name;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
-        std::string name;
+        if (argument == "--") break;
         if (argument == option && i + 1 < arguments.size()) name = arguments[i + 1];
         if (argument.starts_with(option) && argument.substr(option.size()).starts_with('='))
             name = argument.substr(option.size() + 1);
-        const auto preset = std::ranges::find(table, name, &Preset::name);
-        if (preset != table.end()) all.insert(all.begin(), preset->arguments.begin(), preset->arguments.end());
     }
+    return name;
+}
+
+std::vector<std::string> with_preset(std::span<const std::string> arguments,
+                                     const std::function<bool(const std::string& name)>& has) {
+    std::vector<std::string> all;
+    for (const auto& [name, value] : settings_of_preset(preset_among(arguments))) {
+        if (has(name)) all.push_back("--" + name + "=" + value);
+    }
+    all.insert(all.end(), arguments.begin(), arguments.end());
     return all;
 }
 

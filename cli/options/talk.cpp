@@ -19,7 +19,7 @@ void add_talk_options(CommandLine& line, TalkOptions& options) {
     line.flag(Group::run, options.quiet, text::quiet, {.letter = 'q'});
     line.flag(Group::run, options.verbose, text::verbose, {.letter = 'v'});
     line.exclude(text::verbose, text::quiet);
-    line.text(Group::run, options.log_file, text::log_file);
+    line.text(Group::run, options.log_file, text::log_file, {.use = FileUse::written});
     line.name(Group::run, options.log_format, names_of(log_formats()), text::log_format);
 }
 

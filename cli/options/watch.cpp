@@ -34,7 +34,7 @@ void add_stream_options(CommandLine& line, StreamOptions& options) {
 std::string address_of(const std::string& input) {
     if (!input.starts_with('@')) return input;
     const std::string file = input.substr(1);
-    std::istringstream lines(read_file(file));
+    std::istringstream lines(read_file(file, most_bytes::text));
     std::string address;
     std::getline(lines, address);
     while (!address.empty() && std::isspace(static_cast<unsigned char>(address.back())) != 0) address.pop_back();
@@ -48,7 +48,7 @@ void add_stream_clock(CommandLine& line, StartTime& start) {
     line.value(Group::look, setting::stream_clock, "",
                [&start](const std::string& given) {
                    start = parse_start_time(given);
-                   if (start.from != StartTime::From::recorded) return;
+                   if (start.from == StartTime::From::given || start.from == StartTime::From::nobody) return;
                    throw Error(ErrorKind::usage, std::string(setting::start_time.not_live));
                },
                {.defaults = std::string(setting::stream_clock.otherwise)});
@@ -59,7 +59,8 @@ void add_stream_output(CommandLine& line, OutputOptions& options) {
               {.letter = 'o',
                .help = fmt::format(": {}; a page that reloads itself: .html; a series, one file per brick, has a field "
                                    "in its name: {{brick:4}}, #### or %04d",
-                                   fmt::join(picture_endings(), " "))});
+                                   fmt::join(picture_endings(), " ")),
+               .use = FileUse::written});
 }
 
 void check_stream(const RenderJob& job) {

@@ -152,6 +152,22 @@ std::string span_of(const Caption& caption, const Volume& volume) {
     return text;
 }
 
+/// A gap may be one of signal, or lie between the parts that were asked for.
+std::vector<TimeGap> explained_gaps(const FrameSpan& span, const Volume& volume) {
+    std::vector<TimeGap> gaps = time_gaps(volume);
+    if (span.parts.empty()) return gaps;
+    constexpr double little = 1;  // seconds
+    for (TimeGap& gap : gaps) {
+        double asked = 0;
+        for (const FrameSpan::Part& part : span.parts) {
+            asked += std::max(0.0, std::min(part.end, gap.end) - std::max(part.begin, gap.begin));
+        }
+        const bool left_out = gap.end - gap.begin - asked > little;
+        if (left_out) gap.words = asked > little ? "left out, no signal" : "left out";
+    }
+    return gaps;
+}
+
 /// In the middle of the volume: an empty picture would look like a mistake.
 void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& lettering) {
     const PixelBox& box = framing.sheet.volume;
@@ -315,8 +331,8 @@ Lettering letter(const RenderJob& job, const Caption& caption, const Volume& vol
     letter_legend(legend, sheet, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
-        letter_gaps(time_gaps(volume), layout, framing.edge, framing.camera, framing.sheet, rgba(job.look.theme.fast),
-                    lettering);
+        letter_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera, framing.sheet,
+                    rgba(job.look.theme.fast), lettering);
     }
     // Before the ticks: who reads a clock should know first where it leaps.
     if (ruler) {

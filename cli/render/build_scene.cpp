@@ -5,6 +5,7 @@
 
 #include "cli/render/volume_paint.h"
 #include "core/bricks/used_seeds.h"
+#include "core/fields/settings.h"
 #include "core/glance/directions.h"
 #include "core/scene/overlay.h"
 
@@ -30,7 +31,9 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
     const bool stand = job.look.show.has(Part::frames) && job.look.keyframes > 0;
     needs.colour = colour.needs_pictures || (stand && source.has_pictures()) ||
                    (job.picture.colour == VolumeColour::object && source.has_pictures());
-    needs.every = source.interval(std::max<std::int64_t>(1, frames / arrow_times));
+    // Frames are what a header says, or times that are years apart: nobody asked for such an interval.
+    constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
+    needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
 }
 
@@ -62,7 +65,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, seeds, layout, job.look.traces);
     const glm::vec4 line_colour(job.look.theme.lines, 1);
     if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
-    const auto add_lines = [&scene](const std::vector<Segment>& lines) {
+    const auto add_lines = [&scene](const std::vector<LineSegment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
     add_lines(ruler_marks(volume, layout, framing.edge, ticks, line_colour));
@@ -101,7 +104,7 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
 void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
                   std::int64_t window_layers, Scene& scene) {
     const Layout& layout = *drawing.layout;
-    const auto add = [&scene](const std::vector<Segment>& lines) {
+    const auto add = [&scene](const std::vector<LineSegment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
     if (job.look.show.has(Part::bricks)) {

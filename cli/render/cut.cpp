@@ -1,7 +1,6 @@
 #include "cli/render/cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -9,23 +8,18 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/render/event_times.h"
+#include "cli/render/footage.h"
 #include "cli/render/open_fields.h"
 #include "cli/render/render_clip.h"
-#include "cli/render/shown_name.h"
-#include "cli/render/tell_problems.h"
+#include "cli/render/write_piece.h"
 #include "core/error.h"
 #include "core/fields/filter.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film_encoder.h"
-#include "core/store/manifest.h"
-#include "core/video/packet_copy.h"
-#include "core/video/picture_list.h"
+#include "core/video/container.h"
 #include "core/video/piece.h"
-#include "core/video/scaler.h"
-#include "core/words.h"
+#include "core/video/stream_info.h"
 
 namespace vvr {
 
@@ -33,57 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Thrown by the function that writes the file, so that nothing of it stays.
-struct Stopped {};
-
-/// How the frames of an exact piece are encoded. Frames do not refer to later ones, so that times begin at 0.
-struct Encoding {
-    std::string_view muxer;
-    const char* encoder;
-    const char* options;
-};
-
-/// The first of a container whose encoder is installed is taken.
-constexpr const char* h264 = "crf=18,preset=veryfast,bf=0,x264-params=log=-1,colorspace=smpte170m,color_range=tv";
-constexpr std::array encodings{
-    Encoding{"mp4", "libx264", h264},
-    Encoding{"mov", "libx264", h264},
-    Encoding{"matroska", "libx264", h264},
-    Encoding{"mp4", "mpeg4", "b=12000000"},
-    Encoding{"mov", "mpeg4", "b=12000000"},
-    Encoding{"matroska", "mpeg4", "b=12000000"},
-    Encoding{"webm", "libvpx-vp9", "crf=28,b=0,cpu-used=5,deadline=realtime"},
-    Encoding{"webm", "libvpx", "crf=10,b=20000000,cpu-used=5,deadline=realtime"},
-};
-
-const Encoding& encoding_for(const fs::path& path) {
-    const ContainerRow& container = container_of(path);
-    const auto fits = [&](const Encoding& e) { return e.muxer == container.muxer && has_encoder(e.encoder); };
-    if (const auto found = std::ranges::find_if(encodings, fits); found != encodings.end()) return *found;
-    std::vector<std::string_view> others;
-    for (const ContainerRow& row : containers()) {
-        if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
-    }
-    throw Error(ErrorKind::usage,
-                fmt::format("cannot write '{}': an exact piece can't be a {}, or its encoder is not installed; choose "
-                            "{}",
-                            path.string(), container.name, fmt::join(others, ", ")),
-                {"exact"});
-}
-
-/// Only a file with times can be cut.
-void check_input(const std::string& name) {
-    const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is {}; give the file of a clip", name, what));
-    };
-    std::error_code none;
-    if (name == "-") refuse("stdin, which can't be cut");
-    if (is_data_folder(name)) refuse("what `vvr extract` wrote, and has no video in it");
-    if (fs::is_regular_file(name, none)) return;
-    if (list_pictures(name)) refuse("a sequence of pictures, not a clip");
-    if (is_url(name)) refuse("an address; save it to a file first");
-    if (fs::exists(name, none)) refuse("not a regular file");
-}
+constexpr double little = 0.002;  // seconds; less than any frame lasts, more than times are rounded by
 
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
     std::error_code none;
@@ -97,71 +41,121 @@ double rounded(double seconds) {
     return std::round(seconds * 1000) / 1000;
 }
 
-std::vector<EventTimes> search(const RenderJob& asked, Observer& observer) {
-    validate(asked);
-    if (!find_filter(asked.fields.filter).traits.shows_object) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter",
-                                asked.fields.filter),
-                    {"filter"});
-    }
-    const OpenedFields fields = open_fields(asked);
-    RenderJob job = asked;
-    job.look.show = {};
-    std::vector<EventTimes> times;
-    for (const Event& event : find_events(job, *fields.source, observer)) {
-        times.push_back({event.first.seconds, event.last.seconds});
-    }
-    return times;
-}
-
-std::vector<EventTimes> events_of(const CutJob& job, const std::string& input, Observer& observer) {
-    if (job.report.empty()) return search(job.search, observer);
-    ReportedEvents events = read_events(job.report);
-    if (fs::path(events.clip).filename() != fs::path(input).filename()) {
-        observer.warn(fmt::format("report '{}' is about '{}', and the clip is '{}'", job.report.string(),
-                                  shown_name(events.clip), input));
-    }
-    return std::move(events.times);
-}
-
-FrameSpan span_of_event(const CutJob& job, const std::string& input, Observer& observer) {
-    const std::vector<EventTimes> events = events_of(job, input, observer);
-    const auto count = std::ssize(events);
-    if (*job.event < 1 || *job.event > count) {
-        const std::string where = job.report.empty() ? input : job.report.string();
-        const std::string what = count == 0   ? "has no events"
-                                 : count == 1 ? "has 1 event; choose that"
-                                              : fmt::format("has {} events; choose 1 to {}", count, count);
-        throw Error(ErrorKind::usage, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
-                    {"event"});
-    }
-    const EventTimes& event = events[static_cast<std::size_t>(*job.event - 1)];
-    // The end of a span is left out of it, and an event's last frame belongs to it.
-    constexpr double little = 0.002;  // seconds; less than any frame lasts, more than times are rounded by
+/// What of the footage is in the piece.
+struct Selection {
     FrameSpan span;
-    span.start = rounded(std::max(0.0, event.first - job.margin));
-    span.end = rounded(event.last + job.margin) + little;
+    std::vector<SegmentPlace> places;
+};
+
+// ---- An event
+
+const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>& events, const std::string& where) {
+    const auto count = std::ssize(events);
+    if (*job.event >= 1 && *job.event <= count) return events[static_cast<std::size_t>(*job.event - 1)];
+    const std::string what = count == 0   ? "has no events"
+                             : count == 1 ? "has 1 event; choose that"
+                                          : fmt::format("has {} events; choose 1 to {}", count, count);
+    throw Error(ErrorKind::usage, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
+                {"event"});
+}
+
+FrameSpan span_of(const EventTimes& event, double margin) {
+    // The end of a span is left out of it, and an event's last frame belongs to it.
+    FrameSpan span;
+    span.start = rounded(std::max(0.0, event.first - margin));
+    span.end = rounded(event.last + margin) + little;
     return span;
 }
 
-void check_margin(const CutJob& job, const Time& time, std::string_view option) {
-    if (job.margin == 0 || time.unit == Time::Unit::seconds) return;
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("margin is in seconds, and {} {} is a frame; give a time such as 12.5s", option, time.value),
-        {"margin"});
+Selection find_event(const CutJob& job, const Footage& footage, Observer& observer) {
+    validate(job.search);
+    const std::string& filter = job.search.fields.filter;
+    if (!find_filter(filter).traits.shows_object) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter),
+                    {"filter"});
+    }
+    const OpenedFields fields = open_fields(job.search);
+    RenderJob search = job.search;
+    search.look.show = {};
+    std::vector<EventTimes> events;
+    for (const Event& event : find_events(search, *fields.source, observer)) {
+        events.push_back({event.first.seconds, event.last.seconds});
+    }
+    const FrameSpan span = span_of(choose_event(job, events, footage.recording.name), job.margin);
+    if (footage.is_single) return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
+    return {span, fields.source->info().segments};
 }
 
-FrameSpan span_between(const CutJob& job) {
+Selection read_event(const CutJob& job, const Footage& footage) {
+    const ReportedEvents reported = read_events(job.report);
+    const EventTimes& event = choose_event(job, reported.times, job.report.string());
+    const auto number = static_cast<std::size_t>(*job.event - 1);
+    return {span_of(event, job.margin), place_by_report(footage, reported, number, job.margin, job.report.string())};
+}
+
+// ---- Between two times
+
+/// What is known of the recording's second 0.
+/// \param file of the footage
+/// \param begin its place in the recording, seconds
+VideoInfo info_of(const Footage& footage, const Segment& file, double begin, double rate) {
+    const ClipHeader header = header_of(Demuxer(open_input(file.path), Demuxer::Kind::video, rate));
+    const std::int64_t before = std::llround(begin);
+    VideoInfo info;
+    info.name = footage.recording.name;
+    info.duration = begin + header.length;
+    if (file.begin) info.began = *file.begin - before;
+    info.began_by = file.begin_by;
+    if (header.created) info.created = *header.created - before;
+    return info;
+}
+
+/// The same job with times of the recording for those that were asked for by the clock on the wall.
+CutJob in_seconds(CutJob job, const Footage& footage, Observer& observer) {
+    if (!job.asked.start && !job.asked.end) return job;
+    const VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    const WallClock known = clock_of(job.search.look.start_time, info);
+    const auto seconds = [&](const AskedTime& asked, std::string_view setting, double from) {
+        return Time{seconds_of(asked, require_clock(known, info, setting, asked.text), from), Time::Unit::seconds};
+    };
+    if (job.asked.start) {
+        job.from = seconds(*job.asked.start, "from", 0);
+        if (job.from->value < 0) {
+            observer.warn(fmt::format("'{}' begins at {}, after the piece was to begin", info.name, known->iso(0)));
+            job.from->value = 0;
+        }
+    }
+    const double begin = job.from && job.from->unit == Time::Unit::seconds ? job.from->value : 0;
+    if (job.asked.end) job.to = seconds(*job.asked.end, "to", begin + 1e-3);
+    return job;
+}
+
+void check_unit(const CutJob& job, const Footage& footage, const Time& time, std::string_view option) {
+    if (time.unit == Time::Unit::seconds || time.value == 0) return;
+    if (job.margin > 0) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("margin is in seconds, and {} {} is a frame; give a time such as 12.5s", option, time.value),
+            {"margin"});
+    }
+    if (footage.is_single) return;
+    throw Error(ErrorKind::usage,
+                fmt::format("{} {} is a frame, and the frames of a recording of several files are not counted without "
+                            "decoding it; give a time such as 12.5s",
+                            option, time.value),
+                {option});
+}
+
+FrameSpan span_between(const CutJob& job, const Footage& footage) {
     FrameSpan span;
     if (job.from) {
-        check_margin(job, *job.from, "from");
+        check_unit(job, footage, *job.from, "from");
         if (job.from->unit == Time::Unit::seconds) span.start = std::max(0.0, job.from->value - job.margin);
         if (job.from->unit == Time::Unit::frames) span.first = static_cast<std::int64_t>(job.from->value);
     }
     if (job.to) {
-        check_margin(job, *job.to, "to");
+        check_unit(job, footage, *job.to, "to");
         if (job.to->unit == Time::Unit::seconds) span.end = job.to->value + job.margin;
         if (job.to->unit == Time::Unit::frames) span.stop = static_cast<std::int64_t>(job.to->value);
     }
@@ -176,127 +170,94 @@ FrameSpan span_between(const CutJob& job) {
     return span;
 }
 
-void warn_of_end(Observer& observer, const std::string& name, double end) {
-    observer.warn(fmt::format("'{}' ends at {:.3f} s, before the piece was to end", name, end));
+Selection select_between(const CutJob& job, const Footage& footage, Observer& observer) {
+    const FrameSpan span = span_between(job, footage);
+    return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
-bool copy(const CutJob& job, const std::string& name, const FrameSpan& span, Observer& observer,
-          const std::stop_token& stop) {
-    const Input input = open_input(name);
-    const double rate = job.search.input.rate;
-    const Piece piece = find_piece(input, rate, span);
-    Copied copied;
-    try {
-        const auto held = observer.guard();
-        replace_file(job.path, [&](const WriteAt& write_at) {
-            copied = copy_piece(input, rate, piece, job.path, write_at, [&] { return stop.stop_requested(); });
-            if (copied.stopped) throw Stopped();
-        });
-    } catch (const Stopped&) {
-        return false;
-    }
-    if (piece.ends_early && !job.event) warn_of_end(observer, name, piece.end);
-    if (piece.damaged > 0) {
-        observer.warn(
-            fmt::format("'{}': {} of the piece copied as they are", name, counted(piece.damaged, "damaged packet")));
-    }
-    if (!copied.left_out.empty()) {
-        observer.info(fmt::format("'{}': left out, as it is neither picture, sound nor text: {}", job.path.string(),
-                                  fmt::join(copied.left_out, ", ")));
-    }
-    const double before = piece.wanted - piece.begin;
-    const std::string lead = before < 0.0005 ? "a key frame, where the piece does"
-                                             : fmt::format("the key frame {:.3f} s before the piece", before);
-    observer.info(fmt::format("'{}': {} copied, {:.3f} s to {:.3f} s of '{}'; it begins with {}", job.path.string(),
-                              counted(copied.packets, "frame"), piece.begin, piece.end, name, lead));
-    return true;
+// ---- Where it goes
+
+/// A name whose ending says nothing yet, or a folder.
+bool is_open(const fs::path& path) {
+    std::error_code none;
+    return !path.has_filename() || fs::is_directory(path, none) || path.extension().empty();
 }
 
-/// Frames of a clip from a span's first on.
-std::unique_ptr<DecodedFrame> first_of(FrameSource& clip, const FrameSpan& span) {
-    if (span.start > 0) clip.seek(span.start - 1);
-    auto frame = clip.next();
-    while (frame && is_before(span, frame->index, frame->pts)) frame = clip.next();
-    return frame;
+/// The file's name with what was left open: the ending that fits, in a folder a name after the first file.
+fs::path named(const CutJob& job, const Selection& selection, const FootagePart& first) {
+    if (!is_open(job.path)) return job.path;
+    const Input input = open_input(first.file.path);
+    const std::string_view ending = job.exact ? ending_of_exact() : ending_for(input, job.search.input.rate);
+    if (ending.empty()) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
+                                first.file.path),
+                    {"exact"});
+    }
+    std::error_code none;
+    const bool is_folder = !job.path.has_filename() || fs::is_directory(job.path, none);
+    if (!is_folder) return fs::path(job.path) += ending;
+    const std::string stem = fs::path(first.file.path).stem().string();
+    const std::string what =
+        job.event ? fmt::format("event-{}", *job.event) : fmt::format("{:.3f}s", selection.span.start);
+    return job.path / fmt::format("{}-{}{}", stem, what, ending);
 }
 
-struct Encoded {
-    std::int64_t frames = 0;
-    double begin = 0;
-    double end = 0;
-    bool ends_early = false;
-};
-
-Encoded encode(const CutJob& job, FrameSource& clip, std::unique_ptr<DecodedFrame> frame, const FrameSpan& span,
-               const WriteAt& write_at, Observer& observer, const std::stop_token& stop) {
-    constexpr int ticks = 90'000;
-    constexpr int default_rate = 25;
-    const Encoding& encoding = encoding_for(job.path);
-    const double given = clip.info().rate;
-    const int rate = given > 0 ? static_cast<int>(std::clamp(std::round(given), 1.0, 1000.0)) : default_rate;
-    FilmEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options}, job.path.string(),
-                     clip.info().size, ticks, rate, 2 * rate, write_at);
-    Scaler scale(clip);
-    const std::int64_t expected = expected_frames(clip.info(), span);
-    Encoded encoded{0, frame->pts, frame->pts, false};
-    std::int64_t last_tick = -1;
-    for (; frame && !is_past(span, frame->index, frame->pts); frame = clip.next()) {
-        if (stop.stop_requested()) throw Stopped();
-        // Two frames of one time are shown one after the other.
-        last_tick = std::max(last_tick + 1, std::int64_t{std::llround((frame->pts - encoded.begin) * ticks)});
-        encoded.end = frame->pts;
-        film.add(scale(*frame).colour, last_tick);
-        observer.frames(++encoded.frames, expected);
-    }
-    film.finish();
-    const double length = given > 0 ? 1 / given : 0;
-    encoded.ends_early = !frame && span.end && encoded.end + length + 0.002 < *span.end;
-    return encoded;
+void check_output(const CutJob& job, const fs::path& path, const Footage& footage, Observer& observer) {
+    for (const Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
+    if (!job.report.empty()) check_not_input(path, job.report, "report");
+    const auto held = observer.guard();
+    check_file_path(path);
 }
 
-bool cut_exactly(const CutJob& job, const std::string& name, const FrameSpan& span, Observer& observer,
-                 const std::stop_token& stop) {
-    InputOptions options = job.search.input;
-    options.field_size = {-1, -1};
-    std::vector<std::string> warnings;
-    const auto clip = open_clip(options, true, job.search.fields.threads, warnings);
-    tell_problems(warnings, {}, observer);
-    auto frame = first_of(*clip, span);
-    if (!frame || is_past(span, frame->index, frame->pts)) throw_empty(name, span, std::nullopt);
-    Encoded encoded;
-    try {
-        const auto held = observer.guard();
-        replace_file(job.path, [&](const WriteAt& write_at) {
-            encoded = encode(job, *clip, std::move(frame), span, write_at, observer, stop);
-        });
-    } catch (const Stopped&) {
-        return false;
+// ---- What is there of it
+
+/// The clock of the footage, by the first file whose place in it is known.
+void set_clock(const CutJob& job, const Footage& footage, const SegmentPlace& first, PieceJob& piece) {
+    const auto file = std::ranges::find(footage.recording.segments, first.path, &Segment::path);
+    const VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
+    const StartTime& start = job.search.look.start_time;
+    piece.clock = clock_of(start, info);
+    if (start.from != StartTime::From::nobody) piece.created = info.created;
+}
+
+/// Gaps are kept, and said.
+void tell_gaps(const PieceJob& piece, Observer& observer) {
+    double shown = piece.span.start;
+    for (const FootagePart& part : piece.parts) {
+        if (part.file.begin > shown + little) {
+            observer.warn(
+                fmt::format("'{}' has nothing from {:.3f} s to {:.3f} s", piece.name, shown, part.file.begin));
+        }
+        shown = std::max(shown, part.file.end);
     }
-    if (encoded.ends_early && !job.event) warn_of_end(observer, name, encoded.end);
-    if (clip->damaged() > 0) {
-        observer.warn(fmt::format("'{}': {}; the piece has the frames that decoded", name,
-                                  counted(clip->damaged(), "damaged packet")));
-    }
-    observer.info(fmt::format("'{}': {} encoded anew without sound, {:.3f} s to {:.3f} s of '{}'", job.path.string(),
-                              counted(encoded.frames, "frame"), encoded.begin, encoded.end, name));
-    return true;
 }
 
 }  // namespace
 
-bool cut(const CutJob& job, Observer& observer, const std::stop_token& stop) {
-    const std::string& name = only_input(job.search.input);
-    container_of(job.path);
-    if (job.exact) encoding_for(job.path);
-    check_input(name);
-    check_not_input(job.path, name, "clip");
-    if (!job.report.empty()) check_not_input(job.path, job.report, "report");
-    {
-        const auto held = observer.guard();
-        check_file_path(job.path);
-    }
-    const FrameSpan span = job.event ? span_of_event(job, name, observer) : span_between(job);
-    return job.exact ? cut_exactly(job, name, span, observer, stop) : copy(job, name, span, observer, stop);
+bool cut(const CutJob& asked, Observer& observer, const std::stop_token& stop) {
+    const bool open = is_open(asked.path);
+    if (!open) asked.exact ? check_exact(asked.path) : static_cast<void>(container_of(asked.path));
+    const Footage footage = find_footage(asked.search.input);
+    const CutJob job = in_seconds(asked, footage, observer);
+    if (!open) check_output(job, job.path, footage, observer);
+    const Selection selection = !job.event           ? select_between(job, footage, observer)
+                                : job.report.empty() ? find_event(job, footage, observer)
+                                                     : read_event(job, footage);
+    PieceJob piece;
+    piece.name = footage.recording.name;
+    piece.camera = footage.recording.camera;
+    piece.span = selection.span;
+    piece.parts = parts_in(selection.places, selection.span);
+    piece.input = job.search.input;
+    piece.threads = job.search.fields.threads;
+    piece.tells_early_end = !job.event;
+    if (piece.parts.empty()) throw_empty(piece.name, piece.span, selection.places.back().end);
+    set_clock(job, footage, selection.places.front(), piece);
+    piece.path = named(job, selection, piece.parts.front());
+    if (open) check_output(job, piece.path, footage, observer);
+    tell_gaps(piece, observer);
+    return job.exact ? encode_piece(piece, observer, stop) : copy_piece(piece, observer, stop);
 }
 
 }  // namespace vvr

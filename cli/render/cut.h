@@ -6,19 +6,21 @@
 
 #include "cli/render/job.h"
 #include "cli/render/observer.h"
+#include "core/video/asked_time.h"
 
 namespace vvr {
 
-/// A piece of a clip, and where it goes. The piece is an event, or lies between two times.
+/// A piece of a clip or a recording, and where it goes. The piece is an event, or lies between two times.
 struct CutJob {
-    RenderJob search;                   ///< the clip, and how events are found in it; nothing is drawn
+    RenderJob search;                   ///< the footage, its clock, and how events are found in it; nothing is drawn
     std::filesystem::path report;       ///< lists the events instead; empty = they are searched for
     std::optional<std::int64_t> event;  ///< its number, from 1
     std::optional<Time> from;           ///< none = from the beginning
     std::optional<Time> to;             ///< the first frame that is no longer in it; none = to the end
+    AskedSpan asked{};                  ///< instead of these: by the clock on the wall
     double margin = 0;                  ///< seconds before and after
     bool exact = false;                 ///< encodes the frames of the piece anew, without sound
-    std::filesystem::path path;
+    std::filesystem::path path;         ///< a file; without an ending, or a folder: the rest of the name is chosen
 };
 
 /// Writes the piece. Packets are copied from the key frame before it on, unless it is to be exact.

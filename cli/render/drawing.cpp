@@ -1,8 +1,12 @@
 #include "cli/render/drawing.h"
 
+#include <algorithm>
+#include <numbers>
+
 #include "cli/render/build_scene.h"
 #include "core/scene/hues.h"
 #include "core/scene/object_looks.h"
+#include "core/scene/slices.h"
 #include "gl/framebuffer.h"
 
 namespace vvr {
@@ -46,6 +50,13 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
     drawing.renderer->set_transfer(drawn_transfer_of(job.look));
     if (job.picture.colour == VolumeColour::object) drawing.renderer->set_looks(looks_of(job.look.theme));
     if (job.picture.colour == VolumeColour::time) drawing.renderer->set_looks(time_colours());
+}
+
+double half_pixel(const RenderJob& job, const Drawing& drawing) {
+    double side = 0;
+    for (const glm::dvec3& p : outline_points(*drawing.layout))
+        side = std::max(side, drawing.framing.camera.pixel_side(p, job.picture.size));
+    return side * std::numbers::sqrt2 / 2;
 }
 
 void rehearse(const RenderJob& job, const Drawing& drawing) {

@@ -29,6 +29,10 @@ void open_context(const RenderJob& job, Drawing& drawing, Observer& observer);
 /// \throws Error backend, limit, io
 void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samples, Drawing& drawing);
 
+/// Half of the diagonal of the largest pixel that shows the volume, in P-space units: the margin of a BrickWindow's
+/// cells.
+double half_pixel(const RenderJob& job, const Drawing& drawing);
+
 /// Draws something small, so that the first real picture finds its shaders compiled. The drawing has a renderer.
 void rehearse(const RenderJob& job, const Drawing& drawing);
 

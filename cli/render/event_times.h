@@ -4,17 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "core/file_digest.h"
+#include "core/video/frame_source.h"
+
 namespace vvr {
 
-/// When an event begins and ends, seconds from the clip's first frame.
+/// When an event begins and ends, seconds from the first frame of the clip or recording.
 struct EventTimes {
     double first = 0;
     double last = 0;
 };
 
-/// The events that a report lists, in the order of their numbers.
+/// A file that a report is about.
+struct ReportedFile {
+    SegmentPlace place;  ///< in the recording, or from 0 on without an end where it is all of the clip
+    FileDigest digest;
+};
+
+/// The events that a report lists, in the order of their numbers, and the files in which they lie.
 struct ReportedEvents {
-    std::string clip;  ///< as the report names it
+    std::vector<ReportedFile> files;
     std::vector<EventTimes> times;
 };
 

@@ -9,6 +9,7 @@
 #include "cli/render/settings.h"
 #include "cli/render/shown_name.h"
 #include "cli/render/tell_problems.h"
+#include "cli/render/used_settings.h"
 #include "core/error.h"
 #include "core/fields/flow.h"
 #include "core/fields/pipeline.h"
@@ -52,7 +53,18 @@ void extract(ExtractJob job, Observer& observer) {
     constexpr bool colour = true;
     std::vector<std::string> warnings;
     const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
+    std::string day_times;
+    job.fields.span = resolve_span(job.fields.span, job.start_time, clip->info(), day_times);
+    if (!job.fields.span.parts.empty()) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("between: '{}' has {} of it, and an extraction is of one stretch; give --start and "
+                                "--end as well, with dates",
+                                clip->info().name, counted(std::ssize(job.fields.span.parts), "part")),
+                    {setting::between.name});
+    }
+    if (!day_times.empty()) observer.info(day_times);
     choose_part(job, clip->info());
+    check_has_end(clip->info(), observer);
     const std::int64_t expected = expected_frames(clip->info(), job.fields.span);
     const std::int64_t flow_every = has_flow(job.fields.flow) ? job.fields.flow.every : 0;
     std::optional<DataFolder> folder;
@@ -63,13 +75,18 @@ void extract(ExtractJob job, Observer& observer) {
         folder->add(*frame, field);
         observer.frames(++frames, expected);
     });
+    if (!folder) {
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
+                                clip->info().name));
+    }
     Manifest manifest;
     manifest.clip = clip->info();
     manifest.clip.title = title_of("", clip->info());
     manifest.span = job.fields.span;
     manifest.field_size = clip->field_size();
     manifest.damaged = summary.damaged;
-    manifest.settings = with_values(job.settings);
+    manifest.settings = used_settings(job.settings);
     {
         const auto held = observer.guard();
         folder->close(std::move(manifest), summary.reference);
@@ -82,6 +99,7 @@ void extract(ExtractJob job, Observer& observer) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     observer.info(fmt::format("'{}': {} of {}x{}, {:.1f} s", job.folder.string(), counted(summary.frames, "frame"),
                               clip->field_size().width, clip->field_size().height, took.count()));
+    require_whole(clip->info());
 }
 
 }  // namespace vvr

@@ -12,7 +12,8 @@ namespace vvr {
 /// A clip, and the folder that its data files go to.
 struct ExtractJob {
     InputOptions input;
-    FieldOptions fields;  ///< flow and seeds are kept every `fields.flow.every` frames
+    FieldOptions fields;   ///< flow and seeds are kept every `fields.flow.every` frames
+    StartTime start_time;  ///< by which `fields.span` may have been asked for
     std::filesystem::path folder;
     bool colour = false;                      ///< every frame's picture is kept too
     std::optional<std::pair<int, int>> part;  ///< the first of the second, from 1 on; none = what fields.span says

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/render/record.h"
 #include "cli/render/show_comparison.h"
+#include "cli/render/used_settings.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/difference_view.h"
@@ -39,11 +41,6 @@ void remove_candidate(const fs::path& golden) {
     }
     throw Error(ErrorKind::differs,
                 fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
-}
-
-std::string value_of(const Metadata& metadata, std::string_view name) {
-    const auto found = std::ranges::find(metadata, name, &Metadata::value_type::first);
-    return found == metadata.end() ? "" : found->second;
 }
 
 /// Settings that both record with other values, as words; empty where there are none.
@@ -83,6 +80,12 @@ fs::path candidate_of(const fs::path& golden) {
     return fs::path(golden).replace_extension(".candidate" + golden.extension().string());
 }
 
+void check_golden_picture(const GoldenOptions& options) {
+    std::error_code none;
+    if (options.path.empty() || options.bless || !fs::exists(options.path, none)) return;
+    static_cast<void>(read_samples(options.path));
+}
+
 void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
     const fs::path& golden = options.path;
     const ComparisonOptions& how = options.comparison;
@@ -101,14 +104,14 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         write_picture(how.diff, difference_picture(expected, comparison));
-    show_what_else_differs(golden, settings_of(expected), metadata, observer);
+    show_what_else_differs(golden, used_settings(settings_of(expected)), metadata, observer);
     if (comparison.verdict == Verdict::same) {
         remove_candidate(golden);
         observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
                                   golden.string(), comparison.percent, comparison.patch));
         return;
     }
-    show_difference(comparison, how.tolerance, observer);
+    show_difference(comparison, how.tolerance, "golden", "now", observer);
     fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }
 

@@ -1,5 +1,6 @@
 #include "cli/render/inspect.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,17 @@ std::string polygons_of(std::string_view setting, const std::string& area, Obser
     return {};
 }
 
+/// The frame that was asked for; else the one in the middle, but not so far in that finding it takes long.
+Time wanted_frame(const InspectJob& job, const VideoInfo& info) {
+    constexpr double farthest = 60;
+    return job.frame.value_or(Time{std::min(info.duration / 2, farthest), Time::Unit::seconds});
+}
+
+/// What is to be said where nobody chose the frame.
+std::string_view about_choice(const InspectJob& job) {
+    return job.frame ? "" : "; --frame TIME chooses another";
+}
+
 void write_region_editor(const InspectJob& job, Observer& observer) {
     InputOptions options = job.input;
     options.field_size = {-1, -1};
@@ -54,15 +66,15 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
     std::vector<std::string> warnings;
     const auto clip = open_clip(options, true, job.fields.threads, warnings);
     tell_problems(warnings, {}, observer);
-    const Moment found = find_frame(*clip, job.frame);
+    const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     content.name = shown_name(clip->info().name);
     content.moment = format_moment(found.seconds);
     content.frame = picture_of(*clip, found);
     const std::string text = make_region_editor(content);
     const auto held = observer.guard();
     replace_file(job.path, std::as_bytes(std::span(text)));
-    observer.info(fmt::format("'{}': draw regions on frame {} at {:.3f} s, and copy the option for them",
-                              job.path.string(), found.frame, found.seconds));
+    observer.info(fmt::format("'{}': draw regions on frame {} at {:.3f} s, and copy the option for them{}",
+                              job.path.string(), found.frame, found.seconds, about_choice(job)));
 }
 
 }  // namespace
@@ -73,7 +85,7 @@ void inspect(const InspectJob& job, Observer& observer) {
     constexpr bool colour = true;
     std::vector<std::string> warnings;
     const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
-    const Moment found = find_frame(*clip, job.frame);
+    const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     // The other frames only serve as neighbours.
     FieldOptions fields = job.fields;
     fields.span.first = found.frame;
@@ -92,7 +104,7 @@ void inspect(const InspectJob& job, Observer& observer) {
     }
     const auto held = observer.guard();
     write_picture(job.path, inspection.picture);
-    observer.info(fmt::format("'{}': frame {} at {:.3f} s", name, found.frame, found.seconds));
+    observer.info(fmt::format("'{}': frame {} at {:.3f} s{}", name, found.frame, found.seconds, about_choice(job)));
 }
 
 }  // namespace vvr

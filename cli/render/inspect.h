@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/render/job.h"
 #include "cli/render/observer.h"
@@ -11,7 +12,7 @@ namespace vvr {
 struct InspectJob {
     InputOptions input;
     FieldOptions fields;
-    Time frame;
+    std::optional<Time> frame;  ///< none = the middle of the clip, but not far into it
     std::filesystem::path path;
     std::filesystem::path font;  ///< of the captions; empty = fontconfig's sans
 };

@@ -16,6 +16,7 @@
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
 #include "core/scene/transfer_file.h"
+#include "core/standard_output.h"
 
 namespace vvr {
 
@@ -78,7 +79,8 @@ Products products_of(const RenderJob& job) {
     Products products;
     products.pictures = pictures_of(output);
     products.series = is_series(output);
-    products.pixel_data = page || (!output.path.empty() && !is_animation(output.path) && holds_pixel_data(output.path));
+    products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
+                                   !is_animation(output.path) && holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
     products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
     products.portraits = page && products.events;
@@ -190,12 +192,35 @@ WallClock clock_of(const StartTime& start, const VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
     if (start.from == From::nobody) return std::nullopt;
-    if (info.created) return local_clock(*info.created, info.duration);
-    if (start.from == From::automatic) return std::nullopt;
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("start-time recorded: '{}' does not say when it was recorded; give the date and time", info.name),
-        {setting::start_time.name});
+    const bool told = info.began && tells_recording(info.began_by);
+    struct Row {
+        From from;
+        std::optional<std::int64_t> begin;
+        ClockSource source;
+        std::string_view word;
+        std::string_view missing;
+    };
+    const auto told_by = [&](ClockSource source) {
+        return info.began_by == source ? info.began : std::optional<std::int64_t>();
+    };
+    const auto or_else = [](std::optional<std::int64_t> first, std::optional<std::int64_t> second) {
+        return first ? first : second;
+    };
+    const Row rows[] = {
+        {From::automatic, told ? info.began : std::nullopt, info.began_by, "", ""},
+        {From::recorded, told ? info.began : std::nullopt, info.began_by, "recorded",
+         "the name of '{}' does not say when it was recorded; give the date and time, or say with --names how it does"},
+        {From::container, or_else(told_by(ClockSource::container), info.created), ClockSource::container, "container",
+         "the container of '{}' does not say when it was written; give the date and time"},
+        {From::modified, or_else(told_by(ClockSource::modified), info.modified), ClockSource::modified, "modified",
+         "'{}' is no file that was written at some time; give the date and time"},
+    };
+    const Row& row = *std::ranges::find(rows, start.from, &Row::from);
+    if (row.begin) return local_clock(*row.begin, info.duration, row.source);
+    if (row.missing.empty()) return std::nullopt;
+    throw Error(ErrorKind::usage,
+                fmt::format("start-time {}: {}", row.word, fmt::format(fmt::runtime(row.missing), info.name)),
+                {setting::start_time.name});
 }
 
 EventOptions event_options(const RenderJob& job) {

@@ -28,6 +28,7 @@ namespace vvr {
 struct InputOptions {
     std::vector<std::string> names;    ///< a clip, the files of a recording, or the folders of an extraction in parts
     std::vector<std::string> layouts;  ///< of files' names, before those of known recorders
+    bool join = false;                 ///< files that seem to be unrelated are one recording all the same
     Size field_size{0, 0};             ///< as in SourceOptions
     double rate = 25;                  ///< frames per second, where the input does not say
 };
@@ -44,8 +45,10 @@ struct BrickOptions {
 /// When a clip began.
 struct StartTime {
     enum class From {
-        automatic,  ///< its name or its container, where one of them tells
-        recorded,   ///< the same, and it is an error where none does
+        automatic,  ///< its name, where it tells
+        recorded,   ///< the same, and it is an error where it doesn't
+        container,  ///< when the container says it was written
+        modified,   ///< when the file was last written, less its length
         given,
         nobody,
     };
@@ -150,7 +153,7 @@ GlyphOptions glyph_options_of(const LookOptions& look);
 GlyphStyle glyph_style_of(const RenderJob& job);
 
 /// The clock that a clip's ruler shows.
-/// \throws Error usage where the container is to say when it was recorded, and does not
+/// \throws Error usage where what is to say when it was recorded does not
 WallClock clock_of(const StartTime& start, const VideoInfo& info);
 
 }  // namespace vvr

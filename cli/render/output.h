@@ -26,7 +26,9 @@ struct GoldenOptions {
 struct OutputOptions {
     std::filesystem::path path;
     std::filesystem::path page;        ///< beside the picture; empty = none, unless `path` is one
+    std::string page_camera;           ///< that the page names; empty = what names of files tell
     std::filesystem::path page_index;  ///< of the archive that the page belongs to; empty = none
+    std::filesystem::path page_place;  ///< where the page will stand; empty = where it is written
     std::filesystem::path thumbnail;   ///< empty = none
     std::filesystem::path still;       ///< a frame of the clip; empty = none
     bool plain_name = false;           ///< nothing in `path` is a field

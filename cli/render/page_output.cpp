@@ -5,7 +5,12 @@
 #include <utility>
 
 #include "cli/render/shown_name.h"
+#include "core/error.h"
 #include "core/page/text.h"
+#include "core/video/container.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -19,21 +24,51 @@ PageIndex index_of(const fs::path& page, const fs::path& index) {
     return {relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
 }
 
+/// The camera that an archive knows, or the clip's name tells; empty = nothing tells it.
+std::string camera_of(const RenderJob& job, const VideoInfo& info) {
+    if (!job.output.page_camera.empty()) return job.output.page_camera;
+    if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
+    return look_at_name(job.input.names.front(), RecorderNames(job.input.layouts)).camera;
+}
+
+/// What the page calls its clip in small letters: nothing that stands over it already.
+std::string file_name_of(const RenderJob& job, const PageContent& content) {
+    if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
+    const std::string file = shown_name(job.input.names.front());
+    return content.camera.empty() && content.name == file ? "" : file;
+}
+
+/// The ending of a file that can hold pieces of a clip; empty where that is not known.
+std::string ending_of_pieces(const std::string& file, double rate) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return {};
+    try {
+        return std::string(ending_for(open_input(file), rate));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 std::string page_text(const RenderJob& job, const RenderReport& report, Picture picture, const Metadata& settings,
                       Moments moments, const std::optional<LiveState>& live) {
     std::error_code none;
-    const fs::path& path = page_of(job.output);
+    const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
     const std::string& input = job.input.names.front();
     PageContent content;
     content.name = title_of(job.look.title, report.info);
+    content.camera = camera_of(job, report.info);
+    content.file = file_name_of(job, content);
     for (const SegmentPlace& segment : report.info.segments) {
         if (segment.end <= segment.begin) continue;  // another file shows the same time
         content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
     if (is_file) content.clip_url = relative_url(path, input);
+    const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
+    if (!live) content.cut_ending = ending_of_pieces(first_file, job.input.rate);
+    content.names = job.input.layouts;
     content.shown = report.info.size;
     content.field = report.field_size;
     content.picture = std::move(picture);

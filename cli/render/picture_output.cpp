@@ -6,6 +6,7 @@
 #include "core/fit_into.h"
 #include "core/image/atomic_file.h"
 #include "core/image/resized.h"
+#include "core/standard_output.h"
 
 namespace vvr {
 
@@ -23,7 +24,7 @@ PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
       page_(page_of(options)),
       thumbnail_(options.thumbnail),
       still_(options.still) {
-    if (options.path.empty()) return;
+    if (options.path.empty() || is_standard_output(options.path)) return;
     const auto held = observer.guard();
     if (is_animation(options.path) || is_page(options.path)) {
         check_file_path(options.path);
@@ -37,6 +38,10 @@ void PictureOutput::add(int number, Picture picture, const Metadata& metadata) {
     if (name_.path().empty()) return;
     if (animation_) {
         animation_->add(picture);
+        return;
+    }
+    if (is_standard_output(name_.path())) {
+        write_standard_output(encode_picture("standard-output.png", std::move(picture), metadata));
         return;
     }
     const auto held = observer_.guard();

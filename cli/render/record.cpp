@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/render/settings.h"
+#include "cli/render/used_settings.h"
 #include "core/image/text.h"
 
 namespace vvr {
@@ -18,13 +19,13 @@ void put(Metadata& settings, std::string_view name, const std::string& value) {
     }
 }
 
-Metadata with_values(Metadata settings) {
-    std::erase_if(settings, [](const auto& setting) { return setting.second.empty(); });
-    return settings;
+std::string value_of(const Metadata& settings, std::string_view name) {
+    const auto found = std::ranges::find(settings, name, &Metadata::value_type::first);
+    return found == settings.end() ? "" : found->second;
 }
 
 Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
-    Metadata settings = with_values(job.settings);
+    Metadata settings = used_settings(job.settings);
     const bool text = !report.lettering.labels.empty() || !report.lettering.badges.empty();
     if (text) put(settings, setting::font.name, font_name());
     return settings;

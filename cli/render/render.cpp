@@ -17,9 +17,11 @@
 #include "cli/render/render_series.h"
 #include "cli/render/report_text.h"
 #include "cli/render/tell_problems.h"
+#include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/text.h"
 #include "core/page/telling_still.h"
+#include "core/standard_output.h"
 #include "core/words.h"
 
 namespace vvr {
@@ -49,7 +51,9 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
         observer.warn(
             "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
     }
-    if (report.still) {
+    if (report.still && report.frames < 2) {
+        observer.warn(fmt::format("'{}': there is one frame, so nothing can move, and the volume is empty", name));
+    } else if (report.still) {
         observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
                       {"threshold"});
     }
@@ -97,8 +101,12 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     const RenderJob asked = with_fields_of_colour(given);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
+    check_golden_picture(asked.output.golden);
     OpenedFields fields = open_fields(asked);
-    const RenderJob job = with_colour(with_transfer(with_possible_parts(with_extracted(asked, fields.extracted))));
+    check_has_end(fields.source->info(), observer);
+    RenderJob job = with_colour(with_transfer(with_possible_parts(with_extracted(asked, fields.extracted))));
+    if (fields.extracted.empty()) job.fields.span = fields.span;
+    if (!fields.day_times.empty()) observer.info(fields.day_times);
     Products products = products_of(job);
     if (taken) products.pictures = std::max(products.pictures, 1);
     const std::filesystem::path& page = page_of(job.output);
@@ -112,6 +120,9 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
         if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
         pictures.add_thumbnail(picture);
         Moments moments = watched == nullptr ? Moments{} : watched->take();
+        if (!moments.problem.empty()) {
+            observer.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
+        }
         pictures.add_still(telling_still(moments.stills, events_of(report), report.field_size));
         if (page.empty()) {
             pictures.add(number, std::move(picture), record);
@@ -122,16 +133,27 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     };
     RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
                                           : render_clip(job, products, *fields.source, observer, write);
+    if (report.frames == 0) {
+        throw Error(ErrorKind::not_video,
+                    fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
+                                fields.source->info().name));
+    }
     tell_problems(fields.warnings, report.problems, observer);
+    report.problems.insert(report.problems.begin(), fields.warnings.begin(), fields.warnings.end());
     show_warnings(job, report, observer);
     pictures.close();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
-    if (products.events && report.events) observer.info(summary_of(*report.events));
+    if (products.events && report.events) observer.info(summary_of(*report.events, report.clock));
     if (!job.output.report.empty()) {
         const std::string text = format_report(report, settings_and_font(job, report), took.count());
+        const auto bytes = std::as_bytes(std::span(text));
         const auto held = observer.guard();
-        replace_file(job.output.report, std::as_bytes(std::span(text)));
+        if (is_standard_output(job.output.report)) {
+            write_standard_output(bytes);
+        } else {
+            replace_file(job.output.report, bytes);
+        }
     }
     if (!job.output.golden.path.empty()) {
         meet_golden(job.output.golden, drawn, record_of(job, report, products.series), observer);

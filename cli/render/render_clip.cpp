@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cli/render/advice.h"
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
@@ -16,6 +18,7 @@
 #include "cli/render/render_thread.h"
 #include "cli/render/shown_name.h"
 #include "cli/render/volume_paint.h"
+#include "core/error.h"
 #include "core/events/event_finder.h"
 #include "core/fields/filter.h"
 #include "core/fields/motion.h"
@@ -107,6 +110,13 @@ class Scales {
     double idle_ = 0;
 };
 
+/// A clip that is open has a frame, so it has changed since.
+[[noreturn]] void throw_no_frame(const FieldSource& source) {
+    throw Error(
+        ErrorKind::not_video,
+        fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", source.info().name));
+}
+
 Fields read_fields(const RenderJob& job, const Products& products, FieldSource& source, std::int64_t step,
                    Observer& observer) {
     const std::int64_t expected = source.expected_frames();
@@ -143,6 +153,7 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
         result.last = frame;
         observer.frames(scales.frames(), expected);
     });
+    if (scales.frames() == 0) throw_no_frame(source);
     result.volume = scales.take();
     if (events) result.events = choose_events(events->finish(result.summary.reference), job.output.events);
     return result;
@@ -252,7 +263,8 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     const std::vector<Brick> pieces =
         job.look.show.has(Part::volume) ? pieces_of(bricks, fields.keyframes, volume) : std::vector<Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
-    drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures);
+    drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures,
+                                                   half_pixel(job, drawing));
     drawing.window->show(volume, pieces, 0, identify);
     if (volume.keeps_owners() && fields.events->empty()) {
         // Where there is no object, what changed is all that there is to be seen.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cli/render/advice.h"
 #include "cli/render/build_scene.h"
 #include "cli/render/layers.h"
@@ -48,8 +50,8 @@ class Series {
         if (job.look.show.any(&PartRow::needs_flow)) volume_.keep_flow();
         thread_.run([&, this](Drawing& drawing) {
             const int textures = textures_of(products, window_.bricks * static_cast<int>(pieces_of_brick_));
-            drawing.window =
-                std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(), textures);
+            drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), *drawing.layout, window_.layers(),
+                                                           textures, half_pixel(job, drawing));
         });
         if (finds_objects(job, products)) events_.emplace(source.field_size(), event_options(job_));
         tells_events_ = products.events;
@@ -103,6 +105,8 @@ class Series {
     }
 
   private:
+    enum class Draw { no, yes };
+
     /// Layers of a brick at whose beginning key frames stand: they part it evenly.
     std::vector<std::int64_t> key_layers() const {
         std::vector<std::int64_t> layers;
@@ -127,22 +131,31 @@ class Series {
         std::erase_if(keyframes_, [](const KeyFrame& key) { return key.number < 0; });
     }
 
-    /// A stream's numbers skip the frames that never came. A brick that ends in such a gap gets no picture. Of a gap
-    /// longer than the window only the end is shown.
+    /// A stream's numbers skip the frames that never came. A brick that holds nothing but such a gap gets no picture;
+    /// one that frames began is drawn with them, whatever comes after. Of a gap longer than the window only the end is
+    /// shown.
     void fill_gap(const Field& next) {
         const std::int64_t gap = next.index - last_->index - 1;
-        const std::int64_t shown = std::min(gap, window_.frames());
         const double length = (next.pts - last_->pts) / static_cast<double>(gap + 1);
-        for (std::int64_t i = shown; i > 0; --i) {
-            if (volume_.frames() == window_.frames()) drop_oldest();
-            volume_.add_missing(next.index - i, next.pts - static_cast<double>(i) * length);
-            if (frames_of_newest_ == 0)
-                first_of_bricks_.push_back(std::make_shared<const Frame>(Frame{next.index - i, next.pts, {}, {}}));
-            if (++frames_of_newest_ == window_.brick_frames()) complete_newest(Draw::no);
+        const std::int64_t brick = window_.brick_frames();
+        const std::int64_t of_newest = frames_of_newest_ > 0 ? std::min(gap, brick - frames_of_newest_) : 0;
+        for (std::int64_t i = 1; i <= of_newest; ++i) {
+            add_missing(last_->index + i, last_->pts + static_cast<double>(i) * length, Draw::yes);
+        }
+        for (std::int64_t i = std::min(gap - of_newest, window_.frames()); i > 0; --i) {
+            add_missing(next.index - i, next.pts - static_cast<double>(i) * length, Draw::no);
         }
     }
 
-    enum class Draw { no, yes };
+    /// \param wanted what to do with a brick that this ends
+    void add_missing(std::int64_t index, double pts, Draw wanted) {
+        if (volume_.frames() == window_.frames()) drop_oldest();
+        volume_.add_missing(index, pts);
+        if (frames_of_newest_ == 0) {
+            first_of_bricks_.push_back(std::make_shared<const Frame>(Frame{index, pts, {}, {}}));
+        }
+        if (++frames_of_newest_ == window_.brick_frames()) complete_newest(wanted);
+    }
 
     void complete_newest(Draw wanted) {
         report_.stages.end("fields");
@@ -195,7 +208,8 @@ class Series {
                                   *drawing.layout, drawing.framing, ticks, glance.objects, identify_);
         report_.arrows = scene.arrows.size();
         report_.stages.end("scene");
-        report_.frames_missing = report_.frames_missing || (shows_frames && scene.frames.size() < 2);
+        report_.frames_missing =
+            report_.frames_missing || (shows_frames && volume_.missing() == 0 && scene.frames.size() < 2);
         add_overlays(job_, drawing, bricks_, window_.layers(), scene);
         drawing.renderer->set_scene(std::move(scene));
         const Lettering lettering = letter(job_, caption_, volume_, *drawing.layout, drawing.framing, ticks, glance);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/file_digest.h"
 #include "core/json_text.h"
 #include "core/labels/time_ticks.h"
 #include "core/version.h"
@@ -92,11 +93,20 @@ Json json_of(const std::vector<Squeezed>& squeezed) {
     return json;
 }
 
+/// By which a file is known again, whatever it is called then.
+void add_digest(Json& json, const std::string& path) {
+    const auto digest = digest_of(path);
+    json["bytes"] = digest ? Json(digest->bytes) : Json();
+    json["digest"] = digest ? Json(digest->ends) : Json();
+}
+
 Json json_of(const SegmentPlace& segment) {
-    return {{"file", segment.path},
-            {"first_frame", segment.first_frame},
-            {"first", rounded(segment.begin)},
-            {"end", rounded(segment.end)}};
+    Json json{{"file", segment.path},
+              {"first_frame", segment.first_frame},
+              {"first", rounded(segment.begin)},
+              {"end", rounded(segment.end)}};
+    add_digest(json, segment.path);
+    return json;
 }
 
 Json json_of(const PixelBox& box) {
@@ -172,11 +182,22 @@ double length_of(const Event& event) {
     return event.last.seconds - event.first.seconds;
 }
 
+/// When the clip began (UTC), and what tells that: its name, whether the picture shows it or not, else what the user
+/// chose.
+std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderReport& report) {
+    const VideoInfo& info = report.info;
+    if (info.began && tells_recording(info.began_by)) return {info.began, info.began_by};
+    const WallClock& clock = report.clock;
+    if (clock && clock->ahead) return {clock->begin - *clock->ahead, clock->source};
+    return {std::nullopt, ClockSource::none};
+}
+
 }  // namespace
 
 std::string format_report(const RenderReport& report, const Metadata& settings, double seconds) {
     const VideoInfo& info = report.info;
     const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
+    const auto [recorded, recorded_by] = recorded_at(report);
     Json json{
         {"report", format_version},
         {"vvr", version()},
@@ -187,7 +208,9 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"width", info.size.width},
           {"height", info.size.height},
           {"rate", known(info.rate)},
-          {"recorded", info.created ? Json(format_clock(*info.created)) : Json()}}},
+          {"recorded", recorded ? Json(format_clock(*recorded)) : Json()},
+          {"recorded_by", recorded ? Json(row_of(recorded_by).name) : Json()},
+          {"written", info.created ? Json(format_clock(*info.created)) : Json()}}},
         {"frames", {{"used", report.frames}, {"damaged", report.damaged}}},
         {"span",
          {{"first", rounded(report.first_pts)},
@@ -202,12 +225,14 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"still", report.still},
           {"squeezed", json_of(report.squeezed)}}},
     };
+    add_digest(json["input"], info.segments.empty() ? info.name : std::string());
     json["clock"] = Json();
     if (report.clock) {
         const std::string& zone = report.clock->zone;
         json["clock"] = {{"first", report.clock->iso(report.first_pts)},
                          {"last", report.clock->iso(report.last_pts)},
-                         {"zone", zone.empty() ? Json() : Json(zone)}};
+                         {"zone", zone.empty() ? Json() : Json(zone)},
+                         {"source", row_of(report.clock->source).name}};
     }
     json["segments"] = Json();
     if (!info.segments.empty()) {
@@ -215,6 +240,8 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
         for (const SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
     }
     json["problems"] = report.problems;
+    json["left_out"] = {
+        {"files", info.left_out.files}, {"frames", info.left_out.frames}, {"seconds", rounded(info.left_out.seconds)}};
     json["settings"] = Json::object();
     for (const auto& [name, value] : settings) json["settings"][name] = value;
     json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
@@ -236,11 +263,14 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     return json_text(json, 2) + "\n";
 }
 
-std::string summary_of(const std::vector<Event>& events) {
+std::string summary_of(const std::vector<Event>& events, const WallClock& clock) {
     if (events.empty()) return "no events";
     const auto longest = std::ranges::max_element(events, {}, length_of);
-    std::string text = fmt::format("{}; the longest from {:.1f} s to {:.1f} s", counted(std::ssize(events), "event"),
-                                   longest->first.seconds, longest->last.seconds);
+    const double first = longest->first.seconds;
+    const double last = longest->last.seconds;
+    std::string text =
+        fmt::format("{}; the longest from {}", counted(std::ssize(events), "event"),
+                    clock ? format_stretch(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
     const double still = still_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
     return text;

@@ -13,6 +13,7 @@ namespace vvr {
 std::string format_report(const RenderReport& report, const Metadata& settings, double seconds);
 
 /// What a person wants to know of the events in a line: "3 events; the longest from 14.0 s to 52.5 s".
-std::string summary_of(const std::vector<Event>& events);
+/// With times of day where they are known.
+std::string summary_of(const std::vector<Event>& events, const WallClock& clock);
 
 }  // namespace vvr

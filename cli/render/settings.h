@@ -65,9 +65,10 @@ inline constexpr Setting start_time{.name = "start-time",
                                     .unit = "DATETIME",
                                     .help =
                                         "what a clock showed when the clip began: 2026-11-21 08:00:00; 'recorded' = "
-                                        "as its name or container says, in this machine's time zone; 'none' = "
-                                        "times run from 0:00",
-                                    .otherwise = "recorded where that is known, else none",
+                                        "as its name says, in this machine's time zone; 'container' = when its "
+                                        "container says it was written; 'modified' = when the file was last written, "
+                                        "less its length; 'none' = times run from 0:00",
+                                    .otherwise = "recorded where its name tells it, else none",
                                     .alias = "clock",
                                     .not_live = "a stream is not recorded; give the date and time"};
 /// Of a live stream.

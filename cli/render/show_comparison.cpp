@@ -56,10 +56,11 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     return json;
 }
 
-void show_difference(const Comparison& comparison, const Tolerance& tolerance, Observer& observer) {
+void show_difference(const Comparison& comparison, const Tolerance& tolerance, std::string_view a, std::string_view b,
+                     Observer& observer) {
     for (const PixelPair& pixel : comparison.worst) {
-        observer.info(fmt::format("at {},{}: {:.4f} and {:.4f} differ by {:.4f}", pixel.column, pixel.row,
-                                  fmt::join(pixel.a, " "), fmt::join(pixel.b, " "), pixel.difference));
+        observer.info(fmt::format("at {},{}: {} {:.4f} and {} {:.4f} differ by {:.4f}", pixel.column, pixel.row, a,
+                                  fmt::join(pixel.a, " "), b, fmt::join(pixel.b, " "), pixel.difference));
     }
     if (!comparison.has_numbers()) return;
     std::istringstream letters(difference_letters(comparison.pixels, tolerance.level));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,8 @@ nlohmann::ordered_json json_of(const Comparison& comparison);
 
 /// Shows where two pictures differ: the worst pixels, and a picture made of letters. Nothing where there are no
 /// numbers.
-void show_difference(const Comparison& comparison, const Tolerance& tolerance, Observer& observer);
+/// \param a what the first picture is, in a word; `b` the second
+void show_difference(const Comparison& comparison, const Tolerance& tolerance, std::string_view a, std::string_view b,
+                     Observer& observer);
 
 }  // namespace vvr

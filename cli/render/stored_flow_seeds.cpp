@@ -93,9 +93,11 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
                                                known->first, known->second.string()));
     }
     if (files.empty()) {
+        const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
+                                       : std::string("is no extraction and holds no .flo file");
         throw Error(ErrorKind::io,
-                    fmt::format("'{}' is {}; name a folder that `vvr extract` wrote, or one with .flo files",
-                                job.flow.string(), error ? error.message() : "no extraction and holds no .flo file"));
+                    fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
+                                job.flow.string(), what));
     }
     const bool magnitude = job.seeds.order == seed_orders().front().name;
     if (choose(setting::seed_area.name, job.seeds.area, seed_areas()).object_alone || !magnitude) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "core/words.h"
 
 namespace vvr {
@@ -18,6 +19,12 @@ void tell_problems(const std::vector<std::string>& warnings, const std::vector<s
     if (shown == problems.size()) return;
     observer.warn(fmt::format("{} besides could not be read whole; the report names them",
                               counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
+}
+
+void require_whole(const VideoInfo& info) {
+    if (info.left_out.files == 0) return;
+    throw Error(ErrorKind::partial,
+                fmt::format("'{}' is not in the result as a whole: {}", info.name, text_of(info.left_out)));
 }
 
 }  // namespace vvr

@@ -4,11 +4,15 @@
 #include <vector>
 
 #include "cli/render/observer.h"
+#include "core/video/frame_source.h"
 
 namespace vvr {
 
 /// Warns of what was wrong with an input: all warnings, and some of the files' problems.
 void tell_problems(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                    Observer& observer);
+
+/// \throws Error partial when some files of a recording were left out whole: all else is done by then
+void require_whole(const VideoInfo& info);
 
 }  // namespace vvr

@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,20 +22,38 @@
 #include "core/labels/time_ticks.h"
 #include "core/page/recent_moments.h"
 #include "core/video/input.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
 #include "core/words.h"
 
 namespace vvr {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = LiveSource::Clock;
 
-/// What the clock on the wall shows, as if it were of UTC.
-std::int64_t wall_clock_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    localtime_r(&now, &parts);
-    return timegm(&parts);
+/// \param begin seconds since 1970 (UTC)
+StartTime starts_at(std::int64_t begin, ClockSource source) {
+    constexpr double longest = 400 * 86'400.0;  // seconds, for which summer time is known
+    vvr::Clock clock = local_clock(begin, longest, source);
+    clock.zone.clear();  // it names all zones of these days
+    return {StartTime::From::given, clock};
+}
+
+/// A file was recorded before it is read, so its time is not that of this machine.
+StartTime told_by_name(const RenderJob& job, const std::string& file) {
+    const Segment told = look_at_name(file, RecorderNames(job.input.layouts));
+    if (!told.begin) return {StartTime::From::nobody};
+    return starts_at(*told.begin, told.begin_by);
+}
+
+/// Whether a file was written to in the last seconds.
+bool grows(const fs::path& file) {
+    constexpr std::chrono::seconds lately{10};
+    std::error_code none;
+    const auto written = fs::last_write_time(file, none);
+    return !none && fs::file_time_type::clock::now() - written < lately;
 }
 
 std::unique_ptr<LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
@@ -67,8 +87,8 @@ class LivePictures {
     void add(const RenderReport& report, int number, Picture&& picture) {
         const Metadata record = record_of(job_, report, true);
         if (is_page(job_.output.path)) {
-            files_.add_page(page_text(job_, report, std::move(picture), record, moments_.since(report.first_frame),
-                                      state_of(report)));
+            files_.add_page(page_text(job_, report, std::move(picture), record,
+                                      moments_.since(report.first_frame, report.last_frame), state_of(report)));
         } else {
             files_.add(number, picture, record);
         }
@@ -133,9 +153,16 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
     const VideoInfo& info = stream_->info();
+    std::error_code none;
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
+    const bool is_file = fs::is_regular_file(info.name, none);
     if (job_.look.start_time.from == StartTime::From::automatic) {
-        job_.look.start_time = {StartTime::From::given, wall_clock_now()};
+        job_.look.start_time =
+            is_file ? told_by_name(job, info.name) : starts_at(std::time(nullptr), ClockSource::live);
+    }
+    if (is_file && !grows(info.name)) {
+        observer.warn(
+            fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", info.name));
     }
     auto fields =
         with_listed_seeds(std::make_unique<ClipFields>(std::move(connected), job_.fields), job_, job_.fields.filter);

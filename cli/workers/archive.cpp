@@ -1,6 +1,7 @@
 #include "cli/workers/archive.h"
 
 #include <algorithm>
+#include <functional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -9,10 +10,13 @@
 
 #include "cli/print.h"
 #include "cli/workers/archive_run.h"
+#include "cli/workers/told_by_name.h"
 #include "core/archive/names.h"
+#include "core/archive/own_file.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/machine_memory.h"
+#include "core/shown_text.h"
 #include "core/version.h"
 #include "core/words.h"
 
@@ -21,6 +25,10 @@ namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Many times what the largest picture and page have. So a worker that a clip has taken over can't fill a disk.
+constexpr std::int64_t largest_file = 2'000'000'000;
+constexpr std::int64_t most_written = 4'000'000'000;
 
 /// How the machine is shared out among workers.
 struct Shares {
@@ -55,6 +63,7 @@ ArchiveJob job_of(const ArchiveOptions& options) {
     job.rules.settle = options.settle;
     job.rules.redraw = options.redraw;
     job.options = options.worker_options;
+    job.drawn_with = options.drawn_with;
     return job;
 }
 
@@ -65,14 +74,23 @@ void make_folder(const fs::path& out) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
     }
-    check_file_path(out / index_name);
+    // Permissions do not say everything, so a file is tried. What stands in the index's place is no reason to draw
+    // nothing.
+    if (!strange_at(out / index_name)) check_file_path(out / index_name);
 }
 
-void print_plan(const std::vector<PlannedClip>& planned) {
+void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, const RecorderNames& names) {
     for (const auto& [clip, need, reason] : planned) {
         if (need == Need::nothing) continue;
-        print(fmt::format("{:<15} {}{}\n", name_of(need), text_of_path(clip.path),
-                          need == Need::retry || need == Need::given_up ? ": " + reason : ""));
+        const bool failed = need == Need::retry || need == Need::given_up;
+        const auto day = job.days.find(clip.path);
+        print(fmt::format("{:<15} {}{}{}\n", name_of(need), shown_text(text_of_path(clip.path)),
+                          failed ? ": " + reason : "",
+                          day == job.days.end() ? "  " + told_by_name(clip.path, names) : ""));
+        if (day == job.days.end()) continue;
+        for (const std::string& file : day->second.files) {
+            print(fmt::format("{:<15}   {}  {}\n", "", shown_text(text_of_path(file)), told_by_name(file, names)));
+        }
     }
 }
 
@@ -80,8 +98,17 @@ std::size_t count(const std::vector<PlannedClip>& planned, Need need) {
     return static_cast<std::size_t>(std::ranges::count(planned, need, &PlannedClip::need));
 }
 
+/// The clips, and what is to become of them.
+struct Survey {
+    std::size_t unreadable = 0;
+    std::size_t clips = 0;    ///< of all shares
+    std::size_t waiting = 0;  ///< clips that no day has yet
+    std::vector<PlannedClip> planned;
+};
+
 /// What came of all clips, in a line.
-std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOutcome& outcome, double seconds) {
+std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, double seconds) {
+    const std::vector<PlannedClip>& planned = found.planned;
     std::string text =
         outcome.drawn + outcome.failed == 0
             ? "nothing to do"
@@ -90,7 +117,7 @@ std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOut
     const std::pair<std::size_t, const char*> others[] = {
         {count(planned, Need::nothing), "done before"},
         {count(planned, Need::given_up), "failed too often (--tries)"},
-        {count(planned, Need::still_written), "still being written (--settle)"},
+        {count(planned, Need::still_written) + found.waiting, "still being written (--settle)"},
         {count(planned, Need::later), "with more clips by now (--redraw)"},
         {outcome.elsewhere, "left to another run or gone"}};
     const char* separator = "; ";
@@ -101,44 +128,78 @@ std::string summary_of(const std::vector<PlannedClip>& planned, const ArchiveOut
     return text;
 }
 
-/// The clips, and what is to become of them.
-struct Survey {
-    std::size_t clips_there = 0;  ///< of all shares
-    std::size_t unreadable = 0;
-    std::vector<PlannedClip> planned;
-};
+/// Says which clips have a time of the future. They are drawn like others.
+void tell_of_wrong_clocks(const std::vector<Clip>& clips, const Settling& settling, const ArchiveJob& job,
+                          spdlog::logger& log) {
+    const auto is_ahead = [&](const Clip& clip) { return settling.is_ahead(clip); };
+    const auto first = std::ranges::find_if(clips, is_ahead);
+    if (first == clips.end()) return;
+    const auto all = std::ranges::count_if(clips, is_ahead);
+    log.warn(
+        "{} written in the future, by the time of the file, such as '{}'; a clock is wrong: that of the camera, of "
+        "the server or of this machine",
+        all == 1 ? "1 clip was" : fmt::format("{} clips were", all), (job.in / first->path).string());
+}
 
-Survey survey(const ArchiveOptions& options, const RecorderNames& names, ArchiveJob& job, spdlog::logger& log) {
-    Scan scan = scan_archive(job.in, job.out, ClipNames(options.match, options.exclude));
+void warn_of_undated(const std::vector<Clip>& clips, const RecorderNames& names, const fs::path& in,
+                     spdlog::logger& log) {
+    const auto undated = [&](const Clip& clip) { return !names.read(clip.path).begin; };
+    const auto first = std::ranges::find_if(clips, undated);
+    if (first == clips.end()) return;
+    log.warn(
+        "'{}': the names of {} do not tell when they were recorded, the first '{}'; each is taken to be of the day "
+        "when it was last written, which need not be the day it shows; --names can tell",
+        in.string(), counted(std::ranges::count_if(clips, undated), "clip"), text_of_path(first->path));
+}
+
+Survey survey(const ArchiveOptions& options, const ClipNames& clips, const RecorderNames& names, ArchiveJob& job,
+              spdlog::logger& log) {
+    Scan scan = scan_archive(job.in, job.out, clips);
+    Survey survey;
+    survey.clips = scan.clips.size();
+    const Settling settling{std::chrono::system_clock::now(), options.settle};
+    tell_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
-    // Days are grouped for every run: else it would prune those of another.
-    const auto settled = std::chrono::system_clock::now() - options.settle;
-    const std::int64_t before = std::chrono::nanoseconds(settled.time_since_epoch()).count();
-    std::vector<ScanProblem> ungrouped;
-    for (CameraDay& day : group_by_day(scan.clips, names, before, ungrouped)) {
-        if (!options.shard.holds(day.clip.path)) continue;
-        std::string path = day.clip.path;
-        job.days.emplace(std::move(path), std::move(day));
-    }
     if (options.per != Grouping::clip) {
+        CameraDays grouped = group_by_day(scan.clips, names, settling);
+        for (CameraDay& day : grouped.days) {
+            if (!options.shard.holds(day.clip.path)) continue;
+            std::string path = day.clip.path;
+            job.days.emplace(std::move(path), std::move(day));
+        }
         days = plan_days(job);
-        scan.problems.insert(scan.problems.end(), ungrouped.begin(), ungrouped.end());
+        scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
+        if (options.per == Grouping::day) survey.waiting = grouped.waiting;
     }
+    if (options.per != Grouping::clip) warn_of_undated(scan.clips, names, options.in, log);
     for (const ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
-    Survey survey{scan.clips.size(), scan.problems.size(), {}};
+    survey.unreadable = scan.problems.size();
     std::erase_if(scan.clips, [&](const Clip& clip) { return !options.shard.holds(clip.path); });
     if (options.per != Grouping::day) survey.planned = plan_archive(scan.clips, job);
     survey.planned.insert(survey.planned.end(), days.begin(), days.end());
     return survey;
 }
 
+/// Whether a step that comes after all drawing could be done; if not, why is said, and the next one is taken.
+bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
+    try {
+        step();
+        return true;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
+        log.error("{}", error.what());
+        return false;
+    }
+}
+
 }  // namespace
 
 ExitStatus run_archive(const ArchiveOptions& options, const Environment& environment) {
     ArchiveJob job = job_of(options);
-    const RecorderNames names(options.names);
+    const RecorderNames names(options.names, options.in);
+    job.names = names;
     if (options.index_only) {
         make_folder(options.out);
         write_index(job, names, environment);
@@ -146,10 +207,14 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
         return ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const Survey found = survey(options, names, job, environment.log);
+    const ClipNames clips(options.match, options.exclude);
+    const Survey found = survey(options, clips, names, job, environment.log);
+    if (found.clips == 0) {
+        environment.log.warn("no clips below '{}' (looked for {})", job.in.string(), clips.wanted());
+    }
     if (options.dry_run) {
-        print_plan(found.planned);
-        if (options.prune) prune(job, options.shard, found.clips_there, true, environment);
+        print_plan(found.planned, job, names);
+        if (options.prune) prune(job, clips, names, options.shard, true, environment);
         return ExitStatus::done;
     }
     make_folder(options.out);
@@ -159,7 +224,7 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
     if (!work.empty()) {
         const Shares shares = share_out(options, work.size());
         job.threads = shares.threads;
-        job.limits = {options.timeout, shares.memory};
+        job.limits = {options.timeout, shares.memory, largest_file, most_written};
         job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);
         environment.log.log(job.sandbox->is_whole() ? spdlog::level::info : spdlog::level::warn, "{}",
                             job.sandbox->summary());
@@ -167,12 +232,15 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
         outcome = draw_clips(job, work, shares.workers, environment);
     }
-    if (options.prune) prune(job, options.shard, found.clips_there, false, environment);
-    if (!options.no_index) write_index(job, names, environment);
+    // An index is written even where nothing can be pruned.
+    const bool pruned = !options.prune || goes_well(environment.log, [&] {
+        prune(job, clips, names, options.shard, false, environment);
+    });
+    const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, names, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    environment.log.info("'{}': {}", options.out.string(), summary_of(found.planned, outcome, took.count()));
-    const bool partial = outcome.failed + found.unreadable + count(found.planned, Need::given_up) > 0;
-    return partial ? ExitStatus::partial : ExitStatus::done;
+    environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
+    if (!pruned || !indexed) return ExitStatus::io;
+    return outcome.failed + outcome.not_whole + found.unreadable > 0 ? ExitStatus::partial : ExitStatus::done;
 }
 
 }  // namespace vvr

@@ -50,6 +50,7 @@ struct ArchiveOptions {
     bool no_pages = false;
 
     std::vector<std::string> worker_options;  ///< of `vvr render`, passed on as they are
+    std::vector<std::string> drawn_with;      ///< those of them that choose OpenGL; `vvr doctor` has them too
     SandboxMode sandbox = SandboxMode::automatic;
     SandboxNeeds needs;    ///< of what is passed on
     std::string settings;  ///< changes with everything that decides how pictures look

@@ -6,13 +6,21 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <new>
+#include <set>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "cli/exit_status.h"
+#include "core/archive/own_file.h"
 #include "core/archive/prune.h"
 #include "core/image/atomic_file.h"
 #include "core/version.h"
@@ -23,26 +31,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_reason = 600;
 constexpr int killed = 128;  // and the signal's number, as a shell shows it
-constexpr int not_started = 127;
-
-/// What vvr said last, an error of several lines as one; where it said nothing, what was said at all.
-std::string last_words(const std::string& said) {
-    constexpr std::string_view own = "vvr: ";
-    std::size_t begin = said.starts_with(own) ? 0 : std::string::npos;
-    if (const auto later = said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
-    std::string words = begin == std::string::npos ? said : said.substr(begin + own.size());
-    std::ranges::replace_if(
-        words, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-    words.erase(words.find_last_not_of(' ') + 1);
-    return words.substr(0, longest_reason);
-}
 
 std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
     const std::string words = last_words(end.said);
     if (end.timed_out) {
         return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
+    }
+    if (end.wrote_too_much) {
+        return fmt::format("it wrote more than the {} MB that a worker may write", limits.written / 1'000'000);
     }
     if (end.status > killed) {
         const int signal = end.status - killed;
@@ -57,15 +54,70 @@ std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
     return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
 }
 
-void throw_if_not_the_clips_fault(const std::string& clip, const WorkerEnd& end) {
-    if (end.timed_out) return;
-    const std::string words = last_words(end.said);
-    if (end.status == static_cast<int>(ExitStatus::io) && is_disk_full(words)) throw Error(ErrorKind::io, words);
-    if (end.status != not_started) return;
-    throw Error(ErrorKind::limit,
-                words.empty()
-                    ? fmt::format("the worker for '{}' could not be started; is vvr's own file still there?", clip)
-                    : words);
+/// So much has to be free that the next clip has a chance.
+constexpr std::int64_t least_room = 16'000'000;
+
+/// Why a folder takes no files, as in errno; 0 = it does. A file without a name leaves nothing behind.
+int why_no_room(const fs::path& folder) {
+    const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (file >= 0) {
+        const int error = ::posix_fallocate(file, 0, least_room);
+        ::close(file);
+        return error;
+    }
+    if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return errno;
+    struct statvfs space {};
+    if (::statvfs(folder.c_str(), &space) != 0) return 0;
+    const bool full = space.f_bavail * space.f_frsize < static_cast<std::uint64_t>(least_room);
+    return full || (space.f_files > 0 && space.f_favail == 0) ? ENOSPC : 0;
+}
+
+/// A worker may say what it likes, and it may be a clip that speaks: this rests on what was seen from outside alone.
+void throw_if_not_the_clips_fault(const std::string& clip, const fs::path& folder, const WorkerEnd& end) {
+    if (end.timed_out || end.wrote_too_much) return;
+    if (!end.began && end.status < killed) {
+        const std::string words = last_words(end.said);
+        throw Error(ErrorKind::limit, fmt::format("the worker for '{}' could not be started{}", clip,
+                                                  words.empty() ? "; is vvr's own file still there?" : ": " + words));
+    }
+    if (end.status != static_cast<int>(ExitStatus::io)) return;
+    const int error = why_no_room(folder);
+    if (error != ENOSPC && error != EDQUOT && error != EFBIG) return;
+    throw Error(ErrorKind::io, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
+                                           folder.string(), std::generic_category().message(error)));
+}
+
+/// More than any report has. It is read whole.
+constexpr std::uintmax_t most_of_a_report = 100'000'000;
+
+/// What a worker told of its clip.
+/// \throws Error io when that can't be read; a hostile clip may have written it
+void take_report_of_worker(Sidecar& sidecar, const fs::path& report) {
+    std::error_code error;
+    if (!fs::is_regular_file(fs::symlink_status(report, error))) {
+        throw Error(ErrorKind::io, fmt::format("the report '{}' is no file", report.string()));
+    }
+    if (fs::file_size(report, error) > most_of_a_report) {
+        throw Error(ErrorKind::io,
+                    fmt::format("the report '{}' has more than {} MB", report.string(), most_of_a_report / 1'000'000));
+    }
+    take_report(sidecar, report);
+}
+
+/// Drawn, but without some of its files.
+bool is_not_whole(const WorkerEnd& end) {
+    return end.status == static_cast<int>(ExitStatus::partial);
+}
+
+bool failed(const WorkerEnd& end) {
+    return (end.status != 0 && !is_not_whole(end)) || end.timed_out || end.wrote_too_much;
+}
+
+/// What a failed clip's sidecar says: that of a worker that was ended for a limit, or had nothing to complain of but a
+/// report that is none, is ours.
+int status_of(const WorkerEnd& end) {
+    if (end.timed_out || end.wrote_too_much) return static_cast<int>(ExitStatus::limit);
+    return end.status == 0 || is_not_whole(end) ? static_cast<int>(ExitStatus::io) : end.status;
 }
 
 void remove_files(const fs::path& out, const std::string& clip, const std::vector<OutputKind>& kinds,
@@ -82,6 +134,27 @@ bool could_not_draw(const WorkerEnd& end) {
     return end.status == static_cast<int>(ExitStatus::backend);
 }
 
+std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
+    std::vector<std::string> arguments{"doctor", "--no-config"};
+    arguments.insert(arguments.end(), job.drawn_with.begin(), job.drawn_with.end());
+    WorkerLimits limits = job.limits;
+    limits.time = std::chrono::minutes(1);
+    return std::make_unique<Worker>(arguments, job.threads, limits, -1, job.sandbox->around({}, job.out));
+}
+
+// What vvr said last, an error of several lines as one; where it said nothing, what was said at all.
+std::string last_words(const std::string& said) {
+    constexpr std::string_view own = "vvr: ";
+    std::size_t begin = said.starts_with(own) ? 0 : std::string::npos;
+    if (const auto later = said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
+    std::string words = begin == std::string::npos ? said : said.substr(begin + own.size());
+    std::ranges::replace_if(
+        words, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+    words.erase(words.find_last_not_of(' ') + 1);
+    constexpr std::size_t longest_reason = 600;
+    return words.substr(0, longest_reason);
+}
+
 bool is_disk_full(const std::string& text) {
     // A name in quotes may say anything; the reason comes after it.
     const auto quote = text.rfind('\'');
@@ -95,11 +168,21 @@ ClipTurn::ClipTurn(const ArchiveJob& job, Clip clip, std::optional<Sidecar> befo
     : job_(&job), clip_(std::move(clip)), before_(std::move(before)), claim_(std::move(claim)) {}
 
 ClipTurn::~ClipTurn() {
-    if (!finished_ && claim_.descriptor() >= 0) remove_leftovers(folder(), written_names(file_name()));
+    if (finished_ || claim_.descriptor() < 0) return;
+    remove_leftovers(folder(), written_names(file_name()));
+    remove_staging(staging());
 }
 
 fs::path ClipTurn::folder() const {
     return sidecar_path(job_->out, clip_.path).parent_path();
+}
+
+fs::path ClipTurn::staging() const {
+    return staging_of(job_->out, clip_.path);
+}
+
+fs::path ClipTurn::staged(OutputKind kind) const {
+    return output_path(staging(), file_name(), kind);
 }
 
 std::string ClipTurn::file_name() const {
@@ -111,9 +194,15 @@ const CameraDay* ClipTurn::day() const {
     return found == job_->days.end() ? nullptr : &found->second;
 }
 
+/// As the index has it; empty at the top of the archive.
+std::string ClipTurn::camera() const {
+    return text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
+}
+
 std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string& path) {
     const fs::path folder = sidecar_path(job.out, path).parent_path();
     const std::string name = fs::path(path).filename().string();
+    check_own_folder(job.out, folder);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -124,6 +213,7 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     std::optional<Claim> claim = Claim::try_take(folder, name);
     if (!claim) return std::nullopt;
     if (claim->was_left_behind()) remove_leftovers(folder, written_names(name));
+    remove_staging(staging_of(job.out, path));
     // It may have changed, or been done, since it was found.
     const auto day = job.days.find(path);
     const bool is_day = day != job.days.end();
@@ -133,7 +223,16 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     const auto now = std::chrono::system_clock::now();
     const Need need = (is_day ? need_of_day : need_of)(*clip, before, job.out, job.rules, now);
     if (!wants_work(need)) return std::nullopt;
-    return ClipTurn(job, std::move(*clip), std::move(before), std::move(*claim));
+    check_own_place(sidecar_path(job.out, path));
+    for (const OutputKind kind : job.rules.files) check_own_place(output_path(job.out, path, kind));
+    ClipTurn turn(job, std::move(*clip), std::move(before), std::move(*claim));
+    fs::create_directory(turn.staging(), error);
+    if (error) {
+        throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in "
+                                               "the way",
+                                               turn.staging().string(), error.message()));
+    }
+    return turn;
 }
 
 std::unique_ptr<Worker> ClipTurn::start() const {
@@ -150,43 +249,111 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         const bool plain = clip.front() != '-' && clip.front() != '[';
         arguments.push_back(plain ? clip : "./" + clip);
     }
+    // Which files are of one camera was found out for all of the archive.
+    if (day() != nullptr) arguments.emplace_back("--join");
     if (day() != nullptr && !day()->camera.empty()) arguments.push_back("--title=" + text_of_path(day()->camera));
     for (const auto& [kind, option] : options) {
         if (std::ranges::count(job_->rules.files, kind) == 0) continue;
-        arguments.push_back(option + output_path(job_->out, clip_.path, kind).string());
+        arguments.push_back(option + staged(kind).string());
     }
     if (std::ranges::count(job_->rules.files, OutputKind::page) > 0) {
         arguments.push_back("--page-index=" + (job_->out / index_name).string());
+        arguments.push_back("--page-place=" + output_path(job_->out, clip_.path, OutputKind::page).string());
+        if (!camera().empty()) arguments.push_back("--page-camera=" + camera());
     }
     arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
     return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor(),
                                     job_->sandbox->around(read, folder()));
 }
 
-Sidecar ClipTurn::finish(const WorkerEnd& end, bool counts) {
-    throw_if_not_the_clips_fault(clip_.path, end);
-    if (end.status >= killed) remove_leftovers(folder(), written_names(file_name()));
+/// What is known of a clip that has been drawn.
+Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
     Sidecar sidecar;
     sidecar.clip = clip_;
-    if (day() != nullptr) sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files)};
+    if (day() != nullptr) {
+        sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files};
+    }
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();
     sidecar.took = std::round(end.seconds * 1000) / 1000;
-    if (end.status == 0 && !end.timed_out) {
-        sidecar.files = job_->rules.files;
-        take_report(sidecar, output_path(job_->out, clip_.path, OutputKind::report));
-    } else {
-        const bool again = before_ && before_->state == Sidecar::State::failed && before_->version == sidecar.version &&
-                           before_->settings == sidecar.settings && before_->clip.size == clip_.size &&
-                           before_->clip.modified == clip_.modified;
-        sidecar.state = Sidecar::State::failed;
-        sidecar.tries = (again ? before_->tries : 0) + (counts ? 1 : 0);
-        sidecar.status = end.timed_out ? static_cast<int>(ExitStatus::limit) : end.status;
-        sidecar.reason = reason_of(end, job_->limits);
-        remove_files(job_->out, clip_.path, job_->rules.files, {});
+    sidecar.files = job_->rules.files;
+    sidecar.status = end.status;
+    if (is_not_whole(end)) sidecar.reason = last_words(end.said);
+    take_report_of_worker(sidecar, staged(OutputKind::report));
+    for (const OutputKind kind : sidecar.files) {
+        std::error_code none;
+        if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
+        throw Error(ErrorKind::io, fmt::format("the worker said that all is done, and there is no '{}'",
+                                               output_path("", clip_.path, kind).string()));
+    }
+    return sidecar;
+}
+
+/// What is known of a clip that could not be drawn: of its files, if there are any, what was known before.
+Sidecar ClipTurn::failure(int status, const std::string& reason, double seconds) const {
+    Sidecar sidecar;
+    if (before_ && !before_->files.empty()) {
+        sidecar = *before_;
+        std::erase_if(sidecar.files, [&](OutputKind kind) {
+            std::error_code none;
+            return !fs::is_regular_file(fs::symlink_status(output_path(job_->out, clip_.path, kind), none));
+        });
+        if (!sidecar.files.empty()) {
+            sidecar.shows = shown_by(*before_);
+        } else {
+            sidecar = Sidecar();
+        }
+    }
+    const bool again = before_ && before_->state == Sidecar::State::failed && before_->version == version() &&
+                       before_->settings == job_->rules.settings && before_->clip.size == clip_.size &&
+                       before_->clip.modified == clip_.modified;
+    sidecar.clip = clip_;
+    if (day() != nullptr) {
+        // As long as one of the clips is there that its picture shows, or would, the day is not gone.
+        std::set<std::string> files(day()->files.begin(), day()->files.end());
+        if (sidecar.shows && sidecar.day) files.insert(sidecar.day->files.begin(), sidecar.day->files.end());
+        sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}};
+    }
+    sidecar.settings = job_->rules.settings;
+    sidecar.version = version();
+    sidecar.took = std::round(seconds * 1000) / 1000;
+    sidecar.state = Sidecar::State::failed;
+    sidecar.tries = (again ? before_->tries : 0) + 1;
+    sidecar.status = status;
+    sidecar.reason = reason;
+    return sidecar;
+}
+
+Sidecar ClipTurn::finish(const WorkerEnd& end, Signals& signals) {
+    throw_if_not_the_clips_fault(clip_.path, folder(), end);
+    Sidecar sidecar;
+    std::string reason = failed(end) ? reason_of(end, job_->limits) : "";
+    if (reason.empty()) {
+        try {
+            sidecar = read_results(end);
+        } catch (const Error& error) {
+            reason = error.what();
+        } catch (const std::bad_alloc&) {
+            reason = "its report is too large for the memory there is";
+        }
+    }
+    if (!reason.empty()) sidecar = failure(status_of(end), reason, end.seconds);
+    const auto held = signals.hold();
+    if (sidecar.state == Sidecar::State::done) {
+        for (const OutputKind kind : sidecar.files) {
+            const fs::path place = output_path(job_->out, clip_.path, kind);
+            std::error_code error;
+            fs::rename(staged(kind), place, error);
+            if (error) {
+                throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; choose another folder or fix its "
+                                                       "permissions",
+                                                       place.string(), error.message()));
+            }
+        }
     }
     write_sidecar(job_->out, sidecar);
     if (before_) remove_files(job_->out, clip_.path, before_->files, sidecar.files);
+    remove_staging(staging());
     finished_ = true;
     return sidecar;
 }

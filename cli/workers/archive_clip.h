@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/signals.h"
 #include "cli/workers/worker.h"
 #include "core/archive/claim.h"
 #include "core/archive/days.h"
 #include "core/archive/verdict.h"
 #include "core/error.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr {
 
@@ -20,11 +22,13 @@ struct ArchiveJob {
     std::filesystem::path in;
     std::filesystem::path out;
     ArchiveRules rules;
-    std::vector<std::string> options;  ///< that workers are given as they stand
+    std::vector<std::string> options;     ///< that workers are given as they stand
+    std::vector<std::string> drawn_with;  ///< those of them that choose OpenGL
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};  ///< for workers
     int threads = 1;                           ///< a worker
     std::map<std::string, CameraDay> days{};   ///< by where their files stand
+    RecorderNames names{};                     ///< how clips' names tell their camera
 };
 
 /// One clip's turn: nobody else writes its files as long as this is there.
@@ -41,18 +45,25 @@ class ClipTurn {
     /// The worker that draws the clip.
     std::unique_ptr<Worker> start() const;
 
-    /// Writes down what came of it, and removes what is no longer true.
-    /// \param counts whether a failure counts as a try; not when it may be the machine's
+    /// Puts the clip's files in their places once all of them are there, and writes down what came of it. Where it
+    /// failed, the files that are there stay, and the sidecar says what they show.
+    /// \param signals that wait while something is written
     /// \throws Error io when that can't be done for this clip
-    /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk
-    Sidecar finish(const WorkerEnd& end, bool counts);
+    /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk,
+    /// limit when no worker can be started
+    Sidecar finish(const WorkerEnd& end, Signals& signals);
 
   private:
     ClipTurn(const ArchiveJob& job, Clip clip, std::optional<Sidecar> before, Claim claim);
 
     std::filesystem::path folder() const;
+    std::filesystem::path staging() const;
+    std::filesystem::path staged(OutputKind kind) const;
     std::string file_name() const;
+    Sidecar read_results(const WorkerEnd& end) const;
+    Sidecar failure(int status, const std::string& reason, double seconds) const;
     const CameraDay* day() const;
+    std::string camera() const;
 
     const ArchiveJob* job_;
     Clip clip_;
@@ -61,8 +72,14 @@ class ClipTurn {
     bool finished_ = false;
 };
 
-/// Whether a worker ended because it could not draw, which is no clip's fault unless others can be drawn.
+/// Whether a worker says that it could not draw, which may be no clip's fault: see start_drawing_test.
 bool could_not_draw(const WorkerEnd& end);
+
+/// A worker that reads no clip, and ends with 0 where workers can draw.
+std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
+
+/// What a worker said last, for people.
+std::string last_words(const std::string& said);
 
 /// Whether an error is that of a full disk, by its text.
 bool is_disk_full(const std::string& text);

@@ -13,9 +13,9 @@
 #include "cli/print.h"
 #include "cli/workers/pool.h"
 #include "core/archive/index.h"
+#include "core/archive/own_file.h"
 #include "core/archive/prune.h"
 #include "core/image/atomic_file.h"
-#include "core/read_file.h"
 #include "core/words.h"
 
 namespace vvr {
@@ -23,9 +23,6 @@ namespace vvr {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// So many clips that can't be drawn, and none that can, are the machine's fault.
-constexpr std::size_t enough_undrawn = 3;
 
 /// Says what becomes of the clips of a run, one after another.
 class Account {
@@ -35,12 +32,19 @@ class Account {
     void add(const Sidecar& sidecar) {
         const std::string name = text_of_path(sidecar.clip.path);
         if (sidecar.state == Sidecar::State::failed) {
-            fail(sidecar.clip.path, fmt::format("status {}: {}", sidecar.status, sidecar.reason));
+            fail(sidecar.clip.path, fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
+                                                sidecar.shows ? "; the picture that is there stays" : ""));
             return;
         }
         ++outcome_.drawn;
         const std::string events = sidecar.events ? counted(*sidecar.events, "event") + ", " : "";
         log_.info("{} {}: {}{:.1f} s", next(), name, events, sidecar.took);
+        if (sidecar.status == 0) {
+            if (!sidecar.reason.empty()) log_.warn("{}: {}", name, sidecar.reason);
+            return;
+        }
+        ++outcome_.not_whole;
+        log_.error("{}: {}", name, sidecar.reason);
     }
 
     void fail(const std::string& clip, const std::string& reason) {
@@ -79,10 +83,10 @@ std::optional<ClipTurn> take_turn(const ArchiveJob& job, const std::string& clip
 
 /// What came of a clip, unless that can't be read or written down: then the clip has failed, and the others go on. A
 /// full disk, and what is no matter of this clip's files, is an error still.
-std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end, bool counts,
-                                   Account& account) {
+std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end, Account& account,
+                                   Signals& signals) {
     try {
-        return turn.finish(end, counts);
+        return turn.finish(end, signals);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
         account.fail(clip, error.what());
@@ -92,12 +96,15 @@ std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, cons
 
 bool holds(const fs::path& path, const std::string& text) {
     std::error_code none;
-    return fs::is_regular_file(path, none) && read_file(path.string()) == text;
+    return fs::file_size(path, none) == text.size() && read_own(path, "", text.size()).text == text;
 }
 
-/// Leaves a file alone that is as it should be: who keeps it open sees no change.
-void put_file(const fs::path& path, const std::string& text) {
-    if (!holds(path, text)) replace_file(path, std::as_bytes(std::span(text)));
+/// Leaves a file alone that is as it should be: who keeps it open sees no change. What is no file stays too.
+void put_file(const fs::path& path, const std::string& text, Signals& signals) {
+    check_own_place(path);
+    if (holds(path, text)) return;
+    const auto held = signals.hold();
+    replace_file(path, std::as_bytes(std::span(text)), Links::replaced);
 }
 
 /// The clips that are no longer there; none where their folder itself is not, as its disk may not be mounted.
@@ -151,70 +158,153 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
     return planned;
 }
 
+namespace {
+
+/// Workers at work on the clips of a run. A worker that says it can't draw may be one that a clip has taken over, so it
+/// is asked of another that reads no clip; until that has ended, nothing is decided.
+class Drawing {
+  public:
+    Drawing(const ArchiveJob& job, std::size_t clips, int workers, const Environment& environment)
+        : job_(job), environment_(environment), account_(clips, environment.log), pool_(workers, environment.signals) {}
+
+    void draw(const std::string& clip) {
+        pool_.wait_for_room();
+        std::optional<ClipTurn> turn = take_turn(job_, clip, account_);
+        if (!turn) return;
+        std::unique_ptr<Worker> worker = turn->start();
+        pool_.add(std::move(worker),
+                  [this, turn = std::make_shared<ClipTurn>(std::move(*turn)), clip](const WorkerEnd& end) {
+                      take({turn, clip, end});
+                  });
+    }
+
+    ArchiveOutcome wait_for_all() {
+        pool_.wait_for_all();
+        return account_.outcome();
+    }
+
+  private:
+    struct Drawn {
+        std::shared_ptr<ClipTurn> turn;
+        std::string clip;
+        WorkerEnd end;
+    };
+
+    void take(Drawn drawn) {
+        if (!could_not_draw(drawn.end) || can_draw_ || account_.outcome().drawn > 0) {
+            finish(drawn);
+            return;
+        }
+        unsure_.push_back(std::move(drawn));
+        if (unsure_.size() > 1) return;
+        pool_.add(start_drawing_test(job_), [this](const WorkerEnd& end) { take_test(end); });
+    }
+
+    void take_test(const WorkerEnd& end) {
+        const std::vector<Drawn> unsure = std::exchange(unsure_, {});
+        if (end.status != 0) {
+            const std::string words = last_words(end.said);
+            throw Error(ErrorKind::backend, fmt::format("no clip could be drawn, so this run ends here: {}",
+                                                        words.empty() ? "OpenGL doesn't start" : words));
+        }
+        can_draw_ = true;
+        for (const Drawn& drawn : unsure) finish(drawn);
+    }
+
+    void finish(const Drawn& drawn) {
+        const auto sidecar = finish_turn(*drawn.turn, drawn.clip, drawn.end, account_, environment_.signals);
+        if (sidecar) account_.add(*sidecar);
+    }
+
+    const ArchiveJob& job_;
+    const Environment& environment_;
+    Account account_;
+    bool can_draw_ = false;
+    std::vector<Drawn> unsure_{};
+    WorkerPool pool_;
+};
+
+}  // namespace
+
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
                           const Environment& environment) {
-    Account account(clips.size(), environment.log);
-    std::size_t undrawn = 0;
-    WorkerPool pool(workers, environment.signals);
-    for (const PlannedClip& planned : clips) {
-        pool.wait_for_room();
-        std::optional<ClipTurn> turn = take_turn(job, planned.clip.path, account);
-        if (!turn) continue;
-        std::unique_ptr<Worker> worker = turn->start();
-        pool.add(std::move(worker), [&, held = std::make_shared<ClipTurn>(std::move(*turn)),
-                                     clip = planned.clip.path](const WorkerEnd& end) {
-            const auto lock = environment.signals.hold();
-            const bool nothing_drawn = account.outcome().drawn == 0;
-            const auto sidecar = finish_turn(*held, clip, end, !(could_not_draw(end) && nothing_drawn), account);
-            if (!sidecar) return;
-            account.add(*sidecar);
-            if (!could_not_draw(end) || !nothing_drawn || ++undrawn < std::min(enough_undrawn, clips.size())) return;
-            throw Error(ErrorKind::backend,
-                        fmt::format("no clip could be drawn, so this run ends here: {}", sidecar->reason));
-        });
-    }
-    pool.wait_for_all();
-    return account.outcome();
+    Drawing drawing(job, clips.size(), workers, environment);
+    for (const PlannedClip& planned : clips) drawing.draw(planned.clip.path);
+    return drawing.wait_for_all();
 }
 
 void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment) {
-    const auto held = environment.signals.hold();
     // Of two runs that end together, the later one has to read what the other wrote.
     const std::vector<std::string> files{std::string(index_name)};
     const Claim claim = Claim::wait_for(job.out, files.front());
     if (claim.was_left_behind()) remove_leftovers(job.out, files);
     const Outputs outputs = list_outputs(job.out, job.in);
+    for (const ScanProblem& problem : outputs.problems) {
+        environment.log.warn("'{}': {}; it is left alone, and the index has nothing of it",
+                             (job.out / problem.path).string(), problem.reason);
+    }
     tidy(job.out, outputs);
     const DayFiles days = make_day_files(outputs.sidecars, names);
-    for (const auto& [name, text] : days) put_file(job.out / name, text);
-    put_file(job.out / index_name, make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)));
+    for (const auto& [name, text] : days) {
+        try {
+            put_file(job.out / name, text, environment.signals);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
+            environment.log.error("{}", error.what());  // the index is of use without the events of a day
+        }
+    }
+    put_file(job.out / index_name, make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)),
+             environment.signals);
     remove_other_days(job.out, days);
 }
 
-std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
-                  const Environment& environment) {
+std::size_t prune(const ArchiveJob& job, const ClipNames& clips, const RecorderNames& names, const Shard& shard,
+                  bool dry_run, const Environment& environment) {
     std::vector<Sidecar> sidecars = list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const Sidecar& sidecar) {
-        return !shard.holds(sidecar.clip.path) || job.days.contains(sidecar.clip.path);
-    });
-    const Gone gone = find_gone(job.in, sidecars, clips_there);
-    for (const std::string& folder : gone.empty_folders) {
-        environment.log.warn(
-            "'{}' is empty, so its pictures stay: it may be a disk that is not mounted; remove the "
-            "folder if its clips are gone for good",
-            (job.in / folder).string());
-    }
-    for (const Sidecar& sidecar : gone.sidecars) {
+    std::erase_if(sidecars, [&](const Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
+    if (sidecars.empty()) return 0;
+    const Present present = look_at_all(job.in, job.out, clips, names);
+    check_can_prune(job.in, present);
+    std::set<std::string> away;
+    std::size_t unknown = 0;
+    std::size_t removed = 0;
+    for (const Sidecar& sidecar : sidecars) {
+        // Just before its files go: a disk may have been unmounted since the last one.
+        const Whereabouts verdict = fate_of(job.in, sidecar, present, names);
+        if (verdict.fate == Fate::away) away.insert(verdict.folder);
+        if (verdict.fate == Fate::unknown) ++unknown;
+        if (verdict.fate != Fate::gone) continue;
+        ++removed;
         const std::string name = text_of_path(sidecar.clip.path);
         if (dry_run) {
             print(fmt::format("{:<15} {}\n", "gone", name));
             continue;
         }
-        const auto held = environment.signals.hold();
-        remove_outputs(job.out, sidecar);
-        environment.log.info("{}: the clip has gone, and its picture with it", name);
+        try {
+            const fs::path place = sidecar_path(job.out, sidecar.clip.path);
+            const auto claim = Claim::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
+            if (!claim) continue;  // another run draws it
+            const auto held = environment.signals.hold();
+            remove_outputs(job.out, sidecar);
+            environment.log.info("{}: the clip has gone, and its picture with it", name);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::io) throw;
+            environment.log.error("{}", error.what());
+        }
     }
-    return gone.sidecars.size();
+    for (const std::string& folder : away) {
+        environment.log.warn(
+            "'{}' is empty or not there, so its pictures stay: it may be a disk that is not mounted; if its clips are "
+            "gone for good, remove the pictures yourself",
+            (job.in / folder).string());
+    }
+    if (unknown > 0) {
+        environment.log.warn(
+            "{} drawn by an older vvr, which did not note the clips, so they stay; if those are gone "
+            "for good, remove the pictures yourself",
+            unknown == 1 ? "1 day was" : fmt::format("{} days were", unknown));
+    }
+    return removed;
 }
 
 }  // namespace vvr

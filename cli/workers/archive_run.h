@@ -26,6 +26,7 @@ std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const Arch
 struct ArchiveOutcome {
     std::size_t drawn = 0;
     std::size_t failed = 0;
+    std::size_t not_whole = 0;  ///< drawn, without some of its files
     std::size_t elsewhere = 0;  ///< in the hands of another run, or gone
 };
 
@@ -40,9 +41,11 @@ void write_index(const ArchiveJob& job, const RecorderNames& names, const Enviro
 /// What is to become of each day of a camera, the newest first.
 std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 
-/// Removes the files of clips that have gone, and of days of which no clip is left.
-/// \returns how many clips there were
-std::size_t prune(const ArchiveJob& job, const Shard& shard, std::size_t clips_there, bool dry_run,
-                  const Environment& environment);
+/// Removes the files of clips that have gone for certain, and of days of which each clip has.
+/// \param clips of the run: what it leaves out of them is there all the same
+/// \returns how many there were
+/// \throws Error io when nobody can know what has gone
+std::size_t prune(const ArchiveJob& job, const ClipNames& clips, const RecorderNames& names, const Shard& shard,
+                  bool dry_run, const Environment& environment);
 
 }  // namespace vvr

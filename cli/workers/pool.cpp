@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience = 5s;  // with workers that are asked to end
+constexpr auto patience = 800ms;  // with workers that are asked to end
 
 }  // namespace
 

@@ -11,9 +11,7 @@
 
 #include <dlfcn.h>
 #include <link.h>
-#include <pwd.h>
 #include <sys/auxv.h>
-#include <unistd.h>
 
 #include "core/image/text.h"
 
@@ -41,9 +39,6 @@ constexpr std::array places{
     Place{"/etc/glvnd", Use::read},
     Place{"/etc/drirc", Use::read},
     Place{"/etc/localtime", Use::read},
-    // Mesa looks up the user's home.
-    Place{"/etc/nsswitch.conf", Use::read},
-    Place{"/etc/passwd", Use::read},
     Place{"/proc/cpuinfo", Use::read},
     Place{"/proc/meminfo", Use::read},
     Place{"/proc/stat", Use::read},
@@ -92,19 +87,14 @@ void add_libraries(std::vector<ProgramFile>& files) {
     ::dl_iterate_phdr(add, &files);
 }
 
-/// The cache of shaders that Mesa has for this user. What it holds is run as it stands, by other programs of the user
-/// too, so a worker only reads it; but Mesa wants to write the list of what is there.
-void add_shader_caches(std::vector<ProgramFile>& files) {
-    const auto add = [&](const char* folder, const char* below) {
-        if (folder == nullptr || !fs::path(folder).is_absolute()) return;
-        const fs::path cache = fs::path(folder) / below;
-        files.push_back({cache, Use::read});
-        files.push_back({cache / "index", Use::change});
-    };
-    const passwd* const user = ::getpwuid(::geteuid());
-    add(std::getenv("MESA_SHADER_CACHE_DIR"), "mesa_shader_cache");
-    add(std::getenv("XDG_CACHE_HOME"), "mesa_shader_cache");
-    add(user == nullptr ? nullptr : user->pw_dir, ".cache/mesa_shader_cache");
+/// The cache of shaders that Mesa has for this user (gl/shader_cache.h). What it holds is run as it stands, by other
+/// programs of the user too, so a worker only reads it; but Mesa wants to write the list of what is there.
+void add_shader_cache(std::vector<ProgramFile>& files) {
+    const char* const folder = std::getenv("MESA_SHADER_CACHE_DIR");
+    if (folder == nullptr || !fs::path(folder).is_absolute()) return;
+    const fs::path cache = fs::path(folder) / "mesa_shader_cache";
+    files.push_back({cache, Use::read});
+    files.push_back({cache / "index", Use::change});
 }
 
 /// NVIDIA's devices have numbers.
@@ -125,7 +115,7 @@ std::vector<ProgramFile> program_files(bool gpu) {
     if (gpu) add_nvidia(files);
     add_library_folders(files);
     add_libraries(files);
-    add_shader_caches(files);
+    add_shader_cache(files);
     for (const fs::path& place : font_places()) files.push_back({place, Use::read});
     return files;
 }

@@ -56,7 +56,7 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
                                 "--sandbox auto",
                                 landlock_.abi == 0 ? why_no_landlock(landlock_) : why_no_seccomp(no_filter_)));
     }
-    if (no_filter_ == 0) filter_ = std::make_unique<CallFilter>();
+    if (no_filter_ == 0) filter_ = std::make_unique<CallFilter>(needs.gpu);
     if (landlock_.abi == 0) return;
     shared_ = program_files(needs.gpu);
     for (const std::filesystem::path& file : needs.files) shared_.push_back({file, Use::read});

@@ -44,6 +44,9 @@ class Confinement {
     /// \returns whether it did; if not, the process must end
     bool enter() const;
 
+    /// Whether system calls are among what it gives up: then it has to give up the rest once it has begun.
+    bool filters_calls() const { return filter_ != nullptr; }
+
   private:
     std::unique_ptr<const LandlockRules> rules_;
     const CallFilter* filter_;

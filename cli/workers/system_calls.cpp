@@ -1,175 +1,32 @@
 #include "cli/workers/system_calls.h"
 
-#include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
+#include <linux/bpf_common.h>
+#include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <sched.h>
 #include <seccomp.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "cli/workers/allowed_calls.h"
 #include "core/error.h"
 
 namespace vvr {
 
 namespace {
-
-using Names = std::span<const char* const>;
-
-// Sockets of every kind. io_uring would open them past this filter.
-constexpr std::array network{"socket", "socketpair", "socketcall", "connect", "bind",    "listen",
-                             "accept", "accept4",    "sendto",     "sendmsg", "sendmmsg"};
-
-// Other processes: to start, to look into, to stop; and to leave the group by which a worker is ended. A program of
-// another file is Landlock's matter: a worker begins with execve.
-constexpr std::array processes{"fork",
-                               "vfork",
-                               "execveat",
-                               "ptrace",
-                               "process_vm_readv",
-                               "process_vm_writev",
-                               "process_madvise",
-                               "process_mrelease",
-                               "kcmp",
-                               "pidfd_open",
-                               "pidfd_getfd",
-                               "pidfd_send_signal",
-                               "kill",
-                               "tkill",
-                               "rt_sigqueueinfo",
-                               "rt_tgsigqueueinfo",
-                               "setpgid",
-                               "setsid",
-                               "unshare",
-                               "setns"};
-
-// What a file is beside its bytes, of which Landlock knows nothing; and truncation, which its oldest versions let pass.
-constexpr std::array files{"chmod",
-                           "fchmod",
-                           "fchmodat",
-                           "fchmodat2",
-                           "chown",
-                           "fchown",
-                           "lchown",
-                           "fchownat",
-                           "setxattr",
-                           "lsetxattr",
-                           "fsetxattr",
-                           "setxattrat",
-                           "removexattr",
-                           "lremovexattr",
-                           "fremovexattr",
-                           "removexattrat",
-                           "utime",
-                           "utimes",
-                           "utimensat",
-                           "futimesat",
-                           "file_setattr",
-                           "truncate",
-                           "truncate64",
-                           "creat",
-                           "name_to_handle_at",
-                           "open_by_handle_at"};
-
-// Memory and queues that other programs of the user share.
-constexpr std::array sharing{"shmget", "shmat", "shmctl",     "msgget", "msgsnd", "msgrcv",  "msgctl",
-                             "semget", "semop", "semtimedop", "semctl", "ipc",    "mq_open", "mq_unlink"};
-
-// The machine.
-constexpr std::array machine{"mount",
-                             "umount",
-                             "umount2",
-                             "pivot_root",
-                             "chroot",
-                             "open_tree",
-                             "move_mount",
-                             "fsopen",
-                             "fsconfig",
-                             "fsmount",
-                             "fspick",
-                             "mount_setattr",
-                             "swapon",
-                             "swapoff",
-                             "quotactl",
-                             "quotactl_fd",
-                             "fanotify_init",
-                             "fanotify_mark",
-                             "acct",
-                             "nfsservctl",
-                             "bpf",
-                             "perf_event_open",
-                             "userfaultfd",
-                             "keyctl",
-                             "add_key",
-                             "request_key",
-                             "init_module",
-                             "finit_module",
-                             "create_module",
-                             "delete_module",
-                             "kexec_load",
-                             "kexec_file_load",
-                             "reboot",
-                             "syslog",
-                             "iopl",
-                             "ioperm",
-                             "lookup_dcookie",
-                             "vhangup",
-                             "settimeofday",
-                             "stime",
-                             "adjtimex",
-                             "clock_settime",
-                             "clock_adjtime",
-                             "clock_adjtime64",
-                             "clock_settime64",
-                             "sethostname",
-                             "setdomainname",
-                             "uselib",
-                             "ustat",
-                             "sysfs",
-                             "_sysctl",
-                             "modify_ldt",
-                             "vm86",
-                             "vm86old",
-                             "mknod",
-                             "mknodat",
-                             "personality",
-                             "memfd_secret"};
-
-// As on a kernel that is too old for them, for which callers have another way; the filter can't read their arguments.
-constexpr std::array newer{"clone3", "openat2", "io_uring_setup", "io_uring_enter", "io_uring_register"};
-
-struct Group {
-    Names calls;
-    int error;
-};
-
-constexpr std::array groups{Group{network, EACCES}, Group{processes, EPERM}, Group{files, EPERM},
-                            Group{sharing, EPERM},  Group{machine, EPERM},   Group{newer, ENOSYS}};
-
-/// Calls that are given up for some arguments alone.
-struct Case {
-    const char* call;
-    scmp_arg_cmp arguments;
-};
-
-constexpr std::array cases{
-    // Threads start, processes don't.
-    Case{"clone", {0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0}},
-    // Limits of the own process alone.
-    Case{"prlimit64", {0, SCMP_CMP_NE, 0, 0}},
-    Case{"open", {1, SCMP_CMP_MASKED_EQ, O_TRUNC, O_TRUNC}},
-    Case{"openat", {2, SCMP_CMP_MASKED_EQ, O_TRUNC, O_TRUNC}},
-};
 
 [[noreturn]] void refuse(std::string_view what, int error) {
     throw Error(ErrorKind::limit, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off", what,
@@ -185,44 +42,59 @@ struct Release {
     void operator()(void* filter) const { ::seccomp_release(filter); }
 };
 
-/// The filter as the kernel takes it.
+constexpr bool is_big_endian = std::endian::native == std::endian::big;
+
+/// The filter as the kernel takes it. Through a pipe, which has room for the longest there can be, and no limit on
+/// files.
 std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
-    const int file = ::memfd_create("vvr-filter", MFD_CLOEXEC);
-    if (file < 0) refuse("memfd_create", errno);
-    const int written = ::seccomp_export_bpf(filter, file);
-    const off_t size = ::lseek(file, 0, SEEK_END);
-    std::vector<sock_filter> program(static_cast<std::size_t>(std::max<off_t>(size, 0)) / sizeof(sock_filter));
-    const ssize_t got = ::pread(file, program.data(), program.size() * sizeof(sock_filter), 0);
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
+    const int written = ::seccomp_export_bpf(filter, pipe[1]);
+    ::close(pipe[1]);
+    std::vector<sock_filter> program(BPF_MAXINSNS);
+    const ssize_t got = ::read(pipe[0], program.data(), program.size() * sizeof(sock_filter));
     const int error = errno;
-    ::close(file);
+    ::close(pipe[0]);
     check(written, "seccomp_export_bpf");
-    if (got != size || program.empty()) refuse("reading the filter", error);
+    if (got <= 0) refuse("reading the filter", got < 0 ? error : ENODATA);
+    program.resize(static_cast<std::size_t>(got) / sizeof(sock_filter));
     return program;
 }
 
 }  // namespace
 
 int why_no_call_filter() {
-    // A filter that is nowhere: what has filters says so, and what hasn't, that.
-    return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == -1 && errno != EFAULT ? errno : 0;
+    // A filter that is nowhere: what has filters says so, and what hasn't, that. In both ways in which one is set here.
+    if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == -1 && errno != EFAULT) return errno;
+    const long set = ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, nullptr);
+    return set == -1 && errno != EFAULT ? errno : 0;
 }
 
-CallFilter::CallFilter() {
-    const std::unique_ptr<void, Release> filter(::seccomp_init(SCMP_ACT_ALLOW));
+CallFilter::CallFilter(bool gpu) {
+    // ENOSYS, as of an older kernel, is what libraries are made for: they do without, or have another way.
+    const std::unique_ptr<void, Release> filter(::seccomp_init(SCMP_ACT_ERRNO(ENOSYS)));
     if (!filter) refuse("seccomp_init", ENOMEM);
     check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2), "seccomp_attr_set");
-    const auto forbid = [&](const char* name, int error, Names::size_type count, const scmp_arg_cmp* arguments) {
+    // Calls in the manner of another processor: 32 bits, or x32.
+    check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS), "seccomp_attr_set");
+    const auto add = [&](std::uint32_t action, const char* name, unsigned count, const scmp_arg_cmp* arguments) {
         const int call = ::seccomp_syscall_resolve_name(name);
-        // Newer than the library, or another processor's; so is its number, then.
-        if (call == __NR_SCMP_ERROR) return;
-        const int added = ::seccomp_rule_add_array(filter.get(), SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)),
-                                                   call, static_cast<unsigned>(count), arguments);
-        if (added != -EDOM) check(added, name);
+        // Newer than the library, or another processor's, whose numbers are below 0.
+        if (call < 0) return;
+        check(::seccomp_rule_add_array(filter.get(), action, call, count, arguments), name);
     };
-    for (const Group& group : groups) {
-        for (const char* const name : group.calls) forbid(name, group.error, 0, nullptr);
+    const auto allow_cases = [&](std::span<const calls::Case> rows) {
+        for (const calls::Case& row : rows) add(SCMP_ACT_ALLOW, row.call, row.count, row.arguments.data());
+    };
+    for (const calls::Names& names : calls::allowed) {
+        for (const char* const name : names) add(SCMP_ACT_ALLOW, name, 0, nullptr);
     }
-    for (const Case& row : cases) forbid(row.call, EPERM, 1, &row.arguments);
+    allow_cases(calls::cases);
+    if (gpu) {
+        for (const char* const name : calls::for_gpu) add(SCMP_ACT_ALLOW, name, 0, nullptr);
+        allow_cases(calls::cases_for_gpu);
+    }
+    for (const char* const name : calls::deadly) add(SCMP_ACT_KILL_PROCESS, name, 0, nullptr);
     program_ = compiled(filter.get());
 }
 
@@ -230,6 +102,27 @@ bool CallFilter::enforce() const {
     // The kernel's type has no const, and it changes nothing.
     const sock_fprog program{static_cast<unsigned short>(program_.size()), const_cast<sock_filter*>(program_.data())};
     return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+bool give_up_beginnings() {
+    // Written by hand: a worker has no use for the library. The filter before this one has seen to the architecture.
+    constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EPERM;
+    const auto own = static_cast<std::uint32_t>(::getpid());
+    constexpr std::uint32_t call = offsetof(seccomp_data, nr);
+    constexpr std::uint32_t first_argument = offsetof(seccomp_data, args) + (is_big_endian ? 4 : 0);
+    std::array rules{
+        sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, call),
+        sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execve, 5, 0),
+        sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_seccomp, 5, 0),
+        sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_tgkill, 0, 2),
+        sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, first_argument),
+        sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own, 0, 2),
+        sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+        sock_filter BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+        sock_filter BPF_STMT(BPF_RET | BPF_K, refused),
+    };
+    const sock_fprog program{rules.size(), rules.data()};
+    return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
 }
 
 }  // namespace vvr

@@ -6,8 +6,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -17,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/workers/worker_begin.h"
 #include "core/error.h"
 
 namespace vvr {
@@ -39,30 +42,73 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// The environment, in which Mesa's software rasteriser reads how many threads it may have.
-std::vector<std::string> environment_for(int threads) {
+/// The environment, in which Mesa's software rasteriser reads how many threads it may have, and vvr that it is a
+/// worker.
+std::vector<std::string> environment_for(int threads, const std::string& worker) {
     constexpr std::string_view rasteriser_threads = "LP_NUM_THREADS=";
-    std::vector<std::string> variables;
+    const std::string own = fmt::format("{}=", worker_variable);
+    std::vector<std::string> variables{own + worker};
     bool decided = false;
     for (char** variable = environ; *variable != nullptr; ++variable) {
         decided = decided || std::string_view(*variable).starts_with(rasteriser_threads);
-        variables.emplace_back(*variable);
+        if (!std::string_view(*variable).starts_with(own)) variables.emplace_back(*variable);
     }
     // 0 = the thread that asks does it itself.
     if (!decided) variables.push_back(fmt::format("{}{}", rasteriser_threads, threads > 1 ? threads : 0));
     return variables;
 }
 
+class Descriptor {
+  public:
+    explicit Descriptor(int file = -1) : file_(file) {}
+    ~Descriptor() {
+        if (file_ >= 0) ::close(file_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int get() const { return file_; }
+    int release() { return std::exchange(file_, -1); }
+
+  private:
+    int file_;
+};
+
+/// From a worker to its parent, who waits for nothing when it reads.
+struct Pipe {
+    Pipe() : Pipe(ends()) {}
+    explicit Pipe(const std::array<int, 2>& both) : out(both[0]), in(both[1]) {}
+
+    static std::array<int, 2> ends() {
+        std::array<int, 2> both{};
+        if (::pipe2(both.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
+        ::fcntl(both[1], F_SETFL, 0);
+        return both;
+    }
+
+    Descriptor out;
+    Descriptor in;
+};
+
 /// What happens between fork and exec: only calls that may stand there in a program with threads.
 struct Birth {
     pid_t parent;
     int output;
     int nothing;
+    int ready;
     int inherited;
-    std::int64_t memory;
+    const WorkerLimits& limits;
     const Confinement& walls;
     char* const* arguments;
     char* const* environment;
+
+    /// Or less, where this process may have less itself.
+    static void allow_at_most(__rlimit_resource what, std::int64_t most) {
+        rlimit limit{};
+        if (::getrlimit(what, &limit) != 0) return;
+        limit.rlim_cur = limit.rlim_max = std::min({limit.rlim_cur, limit.rlim_max, static_cast<rlim_t>(most)});
+        ::setrlimit(what, &limit);
+    }
 
     [[noreturn]] void run() const {
         ::setpgid(0, 0);
@@ -71,14 +117,12 @@ struct Birth {
         ::dup2(nothing, STDIN_FILENO);
         ::dup2(nothing, STDOUT_FILENO);
         ::dup2(output, STDERR_FILENO);
+        ::fcntl(ready, F_SETFD, 0);
         if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
-        if (memory > 0) {
-            // What is allocated counts, not address space: drivers reserve much more of that than they use.
-            const rlimit limit{static_cast<rlim_t>(memory), static_cast<rlim_t>(memory)};
-            ::setrlimit(RLIMIT_DATA, &limit);
-        }
-        const rlimit none{0, 0};
-        ::setrlimit(RLIMIT_CORE, &none);
+        // What is allocated counts, not address space: drivers reserve much more of that than they use.
+        if (limits.memory > 0) allow_at_most(RLIMIT_DATA, limits.memory);
+        if (limits.file > 0) allow_at_most(RLIMIT_FSIZE, limits.file);
+        allow_at_most(RLIMIT_CORE, 0);
         sigset_t open;
         sigemptyset(&open);
         ::sigprocmask(SIG_SETMASK, &open, nullptr);
@@ -99,51 +143,68 @@ Worker::Worker(const std::vector<std::string>& arguments, int threads, const Wor
     : limits_(limits) {
     std::vector<std::string> texts{"vvr"};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> variables = environment_for(threads);
+    Pipe said;
+    Pipe ready;
+    std::vector<std::string> variables = environment_for(threads, worker_value(ready.in.get(), walls.filters_calls()));
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
-    ::fcntl(pipe[1], F_SETFL, 0);
-    const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
     const Birth birth{::getpid(),
-                      pipe[1],
-                      nothing,
+                      said.in.get(),
+                      nothing.get(),
+                      ready.in.get(),
                       inherited,
-                      limits.memory,
+                      limits,
                       walls,
                       argument_pointers.data(),
                       variable_pointers.data()};
     process_ = ::fork();
     if (process_ == 0) birth.run();
-    const int error = errno;
-    ::close(pipe[1]);
-    ::close(nothing);
-    output_ = pipe[0];
-    if (process_ < 0) {
-        ::close(output_);
-        refuse("fork", error);
-    }
+    if (process_ < 0) refuse("fork", errno);
+    output_ = said.out.release();
+    ready_ = ready.out.release();
     ::setpgid(process_, process_);  // as the child does: whoever comes first
 }
 
 Worker::~Worker() {
     if (!ended_) {
-        ::kill(-process_, SIGKILL);
+        kill();
         reap(true);
     }
     ::close(output_);
+    ::close(ready_);
+}
+
+/// Without a sandbox it may have left its group.
+void Worker::kill() const {
+    ::kill(-process_, SIGKILL);
+    ::kill(process_, SIGKILL);
 }
 
 bool Worker::update() {
     read_output();
     reap(false);
-    if (!ended_ && limits_.time.count() > 0 && !end_.timed_out && Clock::now() - began_ > limits_.time) {
-        end_.timed_out = true;
-        ::kill(-process_, SIGKILL);
-    }
+    if (!ended_) hold_to_limits();
     if (ended_) read_output();
     return ended_;
+}
+
+void Worker::hold_to_limits() {
+    if (end_.timed_out || end_.wrote_too_much) return;
+    end_.timed_out = limits_.time.count() > 0 && Clock::now() - began_ > limits_.time;
+    end_.wrote_too_much = !end_.timed_out && limits_.written > 0 && written() > limits_.written;
+    if (end_.timed_out || end_.wrote_too_much) kill();
+}
+
+/// Bytes, as the kernel counts them.
+std::int64_t Worker::written() const {
+    std::ifstream counts(fmt::format("/proc/{}/io", process_));
+    std::string name;
+    std::int64_t bytes = 0;
+    while (counts >> name >> bytes) {
+        if (name == "wchar:") return bytes;
+    }
+    return 0;
 }
 
 void Worker::interrupt() {
@@ -167,6 +228,8 @@ void Worker::reap(bool wait) {
     while (ended < 0 && errno == EINTR);
     if (ended != process_) return;
     ended_ = true;
+    char mark = 0;
+    end_.began = ::read(ready_, &mark, 1) == 1;
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }

@@ -14,14 +14,18 @@ namespace vvr {
 /// What a worker may take. 0 = as much as it likes.
 struct WorkerLimits {
     std::chrono::seconds time{0};
-    std::int64_t memory = 0;  ///< bytes
+    std::int64_t memory = 0;   ///< bytes
+    std::int64_t file = 0;     ///< bytes of the largest file
+    std::int64_t written = 0;  ///< bytes of all that it writes; nothing is held where the kernel doesn't count them
 };
 
 /// How a worker ended.
 struct WorkerEnd {
-    int status = 0;          ///< exit status, or 128 + the signal, as a shell shows it
-    bool timed_out = false;  ///< and was killed for it
-    std::string said;        ///< the end of what it wrote to stderr
+    int status = 0;               ///< exit status, or 128 + the signal, as a shell shows it
+    bool began = false;           ///< it was a worker: nothing that comes after that undoes it
+    bool timed_out = false;       ///< and was killed for it
+    bool wrote_too_much = false;  ///< and was killed for it
+    std::string said;             ///< the end of what it wrote to stderr
     double seconds = 0;
 };
 
@@ -53,11 +57,15 @@ class Worker {
   private:
     using Clock = std::chrono::steady_clock;
 
+    void kill() const;
     void read_output();
     void reap(bool wait);
+    void hold_to_limits();
+    std::int64_t written() const;
 
     pid_t process_ = -1;
     int output_ = -1;
+    int ready_ = -1;
     bool ended_ = false;
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;

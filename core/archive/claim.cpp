@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -67,11 +68,11 @@ Claim::~Claim() {
     ::close(file_);
 }
 
-std::optional<Claim> Claim::take(const fs::path& path, const std::string& name, bool wait) {
+std::optional<Claim> Claim::take(const fs::path& path, const std::string& name) {
     for (;;) {
         const int file = open_file_itself(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
-        if (const int error = lock_file(file, wait); error != 0) {
+        if (const int error = lock_file(file, false); error != 0) {
             ::close(file);
             if (error == EWOULDBLOCK) return std::nullopt;
             refuse(path, error);
@@ -93,11 +94,24 @@ std::optional<Claim> Claim::take(const fs::path& path, const std::string& name, 
 }
 
 std::optional<Claim> Claim::try_take(const fs::path& folder, const std::string& name) {
-    return take(file_for(folder, name), name, false);
+    return take(file_for(folder, name), name);
 }
 
-Claim Claim::wait_for(const fs::path& folder, const std::string& name) {
-    return *take(file_for(folder, name), name, true);
+Claim Claim::wait_for(const fs::path& folder, const std::string& name, std::chrono::milliseconds patience) {
+    // Whoever has the lock may have stopped, or be nobody of ours: so it is asked for, and not waited for in the
+    // kernel.
+    constexpr std::chrono::milliseconds pause{20};
+    const fs::path path = file_for(folder, name);
+    const auto end = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+        if (auto claim = take(path, name)) return std::move(*claim);
+        if (std::chrono::steady_clock::now() >= end) {
+            throw Error(ErrorKind::io, fmt::format("cannot lock '{}' for '{}': another program has had it for {} s; "
+                                                   "look what holds it with: fuser '{}'",
+                                                   path.string(), name, patience.count() / 1000, path.string()));
+        }
+        std::this_thread::sleep_for(pause);
+    }
 }
 
 bool Claim::is_claim(const fs::path& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,9 +17,10 @@ class Claim {
     /// \throws Error io
     static std::optional<Claim> try_take(const std::filesystem::path& folder, const std::string& name);
 
-    /// Waits until nobody else has it.
-    /// \throws Error io
-    static Claim wait_for(const std::filesystem::path& folder, const std::string& name);
+    /// Waits until nobody else has it. A signal ends the wait, as it ends the program.
+    /// \throws Error io, also when another program has it for longer than `patience`
+    static Claim wait_for(const std::filesystem::path& folder, const std::string& name,
+                          std::chrono::milliseconds patience = std::chrono::minutes(5));
 
     /// Takes over the claim of a killed program, and says the name that it is for. Nothing when another program has
     /// it, or when the file is not a claim: not a regular file, or without the plain name from which its own name is
@@ -43,7 +45,7 @@ class Claim {
   private:
     Claim(std::filesystem::path path, int file, bool left_behind);
 
-    static std::optional<Claim> take(const std::filesystem::path& path, const std::string& name, bool wait);
+    static std::optional<Claim> take(const std::filesystem::path& path, const std::string& name);
 
     std::filesystem::path path_;
     int file_;

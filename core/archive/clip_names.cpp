@@ -4,6 +4,9 @@
 
 #include <fnmatch.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "core/video/video_files.h"
 
 namespace vvr {
@@ -25,8 +28,20 @@ bool fits(const std::string& pattern, const std::string& clip) {
 bool ClipNames::matches(const std::string& clip) const {
     const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
     if (std::ranges::any_of(excluded_, fits_clip)) return false;
-    if (patterns_.empty()) return is_video_name(std::string(file_name(clip)));
+    if (videos_ && is_video_name(std::string(file_name(clip)))) return true;
     return std::ranges::any_of(patterns_, fits_clip);
+}
+
+ClipNames ClipNames::with_all() const {
+    ClipNames all(patterns_);
+    all.videos_ = true;
+    return all;
+}
+
+std::string ClipNames::wanted() const {
+    std::string names;
+    if (videos_) names = fmt::format("{}", fmt::join(video_endings(), " "));
+    return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
 }
 
 }  // namespace vvr

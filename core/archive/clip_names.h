@@ -17,9 +17,17 @@ class ClipNames {
 
     bool matches(const std::string& clip) const;
 
+    /// With all that is a clip by its ending or by a pattern, whatever is excluded: what these names leave out is there
+    /// all the same.
+    ClipNames with_all() const;
+
+    /// "*.avi", or the endings of video files: for messages.
+    std::string wanted() const;
+
   private:
     std::vector<std::string> patterns_;
     std::vector<std::string> excluded_;
+    bool videos_ = patterns_.empty();  ///< those with the endings of video files are clips too
 };
 
 }  // namespace vvr

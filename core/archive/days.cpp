@@ -9,6 +9,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "core/archive/limits.h"
 #include "core/archive/names.h"
 #include "core/local_time.h"
 #include "core/plain_name.h"
@@ -16,6 +17,14 @@
 namespace vvr {
 
 namespace {
+
+/// When a clip begins, in seconds since 1970: as its name says, else when it was last written.
+std::int64_t begin_of(const Clip& clip, const RecorderNames& names) {
+    const std::int64_t written = clip.modified / 1'000'000'000;
+    const auto named = names.read(clip.path).begin;
+    const std::int64_t begin = named ? utc_of(*named, written) : written;
+    return can_be_time(begin) ? begin : written;
+}
 
 std::string date_of(std::int64_t utc) {
     return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc + local_offset(utc))));
@@ -28,22 +37,24 @@ bool can_be_folder(const std::string& path) {
 
 }  // namespace
 
-std::vector<CameraDay> group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, std::int64_t settled,
-                                    std::vector<ScanProblem>& problems) {
+CameraDays group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, const Settling& settling) {
+    CameraDays grouped;
     std::map<std::string, CameraDay> days;
+    std::map<std::string, std::int64_t> ahead;
     std::set<std::string> paths;
     std::set<std::string> refused;
     for (const Clip& clip : clips) paths.insert(clip.path);
     for (const Clip& clip : clips) {
-        if (clip.modified > settled) continue;
-        const std::int64_t written = clip.modified / 1'000'000'000;
-        const auto named = names.read(clip.path).begin;
+        if (settling.waits_for(clip)) {
+            ++grouped.waiting;
+            continue;
+        }
         const std::string camera = names.camera_of(clip.path);
-        const std::string date = date_of(named ? utc_of(*named, written) : written);
+        const std::string date = date_of(begin_of(clip, names));
         const std::string path = camera.empty() ? date : fmt::format("{}/{}", camera, date);
         if (!can_be_folder(path) || paths.contains(path)) {
             if (refused.insert(camera).second) {
-                problems.push_back(
+                grouped.problems.push_back(
                     {clip.path, fmt::format("its camera '{}' cannot be the name of a folder for pictures; "
                                             "names can tell another",
                                             text_of_path(camera))});
@@ -55,11 +66,16 @@ std::vector<CameraDay> group_by_day(const std::vector<Clip>& clips, const Record
         day.date = date;
         day.clip.path = path;
         day.clip.size += clip.size;
-        day.clip.modified = std::max(day.clip.modified, clip.modified);
+        std::int64_t& newest = settling.is_ahead(clip) ? ahead[path] : day.clip.modified;
+        newest = std::max(newest, clip.modified);
         day.files.push_back(clip.path);
     }
-    std::vector<CameraDay> grouped;
-    for (auto& [path, day] : days) grouped.push_back(std::move(day));
+    for (auto& [path, day] : days) {
+        // A time of the future is that of a wrong clock: where there are others, it does not tell when the newest came.
+        if (day.clip.modified == 0) day.clip.modified = ahead[path];
+        std::ranges::sort(day.files);
+        grouped.days.push_back(std::move(day));
+    }
     return grouped;
 }
 

@@ -17,10 +17,14 @@ struct CameraDay {
     std::vector<std::string> files;  ///< below the archive's folder
 };
 
+/// Clips by camera and day.
+struct CameraDays {
+    std::vector<CameraDay> days;
+    std::vector<ScanProblem> problems;  ///< cameras whose names can't be those of folders
+    std::size_t waiting = 0;            ///< clips that are still being written, and left out
+};
+
 /// Groups clips by camera and day. A clip of which nothing tells when it begins is of the day when it was last written.
-/// \param settled nanoseconds since 1970; clips that were written later are still being written, and left out
-/// \param problems cameras whose names can't be those of folders
-std::vector<CameraDay> group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, std::int64_t settled,
-                                    std::vector<ScanProblem>& problems);
+CameraDays group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, const Settling& settling);
 
 }  // namespace vvr

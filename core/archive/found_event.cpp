@@ -14,7 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kinds = "mslt";
-constexpr double path_tolerance = 12;  // thousandths of the picture: less than a person's width in most scenes
 constexpr std::size_t before_path = 3;
 
 /// The first letter of a kind; of one that is not known, that of what moved.
@@ -26,48 +25,29 @@ int whole(double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
 }
 
-/// How far a point is from where the straight way from `a` to `b` has it at its moment.
-double off_way(const FoundPoint& a, const FoundPoint& b, const FoundPoint& point) {
-    const double share = b.time > a.time ? static_cast<double>(point.time - a.time) / (b.time - a.time) : 0;
-    return std::hypot(point.x - (a.x + share * (b.x - a.x)), point.y - (a.y + share * (b.y - a.y)));
+/// A number that somebody wrote, as near as an int comes to it.
+int whole(const Json& json) {
+    return whole(json.get<double>());
 }
 
-/// Douglas and Peucker's way, by the distance at the same moment: marks what stays between two points that do.
-void mark_kept(std::span<const FoundPoint> path, double tolerance, std::vector<bool>& kept) {
-    std::vector<std::pair<std::size_t, std::size_t>> parts{{0, path.size() - 1}};
-    while (!parts.empty()) {
-        const auto [begin, end] = parts.back();
-        parts.pop_back();
-        double farthest = tolerance;
-        std::size_t at = begin;
-        for (std::size_t k = begin + 1; k < end; ++k) {
-            const double off = off_way(path[begin], path[end], path[k]);
-            if (off <= farthest) continue;
-            farthest = off;
-            at = k;
-        }
-        if (at == begin) continue;
-        kept[at] = true;
-        parts.emplace_back(begin, at);
-        parts.emplace_back(at, end);
-    }
+int tenths_of(double seconds) {
+    return static_cast<int>(std::lround(std::clamp(seconds * 10, -1e8, 1e8)));
 }
 
 FoundEvent event_of(const Json& event, double width, double height) {
     FoundEvent found;
     found.kind = kind_of(event.at("kind").get<std::string>());
-    found.number = event.at("number").get<int>();
+    found.number = whole(event.at("number"));
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
-    found.still = whole(still * 10);
-    std::vector<FoundPoint> path;
+    found.still = tenths_of(still);
+    std::vector<WayPoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");
-        path.push_back({whole(point.at("seconds").get<double>() * 10),
-                        whole((place.at("x").get<double>() + 0.5) / width * 1000),
-                        whole((place.at("y").get<double>() + 0.5) / height * 1000)});
+        way.push_back(way_point(point.at("seconds").get<double>(),
+                                {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
     }
-    found.path = simplified(path, path_tolerance);
+    found.path = simplified(way);
     return found;
 }
 
@@ -76,18 +56,6 @@ int length_of(const FoundEvent& event) {
 }
 
 }  // namespace
-
-std::vector<FoundPoint> simplified(std::span<const FoundPoint> path, double tolerance) {
-    if (path.size() < 3) return {path.begin(), path.end()};
-    std::vector<bool> kept(path.size());
-    kept.front() = kept.back() = true;
-    mark_kept(path, tolerance, kept);
-    std::vector<FoundPoint> points;
-    for (std::size_t k = 0; k < path.size(); ++k) {
-        if (kept[k]) points.push_back(path[k]);
-    }
-    return points;
-}
 
 std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
     const Json& events = report.at("events");
@@ -104,7 +72,7 @@ std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
 
 Json json_of(const FoundEvent& event) {
     Json json{std::string(1, event.kind), event.number, event.still};
-    for (const FoundPoint& point : event.path) {
+    for (const WayPoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;
@@ -113,10 +81,10 @@ Json json_of(const FoundEvent& event) {
 FoundEvent found_event_of(const Json& json) {
     FoundEvent event;
     event.kind = kind_of(json.at(0).get<std::string>());
-    event.number = json.at(1).get<int>();
-    event.still = json.at(2).get<int>();
+    event.number = whole(json.at(1));
+    event.still = whole(json.at(2));
     for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {
-        event.path.push_back({json.at(k).get<int>(), json.at(k + 1).get<int>(), json.at(k + 2).get<int>()});
+        event.path.push_back({whole(json.at(k)), whole(json.at(k + 1)), whole(json.at(k + 2))});
     }
     return event;
 }

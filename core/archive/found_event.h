@@ -8,31 +8,21 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/events/way.h"
+
 namespace vvr {
-
-/// Where an event was and when, in whole numbers: an archive keeps those of a hundred thousand events.
-struct FoundPoint {
-    int time = 0;  ///< tenths of a second of the clip
-    int x = 0;     ///< thousandths of the picture's width
-    int y = 0;     ///< thousandths of its height
-
-    friend bool operator==(const FoundPoint&, const FoundPoint&) = default;
-};
 
 /// What an archive knows of an event of a clip.
 struct FoundEvent {
-    char kind = 'm';               ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
-    int number = 0;                ///< in the picture, the page and the report
-    int still = 0;                 ///< tenths of a second for which it kept its place
-    std::vector<FoundPoint> path;  ///< from its first to its last moment
+    char kind = 'm';             ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
+    int number = 0;              ///< in the picture, the page and the report
+    int still = 0;               ///< tenths of a second for which it kept its place
+    std::vector<WayPoint> path;  ///< its way, from its first to its last moment
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;
 };
 
-/// A path with as few of its points as keep every moment's place within `tolerance`, in the unit of the points.
-std::vector<FoundPoint> simplified(std::span<const FoundPoint> path, double tolerance);
-
-/// The events of a report of `vvr render --report`, with simplified paths; at most `most`, those that last longest.
+/// The events of a report of `vvr render --report`, with simplified ways; at most `most`, those that last longest.
 /// \throws nlohmann::json::exception for what is no report
 std::vector<FoundEvent> found_events(const nlohmann::ordered_json& report, std::size_t most = 1000);
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/archive/limits.h"
 #include "core/json_text.h"
 #include "core/local_time.h"
 #include "core/page/text.h"
@@ -23,16 +25,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "2026-11-21 08:00:07", UTC.
-std::optional<std::int64_t> seconds_of(const std::string& text) {
-    int year = 0;
-    unsigned month = 0, day = 0, hour = 0, minute = 0, second = 0;
-    if (std::sscanf(text.c_str(), "%d-%u-%u %u:%u:%u", &year, &month, &day, &hour, &minute, &second) != 6) return {};
-    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)};
-    if (!date.ok()) return {};
+/// "2026-11-21 08:00:07", UTC; nothing for what is written otherwise, or can't be.
+std::optional<std::int64_t> seconds_of(std::string_view text) {
+    constexpr std::string_view form = "dddd-dd-dd dd:dd:dd";
+    const auto fits = [](char c, char place) { return place == 'd' ? c >= '0' && c <= '9' : c == place; };
+    if (!std::ranges::equal(text, form, fits)) return {};
+    const auto part = [&](std::size_t at, std::size_t digits) {
+        int number = 0;
+        for (const char c : text.substr(at, digits)) number = 10 * number + (c - '0');
+        return number;
+    };
+    const std::chrono::year_month_day date{std::chrono::year(part(0, 4)),
+                                           std::chrono::month(static_cast<unsigned>(part(5, 2))),
+                                           std::chrono::day(static_cast<unsigned>(part(8, 2)))};
+    const int hour = part(11, 2);
+    const int minute = part(14, 2);
+    const int second = part(17, 2);
+    if (!date.ok() || hour > 23 || minute > 59 || second > 60) return {};
     const std::chrono::sys_seconds time = std::chrono::sys_days(date) + std::chrono::hours(hour) +
                                           std::chrono::minutes(minute) + std::chrono::seconds(second);
-    return time.time_since_epoch().count();
+    const std::int64_t seconds = time.time_since_epoch().count();
+    return can_be_time(seconds) ? std::optional(seconds) : std::nullopt;
 }
 
 int files_of(const Sidecar& sidecar) {
@@ -45,10 +58,18 @@ int files_of(const Sidecar& sidecar) {
 struct Place {
     std::string camera;
     std::int64_t begin = 0;  ///< seconds since 1970
+    ClockSource begin_by = ClockSource::none;
 };
 
+/// What `begin_of` goes by.
+ClockSource source_of_begin(const Sidecar& sidecar, const RecorderNames& names) {
+    if (!sidecar.day && names.read(sidecar.clip.path).begin) return ClockSource::file_name;
+    return sidecar.recorded ? sidecar.recorded_by : ClockSource::modified;
+}
+
 Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
-    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
+    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names),
+            source_of_begin(sidecar, names)};
 }
 
 /// Seconds of what lay there for longest and of what stood for longest, and how many things were taken; null where it
@@ -69,6 +90,8 @@ Json badges_of(const Sidecar& sidecar) {
 
 constexpr int gone_bit = 1 << 8;
 constexpr int damaged_bit = 1 << 9;
+constexpr int container_bit = 1 << 10;  // it begins when its container says that it was written
+constexpr int modified_bit = 1 << 11;   // when its file was last written, less its length
 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
@@ -77,24 +100,35 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              place.begin,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
-             files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0),
+             files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
+                 (place.begin_by == ClockSource::container ? container_bit : 0) |
+                 (place.begin_by == ClockSource::modified ? modified_bit : 0),
              badges_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);
         row.push_back(sidecar.reason);
         row.push_back(sidecar.tries);
+        if (sidecar.shows) row.push_back(sidecar.shows->clip.modified / 1'000'000'000);
     }
     return row;
 }
 
 /// What the clocks on the walls of the machine that draws showed: [from, seconds ahead of UTC, name] each, from the
-/// first clip on.
+/// first clip on. Where there is no clip for years, one with a wrong time may be all that is there: what changed in
+/// between is left out.
 Json zone_of(const std::vector<Place>& places) {
+    constexpr std::int64_t years = 3 * 366 * std::int64_t{86'400};
+    std::set<std::int64_t> begins;
+    for (const Place& place : places) begins.insert(place.begin);
     Json zone = Json::array();
-    if (places.empty()) return zone;
-    const auto [first, last] = std::ranges::minmax(places, {}, &Place::begin);
-    for (const ZoneChange& change : zone_changes(first.begin, last.begin)) {
+    const auto add = [&](const ZoneChange& change) {
         zone.push_back({change.from, change.offset, zone_text(change.from)});
+    };
+    for (auto begin = begins.begin(); begin != begins.end();) {
+        auto end = begin;
+        for (auto next = std::next(begin); next != begins.end() && *next - *end < years; ++next) end = next;
+        std::ranges::for_each(zone_changes(*begin, *end), add);
+        begin = std::next(end);
     }
     return zone;
 }
@@ -113,9 +147,13 @@ std::string day_of(std::int64_t utc) {
 }  // namespace
 
 std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
-    const std::int64_t written = sidecar.clip.modified / 1'000'000'000 - std::llround(sidecar.seconds);
+    // When its file was last written. What a later try has seen of the clip, its files don't show.
+    const std::int64_t end = shown_by(sidecar).clip.modified / 1'000'000'000;
+    const std::int64_t written = std::clamp<std::int64_t>(end - std::llround(sidecar.seconds), 0, last_time - 1);
     const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
-    if (named) return utc_of(*named, written);
+    if (named) {
+        if (const std::int64_t begin = utc_of(*named, written); can_be_time(begin)) return begin;
+    }
     if (sidecar.recorded) {
         if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
     }
@@ -177,8 +215,9 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
     }
     json["days"] = days;
     const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);
-    const std::string script =
-        joined(std::string(shared_files::common_js) + std::string(shared_files::place_js), index_script::files);
+    const std::string script = joined(
+        std::string(shared_files::common_js) + std::string(shared_files::place_js) + std::string(shared_files::ways_js),
+        index_script::files);
     return fill(index_files::index_html, {
                                              {"script policy", policy_hash(script)},
                                              {"style policy", policy_hash(style)},

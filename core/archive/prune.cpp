@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -11,7 +14,9 @@
 #include <fmt/format.h>
 
 #include "core/archive/claim.h"
+#include "core/archive/days.h"
 #include "core/error.h"
+#include "core/fnv.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr {
@@ -20,12 +25,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The nearest folder above a clip that exists.
-std::string folder_left(const fs::path& in, const std::string& clip) {
+/// Whether a folder's name is that of a time, as recorders make and remove them: most of it are digits.
+bool is_of_a_time(std::string_view folder) {
+    const auto digits = std::ranges::count_if(folder, [](char c) { return c >= '0' && c <= '9'; });
+    const auto others = std::ranges::count_if(folder, [](char c) { return c != '-' && c != '_' && c != '.'; }) - digits;
+    return digits > 0 && digits >= 2 * others;
+}
+
+/// The folder of a clip that is not there, if it may be a disk that is not mounted: one that is empty, a link that
+/// leads nowhere, or a camera's own at the top of the archive of which no clip is left.
+std::optional<std::string> what_is_away(const fs::path& in, const std::string& clip, const Present& present,
+                                        const RecorderNames& recorders) {
+    fs::path missing;
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
-    while (!folder.empty() && !fs::is_directory(in / folder, none)) folder = folder.parent_path();
-    return folder.string();
+    while (!folder.empty() && !fs::is_directory(in / folder, none)) {
+        if (!is_gone(in / folder)) return folder.string();
+        missing = folder;
+        folder = folder.parent_path();
+    }
+    if (!folder.empty()) {
+        std::error_code error;
+        const bool empty = fs::is_empty(in / folder, error);
+        return empty || error ? std::optional(folder.string()) : std::nullopt;
+    }
+    const std::string top = missing.string();
+    if (top.empty() || is_of_a_time(top) || present.cameras.contains(recorders.camera_of(clip))) return std::nullopt;
+    return top;
 }
 
 /// The files in use: the index, and those of clips that have a sidecar.
@@ -58,16 +84,30 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         } else if (Claim::is_claim(path)) {
             outputs.claims.push_back(path);
         } else if (!hidden && path.extension() == sidecar_ending) {
-            auto sidecar = read_sidecar_file(out, path.lexically_relative(out).string());
+            const std::string name = path.lexically_relative(out).string();
+            std::string problem;
+            auto sidecar = read_sidecar_file(out, name, &problem);
             if (sidecar) outputs.sidecars.push_back(std::move(*sidecar));
+            if (!problem.empty()) outputs.problems.push_back({name, std::move(problem)});
         }
     }
     if (error) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the name and its permissions", out.string(),
                                                error.message()));
     }
+    std::ranges::sort(outputs.problems, {}, &ScanProblem::path);
     std::ranges::sort(outputs.sidecars, {}, [](const Sidecar& sidecar) { return sidecar.clip.path; });
     return outputs;
+}
+
+fs::path staging_of(const fs::path& out, const std::string& clip) {
+    const fs::path place = out / clip;
+    return place.parent_path() / fmt::format(".vvr-{:016x}.new", fnv1a(place.filename().string()));
+}
+
+void remove_staging(const fs::path& staging) {
+    std::error_code none;
+    fs::remove_all(staging, none);
 }
 
 std::vector<std::string> written_names(const std::string& file_name) {
@@ -85,6 +125,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
         const fs::path folder = file.parent_path();
         const std::string& name = left->second;
         remove_leftovers(folder, written_names(name));
+        remove_staging(staging_of(folder, name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
         // No run came back to finish it, and no sidecar will ever name these files.
@@ -97,26 +138,41 @@ void tidy(const fs::path& out, const Outputs& outputs) {
     }
 }
 
-Gone find_gone(const fs::path& in, const std::vector<Sidecar>& sidecars, std::size_t clips_there) {
-    if (clips_there == 0 && !sidecars.empty()) {
+Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& names, const RecorderNames& recorders) {
+    Present present{scan_archive(in, out, names.with_all()), {}, {}};
+    // Without a time to wait for, none is left out.
+    const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
+    for (const CameraDay& day : group_by_day(present.scan.clips, recorders, all).days)
+        present.days.insert(day.clip.path);
+    for (const Clip& clip : present.scan.clips) present.cameras.insert(recorders.camera_of(clip.path));
+    return present;
+}
+
+Whereabouts fate_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
+                    const RecorderNames& recorders) {
+    if (present.days.contains(sidecar.clip.path)) return {};
+    if (sidecar.day && sidecar.day->files.empty()) return {Fate::unknown, {}};
+    std::set<fs::path> looked_at;
+    for (const std::string& clip : sidecar.day ? sidecar.day->files : std::vector{sidecar.clip.path}) {
+        if (!is_gone(in / clip)) return {};
+        if (!looked_at.insert(fs::path(clip).parent_path()).second) continue;
+        if (auto folder = what_is_away(in, clip, present, recorders)) return {Fate::away, std::move(*folder)};
+    }
+    return {Fate::gone, {}};
+}
+
+void check_can_prune(const fs::path& in, const Present& present) {
+    const auto unread = std::ranges::find(present.scan.problems, true, &ScanProblem::unread);
+    if (unread != present.scan.problems.end()) {
+        throw Error(ErrorKind::io, fmt::format("'{}' can't be read: {}; so nothing is pruned, as nobody knows what is "
+                                               "left",
+                                               (in / unread->path).string(), unread->reason));
+    }
+    if (present.scan.clips.empty()) {
         throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
                                                "and they are gone for good, remove the pictures yourself",
                                                in.string()));
     }
-    Gone gone;
-    std::set<std::string> empty;
-    for (const Sidecar& sidecar : sidecars) {
-        if (!is_gone(in / sidecar.clip.path)) continue;
-        const std::string folder = folder_left(in, sidecar.clip.path);
-        std::error_code none;
-        if (!folder.empty() && fs::is_empty(in / folder, none)) {
-            empty.insert(folder);
-        } else {
-            gone.sidecars.push_back(sidecar);
-        }
-    }
-    gone.empty_folders.assign(empty.begin(), empty.end());
-    return gone;
 }
 
 }  // namespace vvr

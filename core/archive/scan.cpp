@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "core/archive/limits.h"
 #include "core/archive/names.h"
 #include "core/error.h"
 #include "core/plain_name.h"
@@ -30,8 +31,13 @@ std::string reason_of(int error) {
     return std::generic_category().message(error);
 }
 
+constexpr std::int64_t second = 1'000'000'000;
+
 Clip clip_of(const std::string& path, const struct stat& status) {
-    return {path, status.st_size, std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec};
+    const std::int64_t written = status.st_mtim.tv_sec;
+    if (written < 0) return {path, status.st_size, 0};
+    if (written >= last_time) return {path, status.st_size, (last_time - 1) * second};
+    return {path, status.st_size, written * second + status.st_mtim.tv_nsec};
 }
 
 /// Whether what lies in a folder is made by the kernel when it is looked at, and is no file: /proc, /sys and their
@@ -50,11 +56,17 @@ class Walk {
     Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
         struct stat status {};
         if (::stat(out.c_str(), &status) == 0) seen_.emplace(status.st_dev, status.st_ino);
-        if (::stat(in.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
+        if (::stat(in.c_str(), &status) == 0 && !S_ISDIR(status.st_mode)) {
+            throw Error(ErrorKind::io,
+                        fmt::format("'{}' is a file, and an archive is a folder of clips; draw one clip with: vvr "
+                                    "render '{}' -o picture.png",
+                                    in.string(), in.string()));
+        }
+        if (::stat(in.c_str(), &status) != 0) {
             throw Error(ErrorKind::io,
                         fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
                                     "is mounted",
-                                    in.string(), errno == 0 ? "it is not a folder" : reason_of(errno)));
+                                    in.string(), reason_of(errno)));
         }
         // A link to a folder that holds this one would bring in the whole machine.
         std::error_code none;
@@ -91,7 +103,7 @@ class Walk {
     void enter(const std::string& folder) {
         struct stat status {};
         if (::stat((in_ / folder).c_str(), &status) != 0) {
-            scan_.problems.push_back({folder, reason_of(errno)});
+            scan_.problems.push_back({folder, reason_of(errno), true});
         } else if (above_.contains({status.st_dev, status.st_ino})) {
             scan_.problems.push_back({folder, "it is a link to a folder that holds all clips; remove it"});
         } else if (!is_of_the_kernel(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
@@ -110,7 +122,7 @@ class Walk {
         }
         std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
         for (const auto& [name, type] : entries) add(folder.empty() ? name : fmt::format("{}/{}", folder, name), type);
-        if (error) scan_.problems.push_back({folder, error.message()});
+        if (error) scan_.problems.push_back({folder, error.message(), true});
     }
 
     void add(const std::string& path, fs::file_type type) {
@@ -127,7 +139,7 @@ class Walk {
         }
         struct stat status {};
         if (::stat((in_ / path).c_str(), &status) != 0) {
-            if (clip) scan_.problems.push_back({path, reason_of(errno)});
+            if (clip) scan_.problems.push_back({path, reason_of(errno), true});
         } else if (S_ISDIR(status.st_mode)) {
             if (link) links_.push_back(path);
         } else if (clip && S_ISREG(status.st_mode)) {
@@ -197,8 +209,18 @@ Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& name
 
 std::optional<Clip> look_at_clip(const fs::path& in, const std::string& path) {
     struct stat status {};
-    if (::stat((in / path).c_str(), &status) != 0) return std::nullopt;
+    if (::stat((in / path).c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
     return clip_of(path, status);
+}
+
+bool Settling::waits_for(const Clip& clip) const {
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    return modified > now - settle && modified < now + settle;
+}
+
+bool Settling::is_ahead(const Clip& clip) const {
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    return modified >= now + settle && modified > now;
 }
 
 }  // namespace vvr

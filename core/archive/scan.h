@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,13 +15,27 @@ namespace vvr {
 struct Clip {
     std::string path;  ///< below the archive's folder
     std::int64_t size = 0;
-    std::int64_t modified = 0;  ///< nanoseconds since 1970
+    std::int64_t modified = 0;  ///< nanoseconds since 1970; of times before that and after 2199, the nearest
+};
+
+/// By the times of their files: which clips are still being written, and which have a time that can't be.
+struct Settling {
+    std::chrono::system_clock::time_point now;
+    std::chrono::nanoseconds settle{};
+
+    /// Whether a clip changed less than `settle` ago. A clock that runs far ahead of ours must not keep a clip waiting
+    /// for years.
+    bool waits_for(const Clip& clip) const;
+
+    /// Whether a clip has a time of the future: the clock of a camera or of a server is ahead, or ours was set back.
+    bool is_ahead(const Clip& clip) const;
 };
 
 /// A place in an archive that could not be read.
 struct ScanProblem {
     std::string path;  ///< below the archive's folder; empty = the folder itself
     std::string reason;
+    bool unread = false;  ///< nobody knows which clips are there
 };
 
 struct Scan {

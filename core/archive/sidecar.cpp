@@ -1,8 +1,9 @@
 #include "core/archive/sidecar.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cmath>
+#include <exception>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -10,6 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/archive/limits.h"
+#include "core/archive/own_file.h"
 #include "core/error.h"
 #include "core/image/atomic_file.h"
 #include "core/json_text.h"
@@ -30,13 +33,30 @@ std::string file_name(const std::string& clip) {
     return clip.substr(clip.rfind('/') + 1);
 }
 
-/// All of a file, if it begins with `beginning`. Other JSON files are not read: they may be large and many.
-std::optional<std::string> text_of_file(const fs::path& path, std::string_view beginning) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(beginning.size(), 0);
-    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())) || text != beginning) return std::nullopt;
-    return text.append(std::istreambuf_iterator<char>(file), {});
+/// A number that can't be where it stands.
+class Unfit : public std::exception {
+  public:
+    const char* what() const noexcept override { return "a number in it cannot be"; }
+};
+
+std::int64_t whole(const Json& json, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+    if (!json.is_number_integer()) throw Unfit();
+    if (json.is_number_unsigned() ? json.get<std::uint64_t>() > static_cast<std::uint64_t>(most)
+                                  : json.get<std::int64_t>() < 0 || json.get<std::int64_t>() > most) {
+        throw Unfit();
+    }
+    return json.get<std::int64_t>();
 }
+
+double number(const Json& json, double most) {
+    const auto value = json.get<double>();
+    if (!(value >= 0 && value <= most)) throw Unfit();
+    return value;
+}
+
+constexpr int most_tries = 1'000'000;
+constexpr int highest_status = 255;
+constexpr double longest_try = 1e9;
 
 template <class Value>
 Json json_of(const std::optional<Value>& value) {
@@ -46,6 +66,40 @@ Json json_of(const std::optional<Value>& value) {
 template <class Value>
 std::optional<Value> optional_of(const Json& json) {
     return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
+}
+
+std::int64_t modified_of(const Json& json) {
+    return whole(json, (last_time - 1) * 1'000'000'000);
+}
+
+/// By folder: {"gate/2026-11-21": ["08.00.mp4", …]}. Most names of a day have a folder in common.
+Json json_of_files(const std::vector<std::string>& files) {
+    Json folders = Json::object();
+    for (const std::string& file : files) {
+        const auto slash = file.rfind('/');
+        const std::string folder = slash == std::string::npos ? "" : file.substr(0, slash);
+        folders[text_of_path(folder)].push_back(text_of_path(file_name(file)));
+    }
+    return folders;
+}
+
+std::vector<std::string> files_of(const Json& folders) {
+    std::vector<std::string> files;
+    for (const auto& [folder, names] : folders.items()) {
+        for (const Json& name : names) {
+            const std::string path = path_of_text((folder.empty() ? "" : folder + "/") + name.get<std::string>());
+            if (!is_plain_path(path)) throw Unfit();
+            files.push_back(path);
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+/// What tells when a clip was recorded; older sidecars don't say, and took it from the container.
+ClockSource source_of(const Json& name) {
+    const auto row = std::ranges::find_if(clock_sources, [&](const ClockSourceRow& r) { return name == r.name; });
+    return row == clock_sources.end() ? ClockSource::container : row->source;
 }
 
 std::vector<OutputKind> kinds_of(const Json& files, const std::string& clip) {
@@ -65,42 +119,63 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     if (json.at(mark) != format_version) return std::nullopt;
     Sidecar sidecar;
     const Json& clip = json.at("clip");
-    sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), clip.at("bytes").get<std::int64_t>(),
-                    clip.at("modified_ns").get<std::int64_t>()};
+    sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), whole(clip.at("bytes")),
+                    modified_of(clip.at("modified_ns"))};
     if (!is_plain_path(sidecar.clip.path)) return std::nullopt;
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
     sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;
-    sidecar.tries = json.at("tries").get<int>();
-    sidecar.status = json.at("status").get<int>();
+    sidecar.tries = static_cast<int>(whole(json.at("tries"), most_tries));
+    sidecar.status = static_cast<int>(whole(json.at("status"), highest_status));
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
-    sidecar.took = json.at("took_seconds").get<double>();
+    sidecar.took = number(json.at("took_seconds"), longest_try);
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
     if (const auto day = json.find("day"); day != json.end()) {
         sidecar.day = Sidecar::Day{path_of_text(day->at("camera").get<std::string>()),
-                                   day->at("date").get<std::string>(), day->at("clips").get<std::int64_t>()};
+                                   day->at("date").get<std::string>(), whole(day->at("clips"))};
+        if (const auto files = json.find("clips"); files != json.end()) sidecar.day->files = files_of(*files);
     }
-    if (sidecar.state == Sidecar::State::failed) return sidecar;
-    sidecar.frames = json.at("frames").get<std::int64_t>();
-    sidecar.damaged = json.at("damaged").get<std::int64_t>();
-    sidecar.seconds = json.at("seconds").get<double>();
-    sidecar.events = optional_of<std::int64_t>(json.at("events"));
+    if (const auto shown = json.find("shows"); shown != json.end() && sidecar.state == Sidecar::State::failed) {
+        sidecar.shows = {{sidecar.clip.path, whole(shown->at("bytes")), modified_of(shown->at("modified_ns"))},
+                         shown->at("settings").get<std::string>()};
+    }
+    if (sidecar.state == Sidecar::State::failed && !sidecar.shows) return sidecar;
+    sidecar.frames = whole(json.at("frames"));
+    sidecar.damaged = whole(json.at("damaged"));
+    sidecar.seconds = number(json.at("seconds"), longest_recording);
+    if (const Json& events = json.at("events"); !events.is_null()) sidecar.events = whole(events);
     sidecar.recorded = optional_of<std::string>(json.at("recorded"));
+    sidecar.recorded_by = source_of(json.value("recorded_by", Json()));
     // Older sidecars have none.
     for (const Json& event : json.value("found", Json::array())) sidecar.found.push_back(found_event_of(event));
     return sidecar;
 }
 
-/// Over lines for people, but each event in one.
+/// A value of a sidecar with each of its parts in a line.
+std::string in_lines(const Json& json) {
+    std::string text = json.is_object() ? "{" : "[";
+    const char* separator = "\n    ";
+    for (const auto& [name, part] : json.items()) {
+        text += separator;
+        if (json.is_object()) text += json_text(Json(name)) + ": ";
+        text += json_text(part);
+        separator = ",\n    ";
+    }
+    return text + (json.empty() ? "" : "\n  ") + (json.is_object() ? "}" : "]");
+}
+
+/// Over lines for people, but each event, and each folder's clips of a day, in one.
 std::string text_of(Json json) {
-    const Json found = json.value("found", Json());
-    json.erase("found");
+    std::string lists;
+    for (const char* name : {"clips", "found"}) {
+        if (const auto list = json.find(name); list != json.end()) {
+            lists += fmt::format(",\n  \"{}\": {}", name, in_lines(*list));
+            json.erase(name);
+        }
+    }
     std::string text = json_text(json, 2);
-    if (found.is_null()) return text + "\n";
     text.resize(text.rfind('\n'));
-    text += ",\n  \"found\": [";
-    for (const Json& event : found) text += (&event == &found.front() ? "\n    " : ",\n    ") + json_text(event);
-    return text + (found.empty() ? "]" : "\n  ]") + "\n}\n";
+    return text + lists + "\n}\n";
 }
 
 }  // namespace
@@ -122,13 +197,20 @@ std::string format_sidecar(const Sidecar& sidecar) {
     if (sidecar.day) {
         json["day"] = {
             {"camera", text_of_path(sidecar.day->camera)}, {"date", sidecar.day->date}, {"clips", sidecar.day->clips}};
+        if (!sidecar.day->files.empty()) json["clips"] = json_of_files(sidecar.day->files);
     }
-    if (done) {
+    if (sidecar.shows) {
+        json["shows"] = {{"bytes", sidecar.shows->clip.size},
+                         {"modified_ns", sidecar.shows->clip.modified},
+                         {"settings", sidecar.shows->settings}};
+    }
+    if (done || sidecar.shows) {
         json["frames"] = sidecar.frames;
         json["damaged"] = sidecar.damaged;
         json["seconds"] = sidecar.seconds;
         json["events"] = json_of(sidecar.events);
         json["recorded"] = json_of(sidecar.recorded);
+        json["recorded_by"] = sidecar.recorded ? Json(row_of(sidecar.recorded_by).name) : Json();
         json["found"] = Json::array();
         for (const FoundEvent& event : sidecar.found) json["found"].push_back(json_of(event));
     }
@@ -145,40 +227,63 @@ std::optional<Sidecar> parse_sidecar(const std::string& text) {
         return sidecar_of(text);
     } catch (const Json::exception&) {
         return std::nullopt;
+    } catch (const Unfit&) {
+        return std::nullopt;
     }
 }
 
 void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
     const std::string text = format_sidecar(sidecar);
-    replace_file(sidecar_path(out, sidecar.clip.path), std::as_bytes(std::span(text)));
+    const fs::path file = sidecar_path(out, sidecar.clip.path);
+    check_own_place(file);
+    replace_file(file, std::as_bytes(std::span(text)), Links::replaced);
 }
 
 std::optional<Sidecar> read_sidecar(const fs::path& out, const std::string& clip) {
     return read_sidecar_file(out, sidecar_path("", clip).string());
 }
 
-std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string& file) {
-    const std::optional<std::string> text = text_of_file(out / file, fmt::format("{{\n  \"{}\"", mark));
-    if (!text) return std::nullopt;
-    std::optional<Sidecar> sidecar = parse_sidecar(*text);
+std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string& file, std::string* problem) {
+    const OwnText own = read_own(out / file, fmt::format("{{\n  \"{}\"", mark), largest_sidecar);
+    if (problem != nullptr) *problem = own.problem;
+    if (!own.text) return std::nullopt;
+    std::optional<Sidecar> sidecar = parse_sidecar(*own.text);
     return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
 }
 
 void take_report(Sidecar& sidecar, const fs::path& report) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(), why));
+    };
     try {
-        const Json json = parse_json(text_of_file(report, "{").value_or(""));
-        sidecar.frames = json.at("frames").at("used").get<std::int64_t>();
-        sidecar.damaged = json.at("frames").at("damaged").get<std::int64_t>();
+        const OwnText own = read_own(report, "{", largest_report);
+        if (!own.problem.empty()) refuse(own.problem);
+        const Json json = parse_json(own.text.value_or(""));
+        sidecar.frames = whole(json.at("frames").at("used"));
+        sidecar.damaged = whole(json.at("frames").at("damaged"));
         sidecar.seconds = json.at("span").at("seconds").get<double>();
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
+        sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));
+        // An index has to put a clip somewhere, and says by what.
+        if (!sidecar.recorded) sidecar.recorded = optional_of<std::string>(json.at("input").at("written"));
         if (const Json& events = json.at("events"); !events.is_null()) {
             sidecar.events = static_cast<std::int64_t>(events.size());
             sidecar.found = found_events(json);
         }
     } catch (const Json::exception& error) {
-        throw Error(ErrorKind::io, fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(),
-                                               error.what()));
+        refuse(error.what());
+    } catch (const Unfit& error) {
+        refuse(error.what());
     }
+    if (sidecar.seconds >= 0 && sidecar.seconds <= longest_recording) return;
+    sidecar.reason =
+        fmt::format("its times say that it lasts {:.3g} s, which cannot be; no length is kept", sidecar.seconds);
+    sidecar.seconds = 0;
+}
+
+Sidecar::Shown shown_by(const Sidecar& sidecar) {
+    return sidecar.shows.value_or(Sidecar::Shown{sidecar.clip, sidecar.settings});
 }
 
 void remove_outputs(const fs::path& out, const Sidecar& sidecar) {

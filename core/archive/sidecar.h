@@ -9,6 +9,7 @@
 #include "core/archive/found_event.h"
 #include "core/archive/names.h"
 #include "core/archive/scan.h"
+#include "core/clock_source.h"
 
 namespace vvr {
 
@@ -31,16 +32,25 @@ struct Sidecar {
         std::string camera;
         std::string date;
         std::int64_t clips = 0;
+        std::vector<std::string> files{};  ///< the paths of its clips; of older sidecars none are known
     };
     std::optional<Day> day;
 
-    // Once it is done.
+    /// The clip of which the files are, where it has changed since and could not be drawn again.
+    struct Shown {
+        Clip clip;             ///< when it was read for them
+        std::string settings;  ///< with which they were drawn
+    };
+    std::optional<Shown> shows;
+
+    // Once it is done; of one that failed, of what its files show.
     std::int64_t frames = 0;
     std::int64_t damaged = 0;
     double seconds = 0;
-    std::optional<std::int64_t> events;   ///< if they were searched for
-    std::optional<std::string> recorded;  ///< UTC, if the container says it
-    std::vector<FoundEvent> found;        ///< the events
+    std::optional<std::int64_t> events;                ///< if they were searched for
+    std::optional<std::string> recorded;               ///< UTC, if anything tells but when the file was last written
+    ClockSource recorded_by = ClockSource::container;  ///< what tells that
+    std::vector<FoundEvent> found;                     ///< the events
 };
 
 /// Writes it whole or not at all. Call it once all files that it names exist.
@@ -52,7 +62,9 @@ std::optional<Sidecar> read_sidecar(const std::filesystem::path& out, const std:
 
 /// The sidecar in a file, if it is one and has the path of its clip's sidecar.
 /// \param file below `out`
-std::optional<Sidecar> read_sidecar_file(const std::filesystem::path& out, const std::string& file);
+/// \param problem why one that is there can't be read; null = it doesn't matter
+std::optional<Sidecar> read_sidecar_file(const std::filesystem::path& out, const std::string& file,
+                                         std::string* problem = nullptr);
 
 /// What `write_sidecar` writes.
 std::string format_sidecar(const Sidecar& sidecar);
@@ -60,9 +72,13 @@ std::string format_sidecar(const Sidecar& sidecar);
 /// The sidecar that a text is; nothing when `format_sidecar` did not make it.
 std::optional<Sidecar> parse_sidecar(const std::string& text);
 
-/// Takes frames, length, events and time of recording from a report of `vvr render --report`.
-/// \throws Error io
+/// Takes frames, length, events and time of recording from a report of `vvr render --report`. A length that no clip has
+/// is left out, and `reason` says so.
+/// \throws Error io when it is no report
 void take_report(Sidecar& sidecar, const std::filesystem::path& report);
+
+/// What its files show, as `shows` has it: the clip as it is, unless a later try has failed.
+Sidecar::Shown shown_by(const Sidecar& sidecar);
 
 /// Removes the files that a sidecar names, then the sidecar.
 /// \throws Error io

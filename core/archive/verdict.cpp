@@ -52,24 +52,21 @@ Need need_of(const Clip& clip, const std::optional<Sidecar>& sidecar, const std:
              const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_by_sidecar(clip, sidecar, out, rules);
     if (!wants_work(need)) return need;
-    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
-    // A clock that runs far ahead of ours must not keep a clip waiting for years.
-    const bool fresh = modified > now - rules.settle && modified < now + rules.settle;
-    return fresh ? Need::still_written : need;
+    return Settling{now, rules.settle}.waits_for(clip) ? Need::still_written : need;
 }
 
 Need need_of_day(const Clip& day, const std::optional<Sidecar>& sidecar, const std::filesystem::path& out,
                  const ArchiveRules& rules, std::chrono::system_clock::time_point now) {
     const Need need = need_of(day, sidecar, out, rules, now);
-    if (need != Need::changed || sidecar->state != Sidecar::State::done || sidecar->settings != rules.settings ||
-        !files_there(*sidecar, out, rules)) {
-        return need;
-    }
+    if (need != Need::changed || sidecar->settings != rules.settings || !files_there(*sidecar, out, rules)) return need;
     // The recorder removes its oldest files; what is seen of them stays.
-    if (day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size) return Need::nothing;
+    const bool fewer = day.modified <= sidecar->clip.modified && day.size < sidecar->clip.size;
+    if (fewer && sidecar->state == Sidecar::State::done) return Need::nothing;
     const std::chrono::nanoseconds added{day.modified - sidecar->clip.modified};
     const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(day.modified)};
-    const bool waits = added >= std::chrono::nanoseconds(0) && added < rules.redraw && modified > now - rules.redraw;
+    const bool is_past = modified <= now;  // by a clock that is ahead there is nothing to wait for
+    const bool waits =
+        is_past && added >= std::chrono::nanoseconds(0) && added < rules.redraw && modified > now - rules.redraw;
     return waits ? Need::later : need;
 }
 

@@ -39,12 +39,12 @@ Reach reach(int i, int cells, std::int64_t count, double apron) {
     return {std::clamp<std::int64_t>(low, 0, count - 1), std::clamp<std::int64_t>(high, 0, count - 1)};
 }
 
-/// The texel layers that cell `i` of `cells` touches in time. Texel layer l stands at (l - 1 + 0.5) / count of the
-/// brick: one more layer before the brick than in it.
-Reach layers_reach(int i, int cells, const BrickLayers& layers) {
+/// The texel layers that cell `i` of `cells` touches in time, `apron` layers more on each side. Texel layer l stands at
+/// (l - 1 + 0.5) / count of the brick: one more layer before the brick than in it.
+Reach layers_reach(int i, int cells, const BrickLayers& layers, double apron) {
     const double scale = static_cast<double>(layers.brick().count) / cells;
-    const auto low = static_cast<std::int64_t>(std::floor(i * scale + 0.5));
-    const auto high = static_cast<std::int64_t>(std::ceil((i + 1) * scale + 0.5));
+    const auto low = static_cast<std::int64_t>(std::floor(i * scale + 0.5 - apron));
+    const auto high = static_cast<std::int64_t>(std::ceil((i + 1) * scale + 0.5 + apron));
     return {std::max<std::int64_t>(low, 0), std::min(high, layers.count() - 1)};
 }
 
@@ -138,8 +138,11 @@ std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
 
 }  // namespace
 
-BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout) {
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout, double margin) {
     const Size size = layers.size();
+    // In x_C, y_C and t_C; along the arc where it is shortest.
+    const Basis basis = layout.basis({0, 0.5, 0.5});
+    const glm::dvec3 around = margin / glm::dvec3(glm::length(basis.x), glm::length(basis.y), glm::length(basis.t));
     const int nx = cells_along(size.width, cell_side);
     const int ny = cells_along(size.height, cell_side);
     const int nt = std::max(cells_along(layers.brick().count, cell_layers),
@@ -152,22 +155,26 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& l
 
     // Between two straight cells lies a sliver that bends out of one and into the other: the apron covers it.
     const double bend = layout.sagitta_x(t_span / nt);
+    // The shader rejects what lies outside of the volume. Flat outer faces would cut the curved volume short.
+    cells.x.front() -= around.x;
+    cells.x.back() += 2 * bend + around.x;
     std::vector<Reach> columns;
-    for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, size.width, bend * size.width));
+    for (int i = 0; i < nx; ++i) columns.push_back(reach(i, nx, size.width, (bend + around.x) * size.width));
 
+    const double more_layers = around.z / t_span * static_cast<double>(layers.brick().count);
     Strip strip(layers);
     for (int t = 0; t < nt; ++t) {
-        strip.lay_out(layers_reach(t, nt, layers));
+        strip.lay_out(layers_reach(t, nt, layers, more_layers));
         for (int j = 0; j < ny; ++j) {
-            strip.join(reach(j, ny, size.height, 0));
+            strip.join(reach(j, ny, size.height, around.y * size.height));
             const auto row = static_cast<std::size_t>(j);
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 cells.ranges.push_back(strip.range(columns[i]));
                 CellBox& box = cells.boxes.emplace_back();
                 if (cells.ranges.back().high == 0) continue;
                 const auto [lit_columns, lit_rows] = strip.occupied(columns[i]);
-                const auto [x_low, x_high] = felt(lit_columns, size.width, bend);
-                const auto [y_low, y_high] = felt(lit_rows, size.height, 0);
+                const auto [x_low, x_high] = felt(lit_columns, size.width, bend + around.x);
+                const auto [y_low, y_high] = felt(lit_rows, size.height, around.y);
                 box = {std::max(x_low, cells.x[i]), std::min(x_high, cells.x[i + 1]), std::max(y_low, cells.y[row]),
                        std::min(y_high, cells.y[row + 1])};
             }

@@ -25,7 +25,7 @@ struct CellBox {
 /// A brick cut into cells: blocks of C-space small enough that a layout bends them into nearly straight hexahedra.
 /// Cells with nothing visible in them are left out when slices are cut.
 struct BrickCells {
-    std::vector<double> x;  ///< ascending borders in x_C, one more than there are cells
+    std::vector<double> x;  ///< ascending borders in x_C, one more than there are cells; the outer ones lie outside
     std::vector<double> y;
     std::vector<double> t;           ///< in t_B, from 0 to 1 over the brick
     std::vector<ValueRange> ranges;  ///< x fastest, then y, then t
@@ -51,7 +51,11 @@ struct BrickCells {
 
 /// The cells of a brick.
 /// \param t_span the part of the window's t_C that the brick takes
-BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout);
+/// \param margin P-space units around what can be seen that belong to the cells too. A pixel is shaded at its centre
+/// and
+///        weighted by how much of it a polygon covers: with half of a pixel's diagonal, cells cover the whole of each
+///        pixel in whose centre something is seen, however the volume is cut.
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout, double margin = 0);
 
 /// The cells of a brick, and the part of the window's t_C that the brick takes.
 struct PlacedCells {

@@ -22,6 +22,8 @@ struct Candidate {
     Tracklet whole;
     EventKind kind = EventKind::moved;
     bool wanted = true;
+    bool from_first = false;  // it was there when its stretch began
+    bool to_last = false;     // and stood there to its end
 };
 
 /// What a standing thing is, by its edges.
@@ -34,6 +36,7 @@ class Conclusion {
 
     std::vector<Event> run() {
         join();
+        look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_pieces();
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
@@ -118,7 +121,53 @@ class Conclusion {
         own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
     }
 
-    Thing thing_of(const Tracklet& own) const {
+    const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
+
+    /// Whether it was there when its stretch began: what it did before nobody knows.
+    bool was_there_first(const Tracklet& own) const {
+        return own.begin.at.seconds - stretch_of(own).first.seconds < options_.stay;
+    }
+
+    /// Marks what stands at the ends of its stretch, before ghosts are set right.
+    void look_at_ends() {
+        in_stretch_.resize(span_.stretches.size());
+        for (std::size_t k = 0; k < candidates_.size(); ++k) {
+            Candidate& candidate = candidates_[k];
+            const Tracklet& own = candidate.whole;
+            candidate.from_first = was_there_first(own);
+            candidate.to_last = own.stood_to_end && stretch_of(own).last.seconds - own.end.at.seconds < options_.stay;
+            in_stretch_[own.stretch].push_back(k);
+        }
+    }
+
+    /// Whether something stood at the same place in another stretch.
+    /// \param from_first from the stretch's beginning, and to its end in any case
+    bool stood_in(std::size_t stretch, const Tracklet& own, bool from_first) const {
+        return std::ranges::any_of(in_stretch_[stretch], [&](std::size_t k) {
+            const Candidate& other = candidates_[k];
+            return other.to_last && (!from_first || other.from_first) && is_at_same_place(other.whole, own);
+        });
+    }
+
+    static bool is_at_same_place(const Tracklet& a, const Tracklet& b) {
+        if (!a.settled || !b.settled) return false;
+        const double off = glm::distance(a.settled->patch.centre, b.settled->patch.centre);
+        return off < same_place * std::max(4.0, b.length);
+    }
+
+    /// Whether it was there from the first to the last frame, as far as there are any.
+    bool was_always_there(const Candidate& candidate) const {
+        if (!candidate.from_first || !candidate.to_last) return false;
+        for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
+            const Stretch& stretch = span_.stretches[k];
+            const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * options_.stay;
+            if (k != candidate.whole.stretch && can_settle && !stood_in(k, candidate.whole, true)) return false;
+        }
+        return true;
+    }
+
+    Thing thing_of(const Candidate& candidate) const {
+        const Tracklet& own = candidate.whole;
         if (scene_.empty()) return Thing::there;
         const Settled& settled = *own.settled;
         const double empty = edge_strength(settled.patch, span_.field, [&](int i, int j) -> int {
@@ -127,9 +176,7 @@ class Conclusion {
             return (c[0] + 2 * c[1] + c[2]) / 4;
         });
         // Of a camera that shakes the empty scene is not sharp everywhere.
-        const bool always = own.begin.at.seconds - span_.first.seconds < options_.stay && own.stood_to_end &&
-                            span_.last.seconds - own.end.at.seconds < options_.stay;
-        if (always && options_.scene_is_learnt) return Thing::light;
+        if (options_.scene_is_learnt && was_always_there(candidate)) return Thing::light;
         if (settled.edges > ghost_ratio * empty && settled.edges >= least_edges) return Thing::there;
         if (empty > ghost_ratio * settled.edges && empty >= least_edges) return Thing::gone;
         return settled.edges >= 2 * least_edges ? Thing::there : Thing::light;
@@ -151,7 +198,7 @@ class Conclusion {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
         }
-        switch (thing_of(own)) {
+        switch (thing_of(candidate)) {
             case Thing::there:
                 candidate.kind = EventKind::left;
                 break;
@@ -168,7 +215,8 @@ class Conclusion {
     void judge_ghost(Candidate& candidate) {
         Tracklet& own = candidate.whole;
         candidate.kind = EventKind::taken;
-        const bool was_never_there = own.begin.at.seconds - span_.first.seconds < options_.stay;
+        const bool was_never_there =
+            candidate.from_first && (own.stretch == 0 || stood_in(own.stretch - 1, own, false));
         if (!was_never_there) {
             own.stays.clear();
             return;
@@ -177,7 +225,7 @@ class Conclusion {
         candidate.kind = EventKind::left;
         own.in_scene = true;
         own.begin.at = own.gone;
-        own.end.at = span_.last;
+        own.end.at = stretch_of(own).last;
         if (own.seconds() < options_.stay) candidate.wanted = false;
         own.from = own.into;
         own.into.reset();
@@ -255,6 +303,16 @@ class Conclusion {
         return false;
     }
 
+    /// Whether it was there when the clip began; or when a stretch after a gap did, if it had been an event before the
+    /// gap. What is new after a gap may be another light, or a camera that was turned.
+    bool was_there_before(const Tracklet& own) const {
+        if (!was_there_first(own)) return false;
+        return own.stretch == 0 || std::ranges::any_of(in_stretch_[own.stretch - 1], [&](std::size_t k) {
+                   return candidates_[k].wanted && candidates_[k].to_last &&
+                          is_at_same_place(candidates_[k].whole, own);
+               });
+    }
+
     /// Nothing is put down by nobody: what appears in the middle of a scene with nobody beside it is a patch of light,
     /// a caption, or what a codec leaves.
     void find_bearer(std::size_t k) {
@@ -263,9 +321,12 @@ class Conclusion {
         const bool is_thing = candidate.kind == EventKind::left || candidate.kind == EventKind::taken;
         if (!candidate.wanted || !is_thing || !own.settled) return;
         if (own.from && object_of_.contains(*own.from)) return;
-        const bool was_there = own.begin.at.seconds - span_.first.seconds < options_.stay;
+        if (was_there_first(own) && !was_there_before(own)) {
+            candidate.wanted = false;
+            return;
+        }
         // Of few frames per second somebody may come and go between two.
-        if (was_there || span_.seconds_per_frame() > most_between) return;
+        if (was_there_first(own) || span_.seconds_per_frame() > most_between) return;
         bool any = false;
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
@@ -362,6 +423,7 @@ class Conclusion {
 
     static constexpr double piece_inside = 0.6;  // of a piece's box that lies in that of the whole
     static constexpr double piece_shared = 0.7;  // of its time
+    static constexpr double same_place = 0.5;    // of a thing's length, by which it is off where it was before a gap
     static constexpr double least_group = 1.4;   // times a group is larger than one of it
     static constexpr double most_group = 3.3;
     static constexpr double small_part = 0.7;    // of a group's area: then it was not the group yet
@@ -376,7 +438,8 @@ class Conclusion {
     const Planes& scene_;
     EventOptions options_;
     std::vector<Candidate> candidates_;
-    std::map<std::size_t, std::size_t> object_of_;  // from the number of a track to its object
+    std::vector<std::vector<std::size_t>> in_stretch_;  // places of the candidates in each
+    std::map<std::size_t, std::size_t> object_of_;      // from the number of a track to its object
 };
 
 }  // namespace

@@ -10,11 +10,18 @@
 
 namespace vvr {
 
+/// Frames without a gap between them.
+struct Stretch {
+    Moment first;
+    Moment last;
+};
+
 /// What was looked at.
 struct Span {
     Size field;
     Moment first;
     Moment last;
+    std::vector<Stretch> stretches;  ///< one where there is no gap
 
     double seconds_per_frame() const {
         return (last.seconds - first.seconds) / std::max(1.0, static_cast<double>(last.frame - first.frame));

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "core/events/conclude.h"
-
 namespace vvr {
 
 namespace {
@@ -35,7 +33,11 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
 
 void EventFinder::add(const Sight& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
-    last_ = now;
+    if (stretches_.empty() || comes_after_gap(now)) {
+        begin_anew();
+        stretches_.push_back({now, now});
+    }
+    last_ = stretches_.back().last = now;
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
     Blobs blobs = find_blobs(without_standing(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
@@ -50,6 +52,17 @@ void EventFinder::add(const Sight& sight, const Moment& now) {
     if (label_sink_) give_labels(now);
     if (portrait_sink_) give_portraits(now);
     std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
+}
+
+/// Numbers skip the frames that a recording, or a stream, has lost. Of a slow rate none is skipped.
+bool EventFinder::comes_after_gap(const Moment& now) const {
+    return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= options_.no_signal;
+}
+
+void EventFinder::begin_anew() {
+    for (Track& track : tracks_) end(track, false, last_);
+    tracks_.clear();
+    steadiness_ = {};
 }
 
 /// Takes out of the field what is known to stand there.
@@ -289,6 +302,7 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (track.is_over()) return;
     const bool certain = track.is_certain();
     Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
+    tracklet.stretch = stretches_.size() - 1;
     // Rain and leaves would fill the memory of a stream that lasts for days.
     const bool jumps = !tracklet.settled && tracklet.continuous < options_.continuous;
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
@@ -312,7 +326,7 @@ void EventFinder::give_portraits(const Moment& now) const {
 std::vector<Event> EventFinder::finish(const Planes& scene) {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
-    return conclude(std::move(ended_), {field_, first_, last_}, scene, options_);
+    return conclude(std::move(ended_), {field_, first_, last_, stretches_}, scene, options_);
 }
 
 }  // namespace vvr

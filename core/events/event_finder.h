@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/events/association.h"
+#include "core/events/conclude.h"
 #include "core/events/event.h"
 #include "core/events/event_options.h"
 #include "core/events/labels.h"
@@ -23,7 +24,8 @@ using PortraitSink = std::function<void(std::size_t track, const Portrait& portr
 /// Blobs of consecutive fields are followed as tracks (`associate`). Those that meet share a blob, in which each is
 /// looked for by what it was (`share_blob`). A part that stands still began when it became still, which is when a bag
 /// was put down and not when whoever brought it had gone. At the end tracks of one object are joined (`link`), and it
-/// is told what each of them was (`conclude`).
+/// is told what each of them was (`conclude`). Nobody knows what happened while there was no signal: at a gap all
+/// tracks end, and what is there after it is followed anew.
 class EventFinder {
   public:
     explicit EventFinder(Size field, const EventOptions& options = {});
@@ -50,6 +52,8 @@ class EventFinder {
     std::vector<Event> finish(const Planes& scene = {});
 
   private:
+    bool comes_after_gap(const Moment& now) const;
+    void begin_anew();
     Plane<std::uint8_t> without_standing(const Sight& sight, const Moment& now);
     Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
     void join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const Sight& sight);
@@ -82,6 +86,7 @@ class EventFinder {
     std::vector<Tracklet> ended_;
     Moment first_;
     Moment last_;
+    std::vector<Stretch> stretches_;
     LabelSink label_sink_;
     PortraitSink portrait_sink_;
 };

@@ -20,6 +20,9 @@ struct EventOptions {
     double flicker_lengths = 0.4;  ///< part by which a mover must go farther there
     double flicker_memory = 20;    ///< seconds
 
+    double no_signal =
+        1;  ///< seconds without a frame where numbers of frames are missing: of that time nothing is known
+
     // Following from frame to frame.
     double lost_after = 1;      ///< seconds for which a mover may be unseen and goes on with the same track
     double hidden_after = 3;    ///< the same within a larger object

@@ -67,6 +67,7 @@ std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t trac
 }  // namespace
 
 double link_cost(const Tracklet& earlier, const Tracklet& later, const EventOptions& options) {
+    if (earlier.stretch != later.stretch) return never;
     const double gap = later.begin.at.seconds - earlier.end.at.seconds;
     if (gap < -overlap || later.begin.at.frame <= earlier.begin.at.frame) return never;
     const double areas = std::max(earlier.area, later.area) / std::max(1.0, std::min(earlier.area, later.area));

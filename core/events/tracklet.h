@@ -50,7 +50,8 @@ struct Tracklet {
     bool stood_to_end = false;       ///< it stood when it was last seen
     Moment gone;                     ///< when it was certain that it is not there any more
     std::optional<Portrait> portrait;
-    bool in_scene = false;  ///< the empty scene holds it: the fields showed its ghost, as long as it was not there
+    std::size_t stretch = 0;  ///< between two gaps, in which it was: it tells nothing of another
+    bool in_scene = false;    ///< the empty scene holds it: the fields showed its ghost, as long as it was not there
 
     double seconds() const { return end.at.seconds - begin.at.seconds; }
 };

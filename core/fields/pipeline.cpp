@@ -98,7 +98,8 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     bool ended = false;
     std::int64_t frames = 0;
     const auto is_wanted = [&](const Frame& frame) {
-        return !is_before(options.span, frame.index, frame.pts) && !is_past(options.span, frame.index, frame.pts);
+        return !is_before(options.span, frame.index, frame.pts) && !is_past(options.span, frame.index, frame.pts) &&
+               !is_between_parts(options.span, frame.pts);
     };
 
     FirstError first;

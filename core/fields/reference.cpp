@@ -21,6 +21,7 @@
 #include "core/fields/rank.h"
 #include "core/fields/settings.h"
 #include "core/fields/stabilizer.h"
+#include "core/read_file.h"
 #include "core/video/scaler.h"
 
 namespace vvr {
@@ -225,6 +226,7 @@ Reference make_reference(FrameSource& clip, const FieldOptions& options) {
     SourceOptions like_clip;
     like_clip.field_size = clip.field_size();
     like_clip.colour = clip.colour();
+    check_is_file(kind);
     const auto picture = open_source(kind, like_clip);
     Frame frame = Scaler(*picture)(*picture->next());
     return Planes{std::move(frame.grey), std::move(frame.colour)};

@@ -102,7 +102,7 @@ bool is_polygon_file(std::string_view text) {
 /// A text file's lines as one list.
 /// \throws Error io
 std::string read_polygons(const std::string& file) {
-    std::istringstream lines(read_file(file));
+    std::istringstream lines(read_file(file, most_bytes::text));
     std::string list;
     for (std::string line; std::getline(lines, line);) {
         line.resize(std::min(line.find('#'), line.size()));
@@ -136,8 +136,16 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
     if (is_polygon_list(text) || is_polygon_file(text)) {
         Plane<std::uint8_t> plane(field);
         draw(plane, polygons_of(setting, text), video);
+        if (setting == setting::roi.name && std::ranges::all_of(plane.pixels(), [](auto p) { return p == 0; })) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("{}: \"{}\" is outside of the frame, which has {}x{} pixels, so nothing would be "
+                                    "looked at",
+                                    setting, text, video.width, video.height),
+                        {setting});
+        }
         return plane;
     }
+    check_is_file(text);
     SourceOptions options;
     options.field_size = field;
     const auto picture = open_source(text, options);

@@ -111,6 +111,8 @@ class TemporaryFile {
         }
     }
 
+    const fs::path& path() const { return path_; }
+
     void rename_to(const fs::path& target) {
         // Closed after that, for the same reason. Errors of the disk come from fsync.
         if (::fsync(file_) != 0) throw_error("write", target, errno);
@@ -199,10 +201,19 @@ void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
     replace_file(path, [bytes](const WriteAt& write_at) { write_at(0, bytes); });
 }
 
-void replace_file(const fs::path& path, const std::function<void(const WriteAt&)>& write) {
+void replace_file(const fs::path& path, std::span<const std::byte> bytes, Links links) {
+    if (links == Links::followed) return replace_file(path, bytes);
+    TemporaryFile file(path);
+    file.write(0, bytes, path);
+    file.rename_to(path);
+}
+
+void replace_file(const fs::path& path, const std::function<void(const WriteAt&)>& write,
+                  const std::function<void(const fs::path& written)>& check) {
     const fs::path target = target_of(path);
     TemporaryFile file(target);
     write([&](std::int64_t offset, std::span<const std::byte> bytes) { file.write(offset, bytes, path); });
+    if (check) check(file.path());
     file.rename_to(target);
 }
 

@@ -22,9 +22,19 @@ void check_file_path(const std::filesystem::path& path);
 /// \throws Error io
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// What becomes of a link at `path`.
+enum class Links {
+    followed,
+    replaced,  ///< as by rename(2): where others may make links, what they lead to is not theirs to give
+};
+
+void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes, Links links);
+
 /// The same of a file that is too large for memory: `write` puts it together. If it throws, `path` stays as it was.
-/// \throws Error io; what `write` throws
-void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write);
+/// \param check reads the whole file under its hidden name before `path` becomes it; it may throw too
+/// \throws Error io; what `write` and `check` throw
+void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write,
+                  const std::function<void(const std::filesystem::path& written)>& check = {});
 
 /// Removes the hidden files that killed programs left when they were replacing one of `names` in `folder`. The caller
 /// has to make sure that no program is replacing them now.

@@ -1,7 +1,9 @@
 #include "core/image/codec.h"
 
 #include <algorithm>
+#include <array>
 #include <latch>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -11,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/loading.h"
+#include "core/machine_memory.h"
 
 namespace vvr {
 namespace {
@@ -45,9 +48,21 @@ const PictureCodec& load() {
     void* const library = while_loading([] { return dlopen(VVR_PICTURE_CODEC, how); });
     void* const codec = library ? dlsym(library, picture_codec_symbol) : nullptr;
     if (codec) return *reinterpret_cast<const PictureCodec* (*)()>(codec)();
-    throw Error(
-        ErrorKind::io,
-        fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", dlerror()));
+    const char* const why = dlerror();
+    const std::string text = why == nullptr ? "" : why;
+    // With the 250 libraries it depends on.
+    constexpr std::int64_t bytes_of_all = 200'000'000;
+    const bool short_of_memory =
+        std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
+                            [&](const char* words) { return text.find(words) != std::string::npos; });
+    if (short_of_memory || !may_have(bytes_of_all)) {
+        throw Error(ErrorKind::limit,
+                    fmt::format("out of memory for the library that reads and writes pictures: {}; allow the program "
+                                "more",
+                                text));
+    }
+    throw Error(ErrorKind::io,
+                fmt::format("cannot load the library that reads and writes pictures: {}; install vvr again", text));
 }
 
 }  // namespace

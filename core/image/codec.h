@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,9 +49,11 @@ struct PictureCodec {
     /// The bytes of a picture file; same picture, same bytes.
     /// \throws Error io when OpenImageIO refuses
     std::vector<std::byte> (*encode)(const PictureFile& file);
-    /// Reads a file, or its bytes where they are given. \throws Error io
-    Samples (*read)(const std::filesystem::path& path, std::optional<std::span<const std::byte>> bytes);
-    /// Reads 8-bit values of a file of this size and number of channels. \throws Error io for any other
+    /// Reads a file, or its bytes where they are given, by the reader of one format. \throws Error io, or limit for a
+    /// picture that is too large
+    Samples (*read)(const std::filesystem::path& path, std::string_view format,
+                    std::optional<std::span<const std::byte>> bytes);
+    /// Reads 8-bit values of a PNG of this size and number of channels. \throws Error io for any other
     void (*read_bytes)(const std::filesystem::path& path, Size size, int channels, std::uint8_t* values);
 };
 

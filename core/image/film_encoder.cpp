@@ -57,6 +57,7 @@ struct FilmEncoder::Parts {
         container.reset(made);
         container->pb = writer.context();
         container->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
+        for (const auto& [key, value] : format.tags) av_dict_set(&container->metadata, key.c_str(), value.c_str(), 0);
 
         const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
         check(codec ? 0 : AVERROR_ENCODER_NOT_FOUND);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/av_writer.h"
@@ -17,6 +18,7 @@ struct FilmFormat {
     std::string encoder;
     std::string options;   ///< libav's, of the encoder and the muxer: "crf=17,preset=medium"
     bool palette = false;  ///< 256 colours, made from the first picture
+    std::vector<std::pair<std::string, std::string>> tags{};  ///< of the container: libav's keys, and what they say
 };
 
 /// Whether the installed libav has an encoder.

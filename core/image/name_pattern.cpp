@@ -70,6 +70,15 @@ NamePattern NamePattern::literal(const std::filesystem::path& path) {
     return name;
 }
 
+bool NamePattern::may_be(const std::string& file) const {
+    if (!has_field_) return file == path_.filename().string();
+    if (!file.starts_with(before_) || !file.ends_with(after_)) return false;
+    if (file.size() < before_.size() + after_.size() + static_cast<std::size_t>(digits_)) return false;
+    return std::all_of(file.begin() + static_cast<std::ptrdiff_t>(before_.size()),
+                       file.end() - static_cast<std::ptrdiff_t>(after_.size()),
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
 std::filesystem::path NamePattern::at(std::int64_t number) const {
     if (!has_field_) return path_;
     return path_.parent_path() / fmt::format("{}{:0{}}{}", before_, number, digits_, after_);

@@ -27,6 +27,9 @@ class NamePattern {
     /// The file for a number; without a field, the name itself.
     std::filesystem::path at(std::int64_t number) const;
 
+    /// Whether a file of that name, in the same folder, has one for some number.
+    bool may_be(const std::string& file) const;
+
     const std::filesystem::path& path() const { return path_; }
 
   private:

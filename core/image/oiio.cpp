@@ -67,11 +67,36 @@ std::vector<std::byte> encode(const PictureFile& file) {
     throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}", name.string(), why));
 }
 
-Samples read(const std::filesystem::path& path, std::optional<std::span<const std::byte>> bytes) {
+// The largest picture that is read has so many values, over all channels: 2 GB of them. A file of some bytes may say
+// that it has more.
+constexpr std::uint64_t most_values = 500'000'000;
+
+/// Opens a picture by the reader of its own format. The name counts for nothing, and no other reader has a try: there
+/// are dozens, and some end the program where a file is not as they expect.
+/// \param memory the file's bytes; null = it is read by its name
+std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path, std::string_view format,
+                                       OIIO::Filesystem::IOMemReader* memory) {
+    auto input = OIIO::ImageInput::create(std::string(format));
+    if (!input) throw_unreadable(path, OIIO::geterror());
+    if (memory != nullptr) input->set_ioproxy(memory);
+    OIIO::ImageSpec spec;
+    if (!input->open(path.string(), spec)) throw_unreadable(path, input->geterror());
+    const bool flat = spec.width > 0 && spec.height > 0 && spec.depth == 1 && spec.nchannels > 0 && !spec.deep;
+    if (!flat || static_cast<std::uint64_t>(spec.nchannels) > most_values / spec.image_pixels()) {
+        throw Error(
+            ErrorKind::limit,
+            fmt::format("'{}' says that it has {}x{} pixels of {} channel(s), more than can be read: at most {} "
+                        "million values",
+                        path.string(), spec.width, spec.height, spec.nchannels, most_values / 1'000'000));
+    }
+    return input;
+}
+
+Samples read(const std::filesystem::path& path, std::string_view format,
+             std::optional<std::span<const std::byte>> bytes) {
     std::optional<OIIO::Filesystem::IOMemReader> memory;
     if (bytes) memory.emplace(bytes->data(), bytes->size());
-    const auto input = OIIO::ImageInput::open(path.string(), nullptr, memory ? &*memory : nullptr);
-    if (!input) throw_unreadable(path, OIIO::geterror());
+    const auto input = open(path, format, memory ? &*memory : nullptr);
     const OIIO::ImageSpec& spec = input->spec();
     Samples samples{{spec.width, spec.height}, spec.channelnames, {}, Encoding::srgb, {}};
     if (spec.get_string_attribute("oiio:ColorSpace") == "Linear") samples.encoding = Encoding::linear;
@@ -90,9 +115,10 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; run `vvr extract` again", path.string(), what));
     };
     if (!std::filesystem::exists(path)) fail("there is no such file");
-    const auto input = OIIO::ImageInput::open(path.string());
+    const auto input = OIIO::ImageInput::create("png");
     if (!input) fail(OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
+    OIIO::ImageSpec spec;
+    if (!input->open(path.string(), spec)) fail(input->geterror());
     if (Size{spec.width, spec.height} != size || spec.nchannels != channels ||
         spec.format != OIIO::TypeDesc(OIIO::TypeDesc::UINT8)) {
         fail(fmt::format("{}x{} with {} channel(s) of {} where 8-bit {}x{} with {} is due", spec.width, spec.height,

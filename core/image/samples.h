@@ -25,13 +25,14 @@ struct Samples {
     }
 };
 
-/// Reads any picture file that OpenImageIO knows. Of several pictures in a file it reads the first.
-/// \throws Error io
+/// Reads a PNG, JPEG, TIFF or OpenEXR file: what it is, its first bytes say, whatever its name. Of several pictures in
+/// a file it reads the first. \throws Error io for any other file, or one that is damaged; limit for a picture that is
+/// too large
 Samples read_samples(const std::filesystem::path& path);
 
 /// Reads a picture from the bytes of a file.
-/// \param name its ending gives the format
-/// \throws Error io
+/// \param name for messages
+/// \throws Error as above
 Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes);
 
 /// The same without the channels of pixel data, which are indices and seconds, or NaN, and not intensities.

@@ -67,9 +67,9 @@ std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge) 
     return points;
 }
 
-std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
-                                 const std::vector<TimeTick>& ticks, const glm::vec4& colour) {
-    std::vector<Segment> marks;
+std::vector<LineSegment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
+                                     const std::vector<TimeTick>& ticks, const glm::vec4& colour) {
+    std::vector<LineSegment> marks;
     for (const TimeTick& tick : ticks) {
         const Mark mark = mark_at(layout, edge, volume.t_of_seconds(tick.seconds));
         marks.push_back({glm::vec3(mark.from), glm::vec3(mark.to), colour});
@@ -84,17 +84,20 @@ std::vector<TimeGap> time_gaps(const Volume& volume) {
         const Layer& layer = volume.layer(i);
         const bool empty = layer.missing == layer.frames;
         const double share = volume.t_end() / static_cast<double>(volume.layers());
-        if (empty && !within) gaps.push_back({share * static_cast<double>(i), 0});
-        if (empty) gaps.back().t_end = share * static_cast<double>(i + 1);
+        if (empty && !within) gaps.push_back({share * static_cast<double>(i), 0, layer.pts});
+        if (empty) {
+            gaps.back().t_end = share * static_cast<double>(i + 1);
+            gaps.back().end = layer.last_pts;
+        }
         within = empty;
     }
     return gaps;
 }
 
-std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
-                               const glm::vec4& colour) {
+std::vector<LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
+                                   const glm::vec4& colour) {
     constexpr double between = 0.006;  // t_C from one stroke to the next
-    std::vector<Segment> strokes;
+    std::vector<LineSegment> strokes;
     for (const TimeGap& gap : gaps) {
         const int count = std::max(1, static_cast<int>((gap.t_end - gap.t_begin) / between));
         for (int i = 0; i <= count; ++i) {
@@ -110,7 +113,7 @@ std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& l
 void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
                  const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
-        write_beside("no signal", (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
+        write_beside(gap.words, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
     }
 }
 
@@ -149,11 +152,11 @@ std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most) {
     return breaks;
 }
 
-std::vector<Segment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
-                                 const glm::vec4& colour) {
+std::vector<LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                                     const glm::vec4& colour) {
     constexpr double lean = 0.004;  // in t_C
     constexpr double across = 0.5 * mark_length;
-    std::vector<Segment> strokes;
+    std::vector<LineSegment> strokes;
     for (const TimeBreak& gap : breaks) {
         for (const double t : {gap.t - lean / 2, gap.t + lean / 2}) {
             strokes.push_back({glm::vec3(layout.p_from_c(on_edge(edge, std::max(0.0, t - lean / 2), -across))),

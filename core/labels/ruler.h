@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/bricks/volume.h"
@@ -25,20 +26,23 @@ TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture);
 std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge);
 
 /// The marks of the ticks in P-space.
-std::vector<Segment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
-                                 const std::vector<TimeTick>& ticks, const glm::vec4& colour);
+std::vector<LineSegment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
+                                     const std::vector<TimeTick>& ticks, const glm::vec4& colour);
 
 /// A stretch of the volume in which no frame came.
 struct TimeGap {
     double t_begin = 0;  ///< t_C
     double t_end = 0;
+    double begin = 0;  ///< seconds
+    double end = 0;
+    std::string words = "no signal";  ///< why
 };
 
 std::vector<TimeGap> time_gaps(const Volume& volume);
 
 /// Hatching along the edge where frames are missing, in P-space.
-std::vector<Segment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
-                               const glm::vec4& colour);
+std::vector<LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
+                                   const glm::vec4& colour);
 
 /// Writes beside the hatching what it means, where there is room.
 void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
@@ -58,8 +62,8 @@ struct TimeBreak {
 std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most);
 
 /// Two short strokes across the edge for each, as breaks of an axis are drawn.
-std::vector<Segment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
-                                 const glm::vec4& colour);
+std::vector<LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
+                                     const glm::vec4& colour);
 
 /// Writes beside breaks how long they are, the longest first, where there is room.
 void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,

@@ -112,7 +112,7 @@ std::string format_length(double seconds) {
     return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
 }
 
-std::string format_span(double begin, double end, const WallClock& clock) {
+std::string format_stretch(double begin, double end, const WallClock& clock) {
     if (!clock) {
         const double step = end - begin < 20 ? 0.1 : 1;
         if (begin == end) return fmt::format("at {}", clip_time(begin, step));
@@ -124,9 +124,15 @@ std::string format_span(double begin, double end, const WallClock& clock) {
     const std::tm from = at(begin);
     const std::tm to = at(end);
     const bool same_day = from.tm_yday == to.tm_yday && from.tm_year == to.tm_year;
-    const std::string span = same_day ? fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%H:%M:%S}", from, to)
-                                      : fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%Y-%m-%d %H:%M:%S}", from, to);
-    return clock->zone.empty() ? span : fmt::format("{} ({})", span, clock->zone);
+    return same_day ? fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%H:%M:%S}", from, to)
+                    : fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%Y-%m-%d %H:%M:%S}", from, to);
+}
+
+std::string format_span(double begin, double end, const WallClock& clock) {
+    const std::string span = format_stretch(begin, end, clock);
+    if (!clock) return span;
+    const std::string_view by = row_of(clock->source).words;
+    return clock->zone.empty() ? fmt::format("{} ({})", span, by) : fmt::format("{} ({}; {})", span, clock->zone, by);
 }
 
 }  // namespace vvr

@@ -29,7 +29,10 @@ std::string format_moment(double seconds, const WallClock& clock = {});
 std::string format_length(double seconds);
 
 /// A part of a clip as people write it: "0.0 s to 7.5 s", "0:00 to 1:07", "0:00 to 2:01:07"; with a wall clock
-/// "2026-11-21 08:00:00 to 08:01:07", and the zone where it is known: "… CET, UTC+1".
+/// "2026-11-21 08:00:00 to 08:01:07".
+std::string format_stretch(double begin, double end, const WallClock& clock = {});
+
+/// The same with the zone where it is known, and what tells the time: "… (CET, UTC+1; by file name)".
 std::string format_span(double begin, double end, const WallClock& clock = {});
 
 }  // namespace vvr

@@ -7,10 +7,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/events/way.h"
 #include "core/image/picture_file.h"
 #include "core/json_text.h"
 #include "core/labels/time_ticks.h"
+#include "core/page/heading.h"
 #include "core/page/text.h"
+#include "core/words.h"
 #include "page_files.h"
 #include "page_script.h"
 #include "shared_files.h"
@@ -92,12 +95,15 @@ Json json_of(const PageContent::Segment& segment) {
 }
 
 /// What the clock on the wall shows at second 0, in seconds since 1970-01-01 00:00 on that clock, where it leaps and by
-/// how much, and its zone.
+/// how much, its zone, and what tells it.
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
     Json leaps = Json::array();
     for (const Clock::Leap& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
-    return {{"begin", clock->begin}, {"leaps", leaps}, {"zone", clock->zone.empty() ? Json() : Json(clock->zone)}};
+    return {{"begin", clock->begin},
+            {"leaps", leaps},
+            {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
+            {"by", row_of(clock->source).words}};
 }
 
 std::string css_of(const glm::vec3& colour) {
@@ -127,11 +133,31 @@ Json json_of(const std::vector<PathPoint>& path, Size field) {
     return json;
 }
 
-Json json_of(const Event& event, Size field) {
-    return {{"kind", name_of(event.kind)},   {"first", event.first.frame},
-            {"last", event.last.frame},      {"still", rounded(still_seconds(event))},
-            {"from", number_of(event.from)}, {"into", number_of(event.into)},
-            {"by", number_of(event.by)},     {"path", json_of(event.path, field)}};
+/// The way of an object as the index of an archive has it.
+Json way_of(const std::vector<PathPoint>& path, Size field, Size shown) {
+    const glm::dvec2 size(shown.width, shown.height);
+    const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
+    std::vector<WayPoint> way;
+    for (const PathPoint& point : path) {
+        way.push_back(way_point(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
+    }
+    Json json = Json::array();
+    for (const WayPoint& point : simplified(way)) {
+        for (const int value : {point.time, point.x, point.y}) json.push_back(value);
+    }
+    return json;
+}
+
+Json json_of(const Event& event, Size field, Size shown) {
+    return {{"kind", name_of(event.kind)},
+            {"first", event.first.frame},
+            {"last", event.last.frame},
+            {"still", rounded(still_seconds(event))},
+            {"from", number_of(event.from)},
+            {"into", number_of(event.into)},
+            {"by", number_of(event.by)},
+            {"path", json_of(event.path, field)},
+            {"way", way_of(event.path, field, shown)}};
 }
 
 Json json_of_portrait(const Plane<Bgr>& portrait) {
@@ -151,7 +177,7 @@ Json json_of(const Film& film) {
 Json json_of_events(const PageContent& content) {
     if (!content.events) return {};
     Json json = Json::array();
-    for (const Event& event : *content.events) json.push_back(json_of(event, content.field));
+    for (const Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
     for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
         json[k]["colour"] = css_of(content.colours[k]);
     }
@@ -164,15 +190,22 @@ Json json_of_events(const PageContent& content) {
     return json;
 }
 
+ClockSource source_of(const PageContent& content) {
+    return content.clock ? content.clock->source : ClockSource::none;
+}
+
 Json json_of(const PageContent& content) {
     const Moments& moments = content.moments;
     const Places places(content);
     Json json{{"name", content.name},
+              {"camera", content.camera.empty() ? Json() : Json(content.camera)},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"segments", Json::array()},
+              {"cut", {{"ending", content.cut_ending}, {"names", content.names}}},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
               {"clock", json_of(content.clock)},
+              {"told", row_of(source_of(content)).words},
               {"index", Json()},
               {"live", Json()},
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
@@ -226,6 +259,18 @@ double end_of(const std::vector<SteadyFrames>& times) {
     return last.at(last.first + last.count);
 }
 
+std::int64_t frames_in(const std::vector<SteadyFrames>& times) {
+    std::int64_t frames = 0;
+    for (const SteadyFrames& steady : times) frames += steady.count;
+    return frames;
+}
+
+/// What tells the time of day.
+std::string told_by(const PageContent& content) {
+    const std::string_view words = row_of(source_of(content)).words;
+    return content.clock ? fmt::format("times of day {}", words) : std::string(words);
+}
+
 /// In which direction time runs in the picture, for people.
 std::string way_of_time(const Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &Metadata::value_type::first);
@@ -239,29 +284,36 @@ std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
     const std::string style = std::string(shared_files::theme_css) + std::string(page_files::page_css);
-    const std::string script =
-        joined(std::string(shared_files::common_js) + std::string(shared_files::place_js), page_script::files);
+    const std::string script = joined(
+        std::string(shared_files::common_js) + std::string(shared_files::place_js) + std::string(shared_files::ways_js),
+        page_script::files);
     // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
-    const std::string name = Json::parse(json_text(content.name));
-    return fill(
-        page_files::page_html,
-        {
-            {"script policy", policy_hash(script)},
-            {"style policy", policy_hash(style)},
-            {"connect", content.live ? "; connect-src 'self'" : ""},
-            {"name", html_text(name)},
-            {"summary",
-             fmt::format("{} to {}", format_moment(std::floor(content.moments.times.front().begin), content.clock),
-                         format_moment(std::floor(end_of(content.moments.times) + 1e-4), content.clock))},
-            {"way", way_of_time(content.settings)},
-            {"list", list_of(content)},
-            {"style", style},
-            {"script", script},
-            {"picture", url_of_picture(content)},
-            {"width", fmt::to_string(size.width)},
-            {"height", fmt::to_string(size.height)},
-            {"data", script_json(json_text(data, -1, true))},
-        });
+    const auto shown = [](const std::string& text) {
+        return html_text(Json::parse(json_text(text)).get<std::string>());
+    };
+    const double begin = content.moments.times.front().begin;
+    const double end = end_of(content.moments.times);
+    return fill(page_files::page_html,
+                {
+                    {"script policy", policy_hash(script)},
+                    {"style policy", policy_hash(style)},
+                    {"connect", content.live ? "; connect-src 'self'" : ""},
+                    {"name", shown(content.name)},
+                    {"heading", shown(heading_of(content.camera.empty() ? content.name : content.camera, content.clock,
+                                                 begin, end))},
+                    {"file", shown(content.file)},
+                    {"summary", fmt::format("{} to {}, {}; {}", format_moment(std::floor(begin), content.clock),
+                                            format_moment(std::floor(end + 1e-4), content.clock),
+                                            counted(frames_in(content.moments.times), "frame"), told_by(content))},
+                    {"way", way_of_time(content.settings)},
+                    {"list", list_of(content)},
+                    {"style", style},
+                    {"script", script},
+                    {"picture", url_of_picture(content)},
+                    {"width", fmt::to_string(size.width)},
+                    {"height", fmt::to_string(size.height)},
+                    {"data", script_json(json_text(data, -1, true))},
+                });
 }
 
 }  // namespace vvr

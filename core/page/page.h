@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock_source.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/watched_fields.h"
@@ -28,6 +29,8 @@ struct PageIndex {
 /// What a page shows.
 struct PageContent {
     std::string name;      ///< of the clip, for people
+    std::string camera;    ///< empty = nothing tells it
+    std::string file;      ///< the clip's own name, where `name` or `camera` is another; else empty
     std::string clip_url;  ///< of the clip, relative to the page; empty = there is no file to play
 
     /// A file of a recording.
@@ -36,12 +39,14 @@ struct PageContent {
         double begin = 0;  ///< seconds of the recording
         double length = 0;
     };
-    std::vector<Segment> segments;  ///< instead of a clip, in order
-    WallClock clock;                ///< that the picture shows
-    Size shown;                     ///< size of the clip's picture
-    Size field;                     ///< size of the field, whose pixels are the unit of events
-    Picture picture;                ///< with its pixel data
-    Metadata settings;              ///< of the picture
+    std::vector<Segment> segments;   ///< instead of a clip, in order
+    std::string cut_ending;          ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
+    std::vector<std::string> names;  ///< how files' names tell camera and time, as it was said
+    WallClock clock;                 ///< that the picture shows
+    Size shown;                      ///< size of the clip's picture
+    Size field;                      ///< size of the field, whose pixels are the unit of events
+    Picture picture;                 ///< with its pixel data
+    Metadata settings;               ///< of the picture
     Moments moments;
     std::optional<std::vector<Event>> events;  ///< if they were searched for
     std::vector<std::size_t> numbers;          ///< of the events in the picture; empty = their places, plus 1

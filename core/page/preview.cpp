@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.h"
 #include "core/fit_into.h"
 #include "core/image/resized.h"
 
@@ -76,6 +77,20 @@ void Preview::begin() {
 
 void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
     if (given_up_) return;
+    try {
+        encode(frame, seconds, picture);
+    } catch (const Error& error) {
+        give_up(error.what());
+    }
+}
+
+void Preview::give_up(const std::string& problem) {
+    given_up_ = true;
+    problem_ = problem;
+    encoder_.reset();
+}
+
+void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture) {
     if (taken_ == 0) {
         begin();
         if (given_up_) return;
@@ -95,7 +110,12 @@ void Preview::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture)
 
 std::optional<Film> Preview::finish() {
     if (given_up_ || taken_ == 0) return std::nullopt;
-    film_.bytes = encoder_->finish();
+    try {
+        film_.bytes = encoder_->finish();
+    } catch (const Error& error) {
+        give_up(error.what());
+        return std::nullopt;
+    }
     if (film_.bytes.size() > most_bytes) return std::nullopt;
     return std::move(film_);
 }

@@ -25,7 +25,8 @@ struct ExpectedLength {
     double seconds = 0;
 };
 
-/// Makes the preview of a clip frame by frame. Gives up if it can't be both small and useful.
+/// Makes the preview of a clip frame by frame. Gives up if it can't be both small and useful, or if libav can't encode
+/// it: a page is of use without it.
 class Preview {
   public:
     static constexpr std::size_t most_bytes = 8'000'000;
@@ -49,8 +50,13 @@ class Preview {
     /// Nothing if the clip is too long, or if libav has no encoder for a format that browsers play. Call it once.
     std::optional<Film> finish();
 
+    /// What libav said where it could not encode it; empty = it could.
+    const std::string& problem() const { return problem_; }
+
   private:
     void begin();
+    void encode(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
+    void give_up(const std::string& problem);
 
     Use use_;
     Size size_;
@@ -61,6 +67,7 @@ class Preview {
     std::int64_t first_frame_ = 0;
     std::int64_t last_tick_ = 0;
     bool given_up_ = false;
+    std::string problem_;
 };
 
 }  // namespace vvr

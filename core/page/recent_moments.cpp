@@ -29,14 +29,14 @@ FieldSummary RecentMoments::read(const FieldNeeds& needs, const FieldSink& sink)
     });
 }
 
-Moments RecentMoments::since(std::int64_t first) const {
+Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
     TimeLine times;
     for (const Moment& moment : times_) {
-        if (moment.frame >= first) times.add(moment.frame, moment.seconds);
+        if (moment.frame >= first && moment.frame <= last) times.add(moment.frame, moment.seconds);
     }
     Moments moments{times.stretches(), {}, {}};
     std::ranges::copy_if(stills_, std::back_inserter(moments.stills),
-                         [first](const Still& still) { return still.frame >= first; });
+                         [=](const Still& still) { return still.frame >= first && still.frame <= last; });
     if (moments.stills.empty() && !stills_.empty()) moments.stills.push_back(stills_.back());
     return moments;
 }

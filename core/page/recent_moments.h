@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <memory>
 
 #include "core/fields/field_source.h"
@@ -23,8 +24,8 @@ class RecentMoments final : public FieldSource {
     bool has_pictures() const override { return fields_->has_pictures(); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
-    /// The moments from this frame on. There is no preview.
-    Moments since(std::int64_t first) const;
+    /// The moments from this frame on, until the last of a picture. There is no preview.
+    Moments since(std::int64_t first, std::int64_t last = std::numeric_limits<std::int64_t>::max()) const;
 
   private:
     void look_at(const Frame& frame, const Field& field);

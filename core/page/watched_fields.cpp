@@ -42,9 +42,10 @@ FieldSummary WatchedFields::read(const FieldNeeds& needs, const FieldSink& sink)
 
 Moments WatchedFields::take() {
     if (encoding_.valid()) encoding_.get();
-    Moments moments{times_.stretches(), {}, {}};
+    Moments moments{times_.stretches(), {}, {}, {}};
     if (stills_) moments.stills = stills_->take();
     if (preview_) moments.preview = preview_->finish();
+    if (preview_) moments.problem = preview_->problem();
     return moments;
 }
 

@@ -3,6 +3,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/fields/field_source.h"
@@ -17,6 +18,7 @@ struct Moments {
     std::vector<SteadyFrames> times;
     std::vector<Still> stills;
     std::optional<Film> preview;
+    std::string problem{};  ///< why the preview could not be made; empty = it could, or none was due
 };
 
 /// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.

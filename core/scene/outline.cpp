@@ -2,17 +2,17 @@
 
 namespace vvr {
 
-std::vector<Segment> cross_section(const Layout& layout, double t, const glm::vec4& colour) {
+std::vector<LineSegment> cross_section(const Layout& layout, double t, const glm::vec4& colour) {
     const auto corner = [&](double x, double y) { return glm::vec3(layout.p_from_c({x, y, t})); };
     const glm::vec3 corners[] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-    std::vector<Segment> border;
+    std::vector<LineSegment> border;
     for (std::size_t i = 0; i < 4; ++i) border.push_back({corners[i], corners[(i + 1) % 4], colour});
     return border;
 }
 
-std::vector<Segment> volume_outline(const Layout& layout, const glm::vec4& colour) {
+std::vector<LineSegment> volume_outline(const Layout& layout, const glm::vec4& colour) {
     constexpr int steps = 96;
-    std::vector<Segment> segments;
+    std::vector<LineSegment> segments;
     const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
         segments.push_back({glm::vec3(layout.p_from_c(from)), glm::vec3(layout.p_from_c(to)), colour});
     };

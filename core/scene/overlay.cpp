@@ -14,7 +14,7 @@ glm::dvec3 corner(const AxisBox& box, int i) {
     return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
 }
 
-Segment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& colour) {
+LineSegment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& colour) {
     return {glm::vec3(from), glm::vec3(to), colour};
 }
 
@@ -78,16 +78,16 @@ std::vector<glm::dvec3> corners(const AxisBox& box) {
     return points;
 }
 
-std::vector<Segment> box_edges(const AxisBox& box, const glm::vec4& colour) {
-    std::vector<Segment> segments;
+std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour) {
+    std::vector<LineSegment> segments;
     if (box.empty()) return segments;
     for (const auto& [a, b] : hexahedron_edges) segments.push_back(segment(corner(box, a), corner(box, b), colour));
     return segments;
 }
 
-std::vector<Segment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
-                                    const glm::vec4& colour) {
-    std::vector<Segment> segments;
+std::vector<LineSegment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
+                                        const glm::vec4& colour) {
+    std::vector<LineSegment> segments;
     if (box.empty()) return segments;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;

@@ -36,11 +36,11 @@ AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, c
 std::vector<glm::dvec3> corners(const AxisBox& box);
 
 /// The twelve edges of a box; none of an empty one.
-std::vector<Segment> box_edges(const AxisBox& box, const glm::vec4& colour);
+std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour);
 
 /// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
 /// every n-th, about `shown` of them.
-std::vector<Segment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
-                                    const glm::vec4& colour);
+std::vector<LineSegment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
+                                        const glm::vec4& colour);
 
 }  // namespace vvr

@@ -14,7 +14,7 @@
 namespace vvr {
 
 /// A straight line in P-space.
-struct Segment {
+struct LineSegment {
     glm::vec3 from;
     glm::vec3 to;
     glm::vec4 colour;  ///< sRGB and opacity
@@ -40,7 +40,7 @@ struct FloorShadow {
 struct Scene {
     std::vector<Glyph> arrows;
     Tracelines tracelines;
-    std::vector<Segment> lines;
+    std::vector<LineSegment> lines;
     std::vector<StandingFrame> frames;
     FloorShadow floor;  ///< empty where none is to be drawn
 };
@@ -53,9 +53,9 @@ FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour);
 FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identify& identify);
 
 /// The border of the volume's cross-section at one time.
-std::vector<Segment> cross_section(const Layout& layout, double t, const glm::vec4& colour);
+std::vector<LineSegment> cross_section(const Layout& layout, double t, const glm::vec4& colour);
 
 /// The edges of the volume.
-std::vector<Segment> volume_outline(const Layout& layout, const glm::vec4& colour);
+std::vector<LineSegment> volume_outline(const Layout& layout, const glm::vec4& colour);
 
 }  // namespace vvr

@@ -20,6 +20,7 @@ struct Piece {
 
 /// The part of a cell that is drawn: a hexahedron in P-space.
 struct Proxy {
+    CellBox box;  ///< in C-space; a side that was cut off meets no neighbour
     std::array<glm::dvec3, 8> corners;
     std::array<double, 8> depth{};  ///< in slices from the nearest slice
     float t_reference = 0;
@@ -43,7 +44,7 @@ struct Proxy {
     }
 };
 
-/// The neighbours of a proxy by face; null where there is none.
+/// The neighbours of a proxy by face; null where none touches it.
 using Neighbours = std::array<const Proxy*, 6>;
 
 struct Corner {
@@ -136,12 +137,11 @@ Proxy make_proxy(const Cutting& cutting, const PlacedCells& brick, int ix, int i
     const BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
-    CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
-    // Flat outer faces would cut the curved volume short; the fragment shader rejects what is too much.
-    if (box.x_high >= 1) box.x_high += 2 * cutting.layout->sagitta_x((brick.t_end - brick.t_begin) / cells.nt());
+    const CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
     const auto t_at = [&](double t_b) { return std::lerp(brick.t_begin, brick.t_end, t_b); };
     const double t_low = cells.t[static_cast<std::size_t>(it)];
     const double t_high = cells.t[static_cast<std::size_t>(it) + 1];
+    proxy.box = box;
     unsigned outside = ~0U;
     for (std::size_t i = 0; i < proxy.corners.size(); ++i) {
         const glm::dvec3 p =
@@ -224,10 +224,15 @@ SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, co
             for (int ix = 0; ix < nx; ++ix) {
                 const Proxy& proxy = sheet[at(ix, iy)];
                 if (!proxy.visible) continue;
-                const Neighbours neighbours = {ix > 0 ? drawn(sheet, at(ix - 1, iy)) : nullptr,
-                                               ix + 1 < nx ? drawn(sheet, at(ix + 1, iy)) : nullptr,
-                                               iy > 0 ? drawn(sheet, at(ix, iy - 1)) : nullptr,
-                                               iy + 1 < ny ? drawn(sheet, at(ix, iy + 1)) : nullptr,
+                // A box that was cut smaller than its cell doesn't reach the next one.
+                const auto touching = [&](bool exists, int x, int y, double CellBox::*far, double CellBox::*near) {
+                    const Proxy* const beside = exists ? drawn(sheet, at(x, y)) : nullptr;
+                    return beside != nullptr && beside->box.*far == proxy.box.*near ? beside : nullptr;
+                };
+                const Neighbours neighbours = {touching(ix > 0, ix - 1, iy, &CellBox::x_high, &CellBox::x_low),
+                                               touching(ix + 1 < nx, ix + 1, iy, &CellBox::x_low, &CellBox::x_high),
+                                               touching(iy > 0, ix, iy - 1, &CellBox::y_high, &CellBox::y_low),
+                                               touching(iy + 1 < ny, ix, iy + 1, &CellBox::y_low, &CellBox::y_high),
                                                drawn(before, at(ix, iy)),
                                                drawn(after, at(ix, iy))};
                 const auto [low, high] = std::ranges::minmax(proxy.depth);

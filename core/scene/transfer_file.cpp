@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -14,6 +12,7 @@
 
 #include "core/choice.h"
 #include "core/error.h"
+#include "core/read_file.h"
 
 namespace vvr {
 
@@ -49,13 +48,11 @@ double number_in(std::string_view word, const Column& column, const std::string&
 }
 
 std::string read_text(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    // A stream takes a folder for a file until it reads; then its buffer throws, which << turns into a state.
-    if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-    if (stream.is_open() && !stream.bad() && text && !std::filesystem::is_directory(path)) return text.str();
-    throw Error(ErrorKind::io, fmt::format("cannot read transfer function '{}': {}", path.string(),
-                                           std::generic_category().message(errno != 0 ? errno : EIO)));
+    try {
+        return read_file(path.string(), most_bytes::text);
+    } catch (const Error& error) {
+        throw Error(error.kind(), fmt::format("cannot read transfer function '{}': {}", path.string(), error.what()));
+    }
 }
 
 }  // namespace

@@ -30,6 +30,11 @@ glm::dvec2 Camera::pixel(const glm::dvec3& p, Size picture) const {
     return {(clip.x / clip.w + 1) / 2 * picture.width, (1 - clip.y / clip.w) / 2 * picture.height};
 }
 
+double Camera::pixel_side(const glm::dvec3& p, Size picture) const {
+    const double depth = perspective ? glm::dot(p - eye, forward) : 1;
+    return 2 * depth / (projection[1][1] * picture.height);
+}
+
 Camera Camera::cropped(const PixelBox& part, Size picture) const {
     const glm::dvec2 scale = {static_cast<double>(picture.width) / part.width(),
                               static_cast<double>(picture.height) / part.height()};

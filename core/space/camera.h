@@ -33,6 +33,9 @@ struct Camera {
     /// The camera whose picture of size `picture` shows this one's in `part`, and more around it.
     Camera within(const PixelBox& part, Size picture) const;
 
+    /// The side of a pixel of `picture` at the depth of a point, in P-space units.
+    double pixel_side(const glm::dvec3& p, Size picture) const;
+
     /// Pixel position (column, row from the top; pixel centres at .5) of a point of P-space.
     glm::dvec2 pixel(const glm::dvec3& p, Size picture) const;
 };

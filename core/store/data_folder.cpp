@@ -49,7 +49,7 @@ void check_data_folder(const fs::path& folder) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
     }
-    if (!fs::is_empty(folder) && !is_data_folder(folder)) {
+    if (!fs::is_empty(folder) && !is_replaceable(folder)) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
                                 "a new or an empty folder",

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/image/codec.h"
+#include "core/read_file.h"
 
 namespace vvr {
 namespace {
@@ -36,12 +37,14 @@ std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
 }
 
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
+    check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<std::uint8_t>::for_overwrite(size);
     picture_codec().read_bytes(path, size, 1, plane.pixels().data());
     return plane;
 }
 
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
+    check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<Bgr>::for_overwrite(size);
     picture_codec().read_bytes(path, size, 3, plane.pixels().front().data());
     swap_red_and_blue(plane);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -237,13 +238,30 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     return manifest;
 }
 
-bool is_data_folder(const std::filesystem::path& folder) {
+namespace {
+
+/// The JSON of a folder's manifest; nothing where there is no such file.
+std::optional<Json> manifest_of(const std::filesystem::path& folder) {
     std::error_code none;
     const std::filesystem::path file = folder / stored::manifest;
-    if (!std::filesystem::is_regular_file(file, none)) return false;
-    const Json json = parse_json(read_file(file.string()));
-    if (json.is_discarded()) return true;
+    if (!std::filesystem::is_regular_file(file, none)) return std::nullopt;
+    return parse_json(read_file(file.string()));
+}
+
+bool is_ours(const Json& json) {
     return json.is_object() && json.contains("format") && json["format"] == format_name;
+}
+
+}  // namespace
+
+bool is_data_folder(const std::filesystem::path& folder) {
+    const std::optional<Json> json = manifest_of(folder);
+    return json && (json->is_discarded() || is_ours(*json));
+}
+
+bool is_replaceable(const std::filesystem::path& folder) {
+    const std::optional<Json> json = manifest_of(folder);
+    return json && is_ours(*json);
 }
 
 }  // namespace vvr

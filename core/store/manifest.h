@@ -69,4 +69,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name);
 /// says so. A manifest of some other program does not.
 bool is_data_folder(const std::filesystem::path& folder);
 
+/// Whether what is in `folder` is ours to replace: its manifest says so. One that can't be read says nothing.
+bool is_replaceable(const std::filesystem::path& folder);
+
 }  // namespace vvr

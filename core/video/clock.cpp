@@ -7,7 +7,7 @@ constexpr double clock_was_set = 1;  // seconds
 
 }  // namespace
 
-double Clock::operator()(std::optional<double> stamp) {
+double StampClock::operator()(std::optional<double> stamp) {
     if (!origin_ && stamp) origin_ = *stamp - next();
     double time = stamp ? *stamp - *origin_ : next();
     if (last_ && time < *last_ - clock_was_set) {
@@ -19,7 +19,7 @@ double Clock::operator()(std::optional<double> stamp) {
     return time;
 }
 
-double Clock::next() const {
+double StampClock::next() const {
     return last_ ? *last_ + duration_ : 0;
 }
 

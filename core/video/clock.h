@@ -5,13 +5,13 @@
 namespace vvr {
 
 /// Makes the time stamps of a container into times that start at 0 and never run backwards.
-class Clock {
+class StampClock {
   public:
     /// \param duration seconds from one frame to the next, where a stamp is missing
-    explicit Clock(double duration) : duration_(duration) {}
+    explicit StampClock(double duration) : duration_(duration) {}
 
     /// Starts with the clip's first frame at `origin` on the container's clock.
-    Clock(double duration, double origin) : duration_(duration), origin_(origin) {}
+    StampClock(double duration, double origin) : duration_(duration), origin_(origin) {}
 
     /// The time of the next frame in order, in seconds. A small step back repeats the last time; a large one is a
     /// camera that set its clock anew, and time goes on from the last frame.

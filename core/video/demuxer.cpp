@@ -9,7 +9,12 @@
 
 #include <fmt/format.h>
 
+extern "C" {
+#include <libavutil/opt.h>
+}
+
 #include "core/error.h"
+#include "core/video/playlist.h"
 
 namespace vvr {
 namespace {
@@ -58,15 +63,9 @@ bool has_read_error(const std::string& name) {
     const std::string words = log.text(code);
     if (words.starts_with("Format not on whitelist")) {
         throw Error(ErrorKind::not_video,
-                    fmt::format("'{}' is a list of other files, not a video; give those files, or, if it is an HLS "
-                                "playlist, a name that ends in .m3u8",
+                    fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
+                                "files, or their paths, one per line, in a list that ends in .txt",
                                 input.name));
-    }
-    if (is_playlist_name(input.name) && is_local(input)) {
-        throw Error(ErrorKind::not_video,
-                    fmt::format("'{}' is not a playlist that can be read: {}; its files have to lie in its folder or "
-                                "below it",
-                                input.name, words));
     }
     if (code == AVERROR(ENOMEM)) {
         throw Error(ErrorKind::limit, fmt::format("'{}': out of memory while opening", input.name));
@@ -126,6 +125,44 @@ int probe_streams(AVFormatContext& format) {
     return code;
 }
 
+/// Whether a server is asked for it. `file://...` is an address too, but of what is here.
+bool is_remote(const Input& input) {
+    return is_url(input.url) && !is_local(input);
+}
+
+/// The host of an address, and its port where that is not the usual one.
+std::string_view host_of(std::string_view url) {
+    const auto scheme = url.find("://");
+    if (scheme == std::string_view::npos) return {};
+    url.remove_prefix(scheme + 3);
+    url = url.substr(0, url.find_first_of("/?#"));
+    if (const auto user = url.rfind('@'); user != std::string_view::npos) url.remove_prefix(user + 1);
+    for (const std::string_view usual : {":80", ":443", ":554"}) {
+        if (url.ends_with(usual)) url.remove_suffix(usual.size());
+    }
+    return url;
+}
+
+/// Where a server has led libav: HTTP keeps it with the connection, RTSP in place of the address.
+std::string address_of(const AVFormatContext& format) {
+    std::uint8_t* location = nullptr;
+    if (format.pb != nullptr && av_opt_get(format.pb, "location", AV_OPT_SEARCH_CHILDREN, &location) >= 0) {
+        const std::unique_ptr<std::uint8_t, void (*)(void*)> owner(location, &av_free);
+        if (location != nullptr && *location != 0) return reinterpret_cast<const char*>(location);
+    }
+    return format.url != nullptr ? format.url : "";
+}
+
+/// A server may lead to another place of its own, not to another host, which nobody has asked for.
+void check_host(const Input& input, const AVFormatContext& format) {
+    const std::string found = address_of(format);
+    const std::string_view host = host_of(found);
+    if (host.empty() || host == host_of(input.url)) return;
+    throw Error(ErrorKind::io, fmt::format("cannot read '{}': the server leads to another one, '{}'; if that is right, "
+                                           "give its address",
+                                           input.name, host));
+}
+
 /// What is here already is to be seen now, and what UDP lost is lost.
 void set_live(av::Dictionary& options) {
     options.set("fflags", "nobuffer");
@@ -138,10 +175,10 @@ void set_live(av::Dictionary& options) {
 Demuxer::Demuxer(const Input& input, Kind kind, double rate) : watchdog_(input.watchdog) {
     if (input.file) reader_ = std::make_unique<FileReader>(input.file);
     if (input.pipe) pipe_ = std::make_unique<PipeReader>(input.pipe, watchdog_);
-    if (is_local(input) && is_playlist_name(input.name)) playlist_ = std::make_unique<PlaylistFiles>(input.name);
     int code = open(input, rate, "prefer_tcp");
     // Some RTSP servers know no RTP within TCP, and say so in a way that libav takes for a refusal.
     if (code == AVERROR_HTTP_BAD_REQUEST && input.url.starts_with("rtsp")) code = open(input, rate, "");
+    if (code >= 0 && is_remote(input)) check_host(input, *format_);
     if (code >= 0 && kind == Kind::video) code = probe_streams(*format_);
     if (code < 0) throw_unreadable(input, log_, code);
     choose_stream(input, kind);
@@ -153,19 +190,18 @@ int Demuxer::open(const Input& input, double rate, const std::string& rtsp_flags
     log_.attach(*opened, watchdog_.get());
     if (reader_) opened->pb = reader_->context();
     if (pipe_) opened->pb = pipe_->context();
-    if (playlist_) playlist_->attach(*opened);
     av::Dictionary options;
     options.set("framerate", fmt::format("{:.6f}", rate));
     options.set("pattern_type", "none");
     options.set("max_pixels", std::to_string(av::max_pixels));
-    if (is_url(input.url) && watchdog_) {
+    if (is_remote(input) && watchdog_) {
         set_live(options);
         if (!rtsp_flags.empty()) options.set("rtsp_flags", rtsp_flags);
-    } else if (is_url(input.url)) {
+    } else if (is_remote(input)) {
         options.set("rw_timeout", "30000000");
     } else {
         options.set("protocol_whitelist", "file,crypto,data");
-        if (input.format.empty()) options.set("format_whitelist", allowed_formats(playlist_ != nullptr));
+        if (input.format.empty()) options.set("format_whitelist", formats_of_clips());
     }
     const AVInputFormat* const format = input.format.empty() ? nullptr : av_find_input_format(input.format.c_str());
     // libav frees the context itself when it can't open it.

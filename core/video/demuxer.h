@@ -7,7 +7,6 @@
 #include "core/video/av.h"
 #include "core/video/input.h"
 #include "core/video/pipe_reader.h"
-#include "core/video/playlist.h"
 
 namespace vvr {
 
@@ -53,7 +52,6 @@ class Demuxer {
     av::Log log_;
     std::unique_ptr<FileReader> reader_;
     std::unique_ptr<PipeReader> pipe_;
-    std::unique_ptr<PlaylistFiles> playlist_;
     std::shared_ptr<Watchdog> watchdog_;  ///< of a live stream
     av::Ptr<AVFormatContext> format_;
     AVStream* stream_ = nullptr;

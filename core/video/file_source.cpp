@@ -1,7 +1,10 @@
 #include "core/video/file_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <sys/stat.h>
 
 #include <fmt/format.h>
 
@@ -9,6 +12,17 @@
 #include "core/video/stream_info.h"
 
 namespace vvr {
+
+namespace {
+
+/// When a file was last written; nothing for a stream.
+std::optional<std::int64_t> modified_at(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return status.st_mtim.tv_sec;
+}
+
+}  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
     : options_(options), reader_(std::move(input), options.rate, options.threads) {
@@ -26,12 +40,34 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
-    if (options.begin) info_.created = options.begin;
+    unbelievable_ = header_of(demuxer).unbelievable;
+    if (options.begin) {
+        info_.began = options.begin;
+        info_.began_by = ClockSource::file_name;
+    }
+    if (const auto written = modified_at(name)) info_.modified = *written - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
     ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }
 
+std::vector<std::string> FileSource::problems() const {
+    std::vector<std::string> problems;
+    const auto years = [](double seconds) { return seconds / (365.25 * 86'400); };
+    if (unbelievable_ > 0) {
+        problems.push_back(fmt::format("'{}' says that it lasts {:.0f} years; its length is taken from its frames",
+                                       info_.name, years(unbelievable_)));
+    }
+    if (jump_ > 0) {
+        problems.push_back(
+            fmt::format("'{}': its clock jumps by {:.0f} years from one frame to the next; times of what "
+                        "comes after that are not to be trusted",
+                        info_.name, years(jump_)));
+    }
+    return problems;
+}
+
 void FileSource::rewind() {
+    jump_ = 0;
     stored_.reset();
     seek(0);
 }
@@ -47,9 +83,17 @@ void FileSource::seek(double seconds) {
     index_ = start_.packets > 0 ? start_.frames : 0;
 }
 
+/// The frame, with its time looked at.
+std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> frame) {
+    if (!frame) return nullptr;
+    if (frame->pts - last_time_ > longest_clip) jump_ = std::max(jump_, frame->pts - last_time_);
+    last_time_ = frame->pts;
+    return frame;
+}
+
 std::unique_ptr<DecodedFrame> FileSource::next() {
-    if (ahead_) return std::move(ahead_);
-    if (stored_) return stored_->next();
+    if (ahead_) return given(std::move(ahead_));
+    if (stored_) return given(stored_->next());
     for (;;) {
         auto [image, time] = reader_.next();
         if (!image) {
@@ -57,7 +101,7 @@ std::unique_ptr<DecodedFrame> FileSource::next() {
             return nullptr;
         }
         if (start_.packets == 0 || time >= from_) {
-            return std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)});
+            return given(std::make_unique<DecodedFrame>(DecodedFrame{index_++, time, orientation_, std::move(image)}));
         }
         reader_.forget_damage();
     }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/video/clip_sampler.h"
@@ -23,6 +24,7 @@ class FileSource final : public FrameSource {
     bool colour() const override { return options_.colour; }
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override { return reader_.damaged(); }
+    std::vector<std::string> problems() const override;
     void rewind() override;
     void seek(double seconds) override;
     std::vector<Frame> sample(int count) override;
@@ -31,13 +33,18 @@ class FileSource final : public FrameSource {
     double tick() const { return tick_; }
 
   private:
+    std::unique_ptr<DecodedFrame> given(std::unique_ptr<DecodedFrame> frame);
+
     SourceOptions options_;
     VideoReader reader_;
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double tick_ = 0;  ///< of the container's clock, seconds
-    double from_ = 0;  ///< seconds; earlier frames are skipped
+    double tick_ = 0;          ///< of the container's clock, seconds
+    double from_ = 0;          ///< seconds; earlier frames are skipped
+    double unbelievable_ = 0;  ///< seconds that the header says it lasts, where no clip does
+    double last_time_ = 0;     ///< of the frame that was given last
+    double jump_ = 0;          ///< the longest of its clock that no clip has, seconds
     Start start_;
 
     std::int64_t index_ = 0;               ///< of the next frame

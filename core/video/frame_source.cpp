@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "core/video/av.h"
 #include "core/video/file_source.h"
 #include "core/video/input.h"
+#include "core/video/natural_order.h"
 #include "core/video/picture_list.h"
 #include "core/video/picture_source.h"
 #include "core/video/recorder_names.h"
@@ -19,6 +22,8 @@
 #include "core/video/scaler.h"
 #include "core/video/settings.h"
 #include "core/video/time_sampler.h"
+#include "core/video/video_files.h"
+#include "core/words.h"
 
 namespace vvr {
 
@@ -57,6 +62,22 @@ void FrameSource::seek(double) {
     rewind();
 }
 
+namespace {
+
+/// Of a folder of pictures that has videos too: which of them are not drawn.
+std::optional<std::string> videos_beside_pictures(const std::string& folder) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(folder, none)) return std::nullopt;
+    std::vector<std::string> videos = video_files_in(folder);
+    if (videos.empty()) return std::nullopt;
+    std::ranges::sort(videos, natural_less);
+    return fmt::format("'{}' holds pictures, which are drawn as one clip; {} in it {} ignored, '{}'{}", folder,
+                       counted(std::ssize(videos), "video"), videos.size() == 1 ? "is" : "are", videos.front(),
+                       videos.size() == 1 ? "" : " and others");
+}
+
+}  // namespace
+
 std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
     check(setting::rate, options.rate);
     if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
@@ -65,13 +86,14 @@ std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOp
 
 std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings) {
-    if (auto recording = find_recording(names, layouts)) {
+    if (auto recording = find_recording(names, layouts, options.join)) {
         check(setting::rate, options.rate);
         warnings = recording->warnings;
         return std::make_unique<RecordingSource>(std::move(*recording), options);
     }
     SourceOptions one = options;
-    if (const auto begin = layouts.read(names.front()).begin) one.begin = utc_of(*begin);
+    one.begin = look_at_name(names.front(), layouts).begin;
+    if (const auto ignored = videos_beside_pictures(names.front())) warnings.push_back(*ignored);
     return open_source(names.front(), one);
 }
 

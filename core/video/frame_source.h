@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock_source.h"
 #include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 
@@ -23,18 +24,34 @@ struct SegmentPlace {
     friend bool operator==(const SegmentPlace&, const SegmentPlace&) = default;
 };
 
+/// Files of a recording that show only what others show too, and so are not in it.
+struct LeftOut {
+    std::int64_t files = 0;
+    std::int64_t frames = 0;
+    double seconds = 0;
+    std::vector<std::string> first{};  ///< some of the files
+};
+
+/// What of them is left out, with the names of the first: "2 files are left out whole, ..."; for one file or more.
+std::string text_of(const LeftOut& left_out);
+
 /// What a container says of its video, and its first frame. Headers lie: counts are estimates.
 struct VideoInfo {
-    std::string name;                       ///< as the user gave it
-    std::string container;                  ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
-    std::string codec;                      ///< short name of the codec, e.g. "h264"
-    Size size;                              ///< of the picture as it is to be seen: rotated, square pixels
-    double rate = 0;                        ///< frames per second, the container's average; 0 = unknown
-    double duration = 0;                    ///< seconds; 0 = unknown
-    std::int64_t frames = 0;                ///< estimate of the number of frames; 0 = unknown
-    std::optional<std::int64_t> created{};  ///< when its first frame was recorded, seconds since 1970 (UTC)
-    std::string title{};                    ///< of the clip that data files were extracted from; empty = see the name
-    std::vector<SegmentPlace> segments{};   ///< of a recording of several files, those that were read so far
+    std::string name;                     ///< as the user gave it
+    std::string container;                ///< short name of the format, e.g. "avi"; "pictures" for an image sequence
+    std::string codec;                    ///< short name of the codec, e.g. "h264"
+    Size size;                            ///< of the picture as it is to be seen: rotated, square pixels
+    double rate = 0;                      ///< frames per second, the container's average; 0 = unknown
+    double duration = 0;                  ///< seconds; 0 = unknown
+    std::int64_t frames = 0;              ///< estimate of the number of frames; 0 = unknown
+    std::optional<std::int64_t> began{};  ///< when its first frame was recorded, seconds since 1970 (UTC)
+    ClockSource began_by = ClockSource::none;  ///< what tells that
+    std::optional<std::int64_t> created{};     ///< the container's creation_time, seconds since 1970 (UTC)
+    std::optional<std::int64_t>
+        modified{};       ///< when it began if the file was written last at its end, seconds since 1970 (UTC)
+    std::string title{};  ///< of the clip that data files were extracted from; empty = see the name
+    std::vector<SegmentPlace> segments{};  ///< of a recording of several files, those that were read so far
+    LeftOut left_out{};                    ///< of these files
 };
 
 struct SourceOptions {
@@ -42,8 +59,8 @@ struct SourceOptions {
     bool colour = false;    ///< fill Frame::colour as well
     int threads = 0;        ///< decoder threads; 0 = one for each core, or one alone for small pictures
     double rate = 25;       ///< frames per second of what carries no times: image sequences, raw streams
-    std::optional<std::int64_t>
-        begin{};  ///< when a file was recorded, seconds since 1970 (UTC); none = see its container
+    bool join = false;      ///< as `find_recording` has it
+    std::optional<std::int64_t> begin{};  ///< when a file was recorded as its name tells, seconds since 1970 (UTC)
 };
 
 /// Frames of a video file, an image sequence or a piped stream, each once and in order.

@@ -22,10 +22,19 @@ bool is_past(const FrameSpan& span, std::int64_t index, double pts) {
     return (span.stop && index >= *span.stop) || (span.end && pts >= *span.end - slack);
 }
 
+bool is_between_parts(const FrameSpan& span, double pts) {
+    if (span.parts.empty()) return false;
+    return std::ranges::none_of(
+        span.parts, [pts](const FrameSpan::Part& part) { return pts >= part.begin - slack && pts < part.end - slack; });
+}
+
 std::string text_of(const FrameSpan& span) {
-    const std::string from = span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", span.start);
+    // Milliseconds, without what adding fractions leaves in the fifteenth place.
+    const auto shown = [](double seconds) { return std::round(seconds * 1000) / 1000; };
+    const std::string from =
+        span.first > 0 ? fmt::format("frame {}", span.first) : fmt::format("{} s", shown(span.start));
     if (span.stop) return fmt::format("from {} to frame {}", from, *span.stop);
-    if (span.end) return fmt::format("from {} to {} s", from, *span.end);
+    if (span.end) return fmt::format("from {} to {} s", from, shown(*span.end));
     return fmt::format("from {} to its end", from);
 }
 
@@ -39,7 +48,9 @@ std::int64_t expected_frames(const VideoInfo& info, const FrameSpan& span) {
         begin = std::max(begin, span.start * rate);
         if (span.end) end = std::min(end, *span.end * rate);
     }
-    return std::llround(std::max(0.0, end - begin));
+    double left_out = 0;  // seconds
+    for (std::size_t i = 1; i < span.parts.size(); ++i) left_out += span.parts[i].begin - span.parts[i - 1].end;
+    return std::llround(std::max(0.0, end - begin - left_out * rate));
 }
 
 }  // namespace vvr

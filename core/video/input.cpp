@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/shown_text.h"
 #include "core/video/spool.h"
 
 namespace vvr {
@@ -80,15 +81,16 @@ bool is_local(const Input& input) {
 
 Input open_input(const std::string& name) {
     if (name == "-") return open_stdin();
-    if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {name, name, nullptr};
+    if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {without_secrets(name), name, nullptr};
 
     const auto file = open_descriptor(name);
     const auto mode = status_of(*file, name).st_mode;
     if (S_ISREG(mode)) {
         require_bytes(*file, name);
-        // libav opens it by name, as playlists look for their parts beside it. The prefix keeps a name such as
-        // "cam:1.avi" from being taken for a protocol.
-        return {name, std::string(file_protocol) + name, nullptr};
+        // libav opens it by name. The prefix keeps a name such as "cam:1.avi" from being taken for a protocol, and two
+        // slashes from looking like an address.
+        const auto slashes = std::min(name.find_first_not_of('/'), name.size());
+        return {name, std::string(file_protocol) + name.substr(slashes > 1 ? slashes - 1 : 0), nullptr};
     }
     if (S_ISCHR(mode) || S_ISBLK(mode)) {
         throw Error(ErrorKind::io,

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/video/live_input.h"
+#include "core/video/playlist.h"
 #include "core/video/stream_info.h"
 
 namespace vvr {
@@ -29,6 +30,10 @@ double plausible_rate(const Demuxer& demuxer, double stated) {
     constexpr double fastest = 240;
     const double rate = stated > 0 && stated <= fastest ? stated : 1 / demuxer.frame_duration();
     return rate > 0 && rate <= fastest ? rate : 25;
+}
+
+std::int64_t pixels_of(const DecodedFrame& frame) {
+    return std::int64_t{frame.image->width} * frame.image->height;
 }
 
 /// Whether the sender has all of it: it says how many bytes there are.
@@ -117,15 +122,16 @@ bool LiveSource::add(AvFrame image, const std::stop_token& stop) {
     auto frame = std::make_unique<DecodedFrame>(DecodedFrame{index_, time_, orientation_, std::move(image)});
 
     std::unique_lock lock(mutex_);
+    const std::int64_t pixels = pixels_of(*frame);
     if (waits_) {
-        changed_.wait(lock, stop, [&] { return waiting_.size() < frames_of_a_pipe || watchdog_->stopped(); });
-    } else {
-        const std::int64_t pixels = std::max<std::int64_t>(1, std::int64_t{info_.size.width} * info_.size.height);
-        const auto most = static_cast<std::size_t>(std::max<std::int64_t>(2, pixels_waiting / pixels));
-        if (waiting_.size() >= most) {
-            waiting_.pop_front();
-            ++dropped_;
-        }
+        changed_.wait(lock, stop, [&] {
+            return waiting_.empty() || watchdog_->stopped() ||
+                   (waiting_.size() < frames_of_a_pipe && waiting_pixels() + pixels <= pixels_waiting);
+        });
+    }
+    while (waiting_.size() > 1 && waiting_pixels() + pixels > pixels_waiting) {
+        waiting_.pop_front();
+        ++dropped_;
     }
     waiting_.push_back({std::move(frame), now});
     arrivals_.push_back({index_, now});
@@ -167,6 +173,13 @@ bool LiveSource::connect_again(const std::stop_token& stop) {
         return true;
     }
     return false;
+}
+
+/// With the mutex held. A stream may change its size at any frame.
+std::int64_t LiveSource::waiting_pixels() const {
+    std::int64_t pixels = 0;
+    for (const Waiting& waiting : waiting_) pixels += pixels_of(*waiting.frame);
+    return pixels;
 }
 
 /// With the mutex held.

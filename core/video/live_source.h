@@ -86,6 +86,7 @@ class LiveSource final : public FrameSource {
     bool pause(const std::stop_token& stop, double seconds);
     bool is_over() const;
     void drop_the_late();
+    std::int64_t waiting_pixels() const;
 
     LiveOptions options_;
     std::shared_ptr<Watchdog> watchdog_;

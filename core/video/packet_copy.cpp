@@ -1,33 +1,20 @@
 #include "core/video/packet_copy.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <ctime>
+#include <cstring>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 
-extern "C" {
-#include <libavutil/parseutils.h>
-}
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "core/choice.h"
-#include "core/ending.h"
 #include "core/error.h"
+#include "core/video/container.h"
 #include "core/video/demuxer.h"
 
 namespace vvr {
 namespace {
-
-constexpr std::array table{
-    ContainerRow{".mp4", "mp4"},      ContainerRow{".mov", "mov"},   ContainerRow{".m4v", "mp4"},
-    ContainerRow{".mkv", "matroska"}, ContainerRow{".webm", "webm"}, ContainerRow{".avi", "avi"},
-};
 
 /// Sound lies beside its pictures, but some recorders write it seconds later.
 constexpr double interleaving = 10;  // seconds
@@ -36,60 +23,29 @@ struct FreeMuxer {
     void operator()(AVFormatContext* context) const { avformat_free_context(context); }
 };
 
-bool holds(const char* muxer, AVCodecID codec) {
-    const AVOutputFormat* const format = av_guess_format(muxer, nullptr, nullptr);
-    // Matroska holds what AVI does by AVI's own names; libav calls that unofficial, and every player reads it.
-    return format != nullptr && avformat_query_codec(format, codec, FF_COMPLIANCE_UNOFFICIAL) == 1;
-}
-
-bool is_media(const AVStream& stream) {
-    const AVMediaType type = stream.codecpar->codec_type;
-    return (type == AVMEDIA_TYPE_VIDEO || type == AVMEDIA_TYPE_AUDIO || type == AVMEDIA_TYPE_SUBTITLE) &&
-           (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) == 0;
-}
-
-std::string name_of(const AVStream& stream) {
-    const char* const kind = av_get_media_type_string(stream.codecpar->codec_type);
-    const bool cover = (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
-    return fmt::format("{} ({})",
-                       cover  ? "cover picture"
-                       : kind ? kind
-                              : "data",
-                       avcodec_get_name(stream.codecpar->codec_id));
-}
-
-std::vector<const AVStream*> media_of(const AVFormatContext& format) {
-    std::vector<const AVStream*> streams;
-    for (unsigned i = 0; i < format.nb_streams; ++i) {
-        if (is_media(*format.streams[i])) streams.push_back(format.streams[i]);
-    }
-    return streams;
-}
-
-void check_container(const ContainerRow& container, const AVFormatContext& format, const std::filesystem::path& path) {
-    const std::vector<const AVStream*> streams = media_of(format);
-    const auto holds_all = [&](const ContainerRow& row) {
-        return std::ranges::all_of(streams, [&](const AVStream* s) { return holds(row.muxer, s->codecpar->codec_id); });
-    };
-    if (holds_all(container)) return;
-    const auto refused = std::ranges::find_if(
-        streams, [&](const AVStream* s) { return !holds(container.muxer, s->codecpar->codec_id); });
-    std::vector<std::string> others;
-    for (const ContainerRow& row : table) {
-        if (holds_all(row)) others.emplace_back(row.name);
-    }
-    throw Error(ErrorKind::usage,
-                fmt::format("cannot write '{}': {} can't hold {}; {}cut it exactly, which encodes the video anew",
-                            path.string(), container.name, name_of(**refused),
-                            others.empty() ? "" : fmt::format("choose {}, or ", fmt::join(others, ", "))),
-                {"exact"});
-}
-
-/// The tag by which a container names the codec, where the new container knows it too.
+/// The tag by which a container names the codec, where the new container knows it too, or knows none of it.
 std::uint32_t tag_for(const AVOutputFormat& format, const AVCodecParameters& codec) {
     if (format.codec_tag == nullptr) return codec.codec_tag;
-    const bool known = av_codec_get_id(format.codec_tag, codec.codec_tag) == codec.codec_id;
-    return known ? codec.codec_tag : 0;
+    unsigned int other = 0;
+    const bool fits = av_codec_get_id(format.codec_tag, codec.codec_tag) == codec.codec_id ||
+                      av_codec_get_tag2(format.codec_tag, codec.codec_id, &other) == 0;
+    return fits ? codec.codec_tag : 0;
+}
+
+/// Whether packets of one stream can follow those of another.
+bool agree(const AVCodecParameters& a, const AVCodecParameters& b) {
+    return a.codec_id == b.codec_id && a.width == b.width && a.height == b.height && a.sample_rate == b.sample_rate &&
+           a.ch_layout.nb_channels == b.ch_layout.nb_channels && a.extradata_size == b.extradata_size &&
+           (a.extradata_size == 0 ||
+            std::memcmp(a.extradata, b.extradata, static_cast<std::size_t>(a.extradata_size)) == 0);
+}
+
+/// "h264 640x480"
+std::string text_of(const AVCodecParameters& codec) {
+    const std::string name = avcodec_get_name(codec.codec_id);
+    if (codec.codec_type == AVMEDIA_TYPE_VIDEO) return fmt::format("{} {}x{}", name, codec.width, codec.height);
+    if (codec.codec_type == AVMEDIA_TYPE_AUDIO) return fmt::format("{} {} Hz", name, codec.sample_rate);
+    return name;
 }
 
 void copy_tag(AVDictionary*& to, const AVDictionary* from, const char* key) {
@@ -102,16 +58,14 @@ class Muxer {
   public:
     Muxer(const AVFormatContext& from, const ContainerRow& container, const std::filesystem::path& path,
           const WriteAt& write_at)
-        : path_(path), writer_(write_at), streams_(from.nb_streams, nullptr) {
+        : path_(path), writer_(write_at) {
         AVFormatContext* made = nullptr;
         check(avformat_alloc_output_context2(&made, nullptr, container.muxer, nullptr));
         format_.reset(made);
         log_.attach(*format_);
         format_->pb = writer_.context();
         format_->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
-        for (unsigned i = 0; i < from.nb_streams; ++i) {
-            if (is_media(*from.streams[i])) streams_[i] = add(*from.streams[i]);
-        }
+        for (const AVStream* stream : media_of(from)) streams_.push_back({add(*stream)});
     }
 
     /// Muxers free their last packet only with the trailer, so it is written even if the file is not wanted.
@@ -121,40 +75,51 @@ class Muxer {
     Muxer(const Muxer&) = delete;
     Muxer& operator=(const Muxer&) = delete;
 
-    /// \param seconds from the beginning of the clip to that of the piece
-    void begin(const AVFormatContext& from, double seconds) {
-        const AVDictionaryEntry* const tag = av_dict_get(from.metadata, "creation_time", nullptr, 0);
-        std::int64_t microseconds = 0;
-        if (tag != nullptr && av_parse_time(&microseconds, tag->value, 0) >= 0) {
-            set_recorded(microseconds + std::llround(seconds * 1e6));
-        }
+    void begin(const Tags& tags) {
+        for (const auto& [key, value] : tags) av_dict_set(&format_->metadata, key.c_str(), value.c_str(), 0);
         const int code = avformat_write_header(format_.get(), nullptr);
         if (code < 0) fail("begin", code);
         begun_ = true;
     }
 
-    /// Whether there is a place for the packets of one of the input's streams; some show up in the middle of a file.
+    /// From now on packets are those of another file.
+    /// \param name of the file
+    /// \throws Error usage where its streams are others than those of the first
+    void take(const AVFormatContext& from, const std::string& name) {
+        const std::vector<const AVStream*> media = media_of(from);
+        place_of_.assign(from.nb_streams, none);
+        for (std::size_t i = 0; i < std::max(media.size(), streams_.size()); ++i) {
+            const AVCodecParameters* const is = i < media.size() ? media[i]->codecpar : nullptr;
+            const AVCodecParameters* const was = i < streams_.size() ? streams_[i].to->codecpar : nullptr;
+            if (!is || !was || !agree(*is, *was)) refuse(name, was, is);
+            place_of_[static_cast<std::size_t>(media[i]->index)] = i;
+        }
+    }
+
+    /// Whether there is a place for the packets of one of the file's streams; some show up in the middle of a file.
     bool takes(int stream) const {
-        return std::cmp_less(stream, streams_.size()) && streams_[static_cast<std::size_t>(stream)] != nullptr;
+        return std::cmp_less(stream, place_of_.size()) && place_of_[static_cast<std::size_t>(stream)] != none;
     }
 
     /// \param from the stream that the packet is of
-    /// \param zero time of the piece's beginning, in ticks of that stream
-    void add(AVPacket& packet, const AVStream& from, std::int64_t zero) {
-        AVStream& to = *streams_[static_cast<std::size_t>(packet.stream_index)];
-        std::int64_t& last = last_dts_[static_cast<std::size_t>(to.index)];
+    /// \param zero time of the copy's beginning, in ticks of that stream
+    /// \param joined whether other files come before, whose sound may reach into this one
+    void add(AVPacket& packet, const AVStream& from, std::int64_t zero, bool joined) {
+        Place& place = streams_[place_of_[static_cast<std::size_t>(packet.stream_index)]];
         if (packet.pts == AV_NOPTS_VALUE) packet.pts = packet.dts;
         if (packet.dts == AV_NOPTS_VALUE && from.codecpar->video_delay == 0) packet.dts = packet.pts;
         packet.pts -= zero;
         if (packet.dts != AV_NOPTS_VALUE) packet.dts -= zero;
-        av_packet_rescale_ts(&packet, from.time_base, to.time_base);
+        av_packet_rescale_ts(&packet, from.time_base, place.to->time_base);
+        const bool is_video = from.codecpar->codec_type == AVMEDIA_TYPE_VIDEO;
+        if (joined && !is_video && packet.dts != AV_NOPTS_VALUE && packet.dts <= place.last_dts) return;
         // Times that stand still or step back come of damage, or of a coarser clock; containers want them to go on.
         if (packet.dts != AV_NOPTS_VALUE) {
-            packet.dts = std::max(packet.dts, last + 1);
+            packet.dts = std::max(packet.dts, place.last_dts + 1);
             packet.pts = std::max(packet.pts, packet.dts);
-            last = packet.dts;
+            place.last_dts = packet.dts;
         }
-        packet.stream_index = to.index;
+        packet.stream_index = place.to->index;
         packet.pos = -1;
         const int code = av_interleaved_write_frame(format_.get(), &packet);
         if (code < 0) fail("write", code);
@@ -168,6 +133,25 @@ class Muxer {
     }
 
   private:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    struct Place {
+        AVStream* to = nullptr;
+        std::int64_t last_dts = std::numeric_limits<std::int64_t>::min() / 2;
+    };
+
+    [[noreturn]] static void refuse(const std::string& name, const AVCodecParameters* was,
+                                    const AVCodecParameters* is) {
+        const auto text = [](const AVCodecParameters* codec) { return codec ? text_of(*codec) : "nothing"; };
+        const bool settings = was && is && text(was) == text(is);
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("'{}' can't be joined to the file before it as it is: it has {}, and that has {}{}; cut "
+                        "it exactly, which encodes the video anew",
+                        name, text(is), text(was), settings ? " of other settings" : ""),
+            {"exact"});
+    }
+
     void check(int code) const {
         if (code < 0) fail("begin", code);
     }
@@ -191,7 +175,9 @@ class Muxer {
             to->time_base = av_inv_q(from.r_frame_rate);
         }
         to->avg_frame_rate = from.avg_frame_rate;
-        to->sample_aspect_ratio = from.sample_aspect_ratio;
+        const bool told = from.sample_aspect_ratio.num > 0;
+        to->sample_aspect_ratio = told ? from.sample_aspect_ratio : from.codecpar->sample_aspect_ratio;
+        to->codecpar->sample_aspect_ratio = to->sample_aspect_ratio;
         to->disposition = from.disposition;
         copy_tag(to->metadata, from.metadata, "language");
         std::size_t size = 0;
@@ -199,77 +185,103 @@ class Muxer {
             std::uint8_t* const copy = av_stream_new_side_data(to, AV_PKT_DATA_DISPLAYMATRIX, size);
             if (copy != nullptr) std::copy_n(turned, size, copy);
         }
-        last_dts_.push_back(std::numeric_limits<std::int64_t>::min() / 2);
         return to;
-    }
-
-    void set_recorded(std::int64_t microseconds) {
-        const std::time_t seconds = microseconds / 1'000'000;
-        std::tm time{};
-        gmtime_r(&seconds, &time);
-        std::array<char, 32> text{};
-        std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &time);
-        av_dict_set(&format_->metadata, "creation_time", text.data(), 0);
     }
 
     const std::filesystem::path& path_;
     AvWriter writer_;
     av::Log log_;
     std::unique_ptr<AVFormatContext, FreeMuxer> format_;
-    std::vector<AVStream*> streams_;        ///< of each stream of the input; none = it is left out
-    std::vector<std::int64_t> last_dts_{};  ///< of each stream of the output
+    std::vector<Place> streams_;           ///< in the order of media_of
+    std::vector<std::size_t> place_of_{};  ///< of each stream of the file that is being copied; none = left out
     bool begun_ = false;
+};
+
+std::vector<std::string> names_left_out(const AVFormatContext& from) {
+    const std::vector<const AVStream*> media = media_of(from);
+    std::vector<std::string> names;
+    for (unsigned i = 0; i < from.nb_streams; ++i) {
+        if (std::ranges::find(media, from.streams[i]) == media.end()) names.push_back(name_of(*from.streams[i]));
+    }
+    return names;
+}
+
+/// Copies the packets of a part.
+class PartCopy {
+  public:
+    /// \param seconds from the copy's beginning to the part's
+    PartCopy(const CopyPart& part, Demuxer& demuxer, double seconds)
+        : piece_(part.piece), demuxer_(demuxer), video_(demuxer.stream()), seconds_(seconds) {}
+
+    void operator()(Muxer& muxer, bool joined, bool is_last, Copied& copied, const std::function<bool()>& stopped) {
+        const AVFormatContext& from = demuxer_.format();
+        const auto packet = av::make_packet();
+        std::int64_t number = -1;  // of the last packet of the video
+        while (!copied.stopped && demuxer_.read_any(*packet)) {
+            copied.stopped = stopped();
+            const AVStream& stream = *from.streams[packet->stream_index];
+            const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
+            if (&stream == &video_) {
+                ++number;
+                if (number > piece_.last && is_over(stamp)) break;
+                if (number < piece_.first || number > piece_.last || stamp < piece_.first_stamp) continue;
+                ++copied.packets;
+            } else if (!muxer.takes(packet->stream_index) || !lies_beside(stream, stamp, is_last)) {
+                continue;
+            }
+            muxer.add(*packet, stream, zero_of(stream), joined);
+        }
+    }
+
+  private:
+    bool is_over(std::int64_t stamp) const {
+        return demuxer_.seconds(stamp) > *demuxer_.seconds(piece_.last_stamp) + interleaving;
+    }
+
+    /// Whether a packet of another stream is within the piece; the rest of a file goes with its last frame.
+    bool lies_beside(const AVStream& stream, std::int64_t stamp, bool is_last) const {
+        const auto is_before = [&](std::int64_t video_stamp) {
+            return av_compare_ts(stamp, stream.time_base, video_stamp, video_.time_base) < 0;
+        };
+        if (stamp == AV_NOPTS_VALUE || is_before(piece_.first_stamp)) return false;
+        return !is_last || is_before(piece_.last_stamp + 1);
+    }
+
+    std::int64_t zero_of(const AVStream& stream) const {
+        const std::int64_t first = av_rescale_q(piece_.first_stamp, video_.time_base, stream.time_base);
+        return first - std::llround(seconds_ / av_q2d(stream.time_base));
+    }
+
+    const Piece& piece_;
+    Demuxer& demuxer_;
+    const AVStream& video_;
+    double seconds_;
 };
 
 }  // namespace
 
-std::span<const ContainerRow> containers() {
-    return table;
-}
-
-const ContainerRow& container_of(const std::filesystem::path& path) {
-    const auto row = std::ranges::find(table, ending_of(path), &ContainerRow::name);
-    if (row != table.end()) return *row;
-    throw Error(ErrorKind::usage, fmt::format("cannot write '{}': the name of a clip ends in {}", path.string(),
-                                              fmt::join(names_of(table), ", ")));
-}
-
-Copied copy_piece(const Input& input, double rate, const Piece& piece, const std::filesystem::path& path,
-                  const WriteAt& write_at, const std::function<bool()>& stopped) {
+Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
+                   const WriteAt& write_at, const std::function<bool()>& stopped) {
     const ContainerRow& container = container_of(path);
-    Demuxer demuxer(input, Demuxer::Kind::video, rate);
-    demuxer.take_all_streams();
-    const AVFormatContext& from = demuxer.format();
-    check_container(container, from, path);
+    const double zero = parts.front().begin + parts.front().piece.begin;
+    std::unique_ptr<Muxer> muxer;
     Copied copied;
-    for (unsigned i = 0; i < from.nb_streams; ++i) {
-        if (!is_media(*from.streams[i])) copied.left_out.push_back(name_of(*from.streams[i]));
-    }
-    Muxer muxer(from, container, path, write_at);
-    muxer.begin(from, piece.begin);
-
-    const AVStream& video = demuxer.stream();
-    const auto stamp_of = [](const AVPacket& p) { return p.pts != AV_NOPTS_VALUE ? p.pts : p.dts; };
-    const auto packet = av::make_packet();
-    std::int64_t number = -1;  // of the last packet of the video
-    while (!copied.stopped && demuxer.read_any(*packet)) {
-        copied.stopped = stopped();
-        const AVStream& stream = *from.streams[packet->stream_index];
-        const std::int64_t stamp = stamp_of(*packet);
-        if (&stream == &video) {
-            ++number;
-            if (number > piece.last && *demuxer.seconds(stamp) > *demuxer.seconds(piece.last_stamp) + interleaving)
-                break;
-            if (number < piece.first || number > piece.last || stamp < piece.first_stamp) continue;
-            ++copied.packets;
-        } else if (!muxer.takes(packet->stream_index) || stamp == AV_NOPTS_VALUE ||
-                   av_compare_ts(stamp, stream.time_base, piece.first_stamp, video.time_base) < 0 ||
-                   av_compare_ts(stamp, stream.time_base, piece.last_stamp, video.time_base) > 0) {
-            continue;
+    for (const CopyPart& part : parts) {
+        Demuxer demuxer(part.input, Demuxer::Kind::video, rate);
+        demuxer.take_all_streams();
+        const AVFormatContext& from = demuxer.format();
+        if (!muxer) {
+            check_container(container, from, path);
+            copied.left_out = names_left_out(from);
+            muxer = std::make_unique<Muxer>(from, container, path, write_at);
+            muxer->begin(tags);
         }
-        muxer.add(*packet, stream, av_rescale_q(piece.first_stamp, video.time_base, stream.time_base));
+        muxer->take(from, part.input.name);
+        const bool is_last = &part == &parts.back();
+        PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*muxer, &part != &parts.front(), is_last, copied,
+                                                                      stopped);
     }
-    muxer.close();
+    muxer->close();
     return copied;
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/av_writer.h"
@@ -13,17 +13,15 @@
 
 namespace vvr {
 
-/// One row of the table of containers that clips are written in.
-struct ContainerRow {
-    std::string_view name;  ///< the file's ending
-    const char* muxer;      ///< libav's name
+/// Of a file's header: libav's keys, and what they say.
+using Tags = std::vector<std::pair<std::string, std::string>>;
+
+/// A piece of one of the files that a copy is joined of.
+struct CopyPart {
+    Input input;
+    Piece piece;
+    double begin = 0;  ///< second of the recording at which the file's first frame is shown
 };
-
-std::span<const ContainerRow> containers();
-
-/// The container of a file's ending.
-/// \throws Error usage where there is none
-const ContainerRow& container_of(const std::filesystem::path& path);
 
 /// What was copied.
 struct Copied {
@@ -32,12 +30,14 @@ struct Copied {
     bool stopped = false;               ///< before the end, as asked
 };
 
-/// Copies a piece of a clip byte for byte, with all its streams, into a container. Times start at 0 with the key frame.
-/// The same input and piece give the same bytes.
+/// Copies pieces byte for byte, with all their streams, into a container. Times start at 0 with the first key frame,
+/// and a gap between two files stays one. The same input and pieces give the same bytes.
+/// \param parts in the order of time; at least one
 /// \param rate frames per second of what carries no times
 /// \param stopped asked now and then whether to stop
-/// \throws Error usage where the container can't hold a stream, which names some that can; io
-Copied copy_piece(const Input& input, double rate, const Piece& piece, const std::filesystem::path& path,
-                  const WriteAt& write_at, const std::function<bool()>& stopped);
+/// \throws Error usage where the container can't hold a stream, which names some that can, or where a file's streams
+///         are others than those of the first; io
+Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
+                   const WriteAt& write_at, const std::function<bool()>& stopped);
 
 }  // namespace vvr

@@ -17,6 +17,12 @@ std::optional<double> presentation(const Demuxer& demuxer, const AVPacket& packe
     return demuxer.seconds(packet.pts != AV_NOPTS_VALUE ? packet.pts : packet.dts);
 }
 
+/// Whether the codec has frames that need others.
+bool leans_on_others(const Demuxer& demuxer) {
+    const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
+    return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
+}
+
 /// What the packets from one key packet to the next are for.
 /// \param next_leans whether a wanted frame that comes after the next key packet is shown before it
 void mark_uses(std::span<const StampedPacket> group, const std::vector<std::int64_t>& wanted, bool next_leans,
@@ -45,6 +51,7 @@ Start find_start(Demuxer& demuxer, double time) {
     // streams that heal over some frames, come out whole then.
     std::int64_t last_key = 0;
     std::int64_t key_before = 0;
+    std::int64_t keys = 0;
     double last_dts = -std::numeric_limits<double>::infinity();
     while (demuxer.read(*packet)) {
         const auto pts = presentation(demuxer, *packet);
@@ -54,12 +61,15 @@ Start find_start(Demuxer& demuxer, double time) {
         if (*dts >= time) break;
         last_dts = *dts;
         if (*pts < time) ++frames;
+        keys += packet->flags & AV_PKT_FLAG_KEY ? 1 : 0;
         if (packet->flags & AV_PKT_FLAG_KEY && *pts <= time) {
             key_before = last_key;
             last_key = packets;
         }
         ++packets;
     }
+    // Some files call each packet a key frame, and of these codecs few are.
+    if (keys == packets && leans_on_others(demuxer)) return {};
     return {key_before, frames};
 }
 
@@ -93,7 +103,7 @@ ClipPackets scan_packets(Demuxer& demuxer) {
     }
     std::ranges::sort(clip.stamps);
     if (std::ranges::adjacent_find(clip.stamps) != clip.stamps.end()) return {};
-    Clock clock(demuxer.frame_duration());
+    StampClock clock(demuxer.frame_duration());
     for (const std::int64_t stamp : clip.stamps) clip.times.push_back(clock(demuxer.seconds(stamp)));
     return clip;
 }

@@ -4,15 +4,13 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <memory>
 #include <string_view>
-
-#include <glob.h>
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "core/video/input.h"
+#include "core/video/matches.h"
 #include "core/video/natural_order.h"
 
 namespace vvr {
@@ -69,13 +67,10 @@ std::vector<std::string> pictures_in(const std::string& folder) {
 }
 
 std::vector<std::string> matches_of_glob(const std::string& pattern) {
-    glob_t found{};
-    const std::unique_ptr<glob_t, void (*)(glob_t*)> owner(&found, &globfree);
-    const int code = ::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found);
     std::vector<std::string> files;
-    for (std::size_t i = 0; code == 0 && i < found.gl_pathc; ++i) {
+    for (std::string& match : matches_of(pattern)) {
         std::error_code ignored;
-        if (fs::is_regular_file(found.gl_pathv[i], ignored)) files.emplace_back(found.gl_pathv[i]);
+        if (fs::is_regular_file(match, ignored)) files.push_back(std::move(match));
     }
     return files;
 }

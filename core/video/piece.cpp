@@ -16,7 +16,7 @@
 namespace vvr {
 namespace {
 
-constexpr double clock_was_set = 1;    // seconds, as in Clock
+constexpr double clock_was_set = 1;    // seconds, as in StampClock
 constexpr std::size_t reordered = 16;  // packets; no codec keeps more waiting
 constexpr double slack = 0.0005;       // seconds; times are rounded
 
@@ -64,6 +64,8 @@ class Scan {
         const bool before = last_time() < span_.start || std::ssize(packets_) <= span_.first;
         return before && !is_done() ? std::optional(last_time()) : std::nullopt;
     }
+
+    double length() const { return last_time() + demuxer_.frame_duration(); }
 
     const std::vector<VideoPacket>& packets() const { return packets_; }
 
@@ -140,7 +142,12 @@ Piece find_piece(const Input& input, double rate, const FrameSpan& span) {
     const Scan scan(input, rate, span);
     const std::vector<VideoPacket>& packets = scan.packets();
     const std::vector<std::size_t> inside = packets_in(scan, span);
-    if (inside.empty()) throw_empty(input.name, span, scan.end());
+    Piece piece;
+    if (inside.empty()) {
+        piece.over = scan.end();
+        return piece;
+    }
+    piece.frames = std::ssize(inside);
 
     const std::size_t earliest = std::ranges::min(inside);
     const std::int64_t wanted = packets[inside.front()].stamp;
@@ -151,7 +158,6 @@ Piece find_piece(const Input& input, double rate, const FrameSpan& span) {
     if (!first) throw_no_times(input, "there is no key frame before the piece");
     const std::size_t last = last_needed(packets, *first, std::ranges::max(inside));
 
-    Piece piece;
     piece.first = static_cast<std::int64_t>(*first);
     piece.last = static_cast<std::int64_t>(last);
     piece.first_stamp = piece.last_stamp = packets[*first].stamp;
@@ -164,6 +170,11 @@ Piece find_piece(const Input& input, double rate, const FrameSpan& span) {
     piece.wanted = scan.seconds(wanted);
     piece.ends_early = scan.ends_early();
     return piece;
+}
+
+double length_of(const Input& input, double rate) {
+    const FrameSpan whole;
+    return Scan(input, rate, whole).length();
 }
 
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {

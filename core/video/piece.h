@@ -19,6 +19,8 @@ struct Piece {
     double begin = 0;              ///< the key frame's time
     double end = 0;                ///< time of the frame that is shown last
     double wanted = 0;             ///< time of the first frame that was asked for; not before `begin`
+    std::int64_t frames = 0;       ///< that were asked for; 0 = the span has none, and nothing else is known
+    std::optional<double> over{};  ///< where it has none: time of the clip's last frame, if that comes before the span
     std::int64_t damaged = 0;      ///< packets of it that the container marks as damaged
     bool ends_early = false;       ///< the clip ends before the span does
 };
@@ -26,9 +28,13 @@ struct Piece {
 /// The packets that it takes to show a span of a clip, without decoding more than its first frame. Reads the file only
 /// as far as the span.
 /// \param rate frames per second of what carries no times
-/// \throws Error usage where the span has no frame; not_video where the clip's packets don't say when they are shown,
-///         or no key frame comes before the span
+/// \throws Error not_video where the clip's packets don't say when they are shown, or no key frame comes before the
+/// span
 Piece find_piece(const Input& input, double rate, const FrameSpan& span);
+
+/// How long a clip is shown, by the packets of all of it, in seconds from its first frame that decodes.
+/// \throws Error as find_piece does
+double length_of(const Input& input, double rate);
 
 /// Says that a span has no frame.
 /// \param last time of the clip's last frame, seconds; none = unknown

@@ -2,23 +2,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/video/recorder_pattern.h"
+
 // What the names of a recorder's files tell. Names are bytes that anybody may have written: they are matched, never
 // followed.
 namespace vvr {
-
-/// A time as a name has it.
-struct NamedTime {
-    std::int64_t clock = 0;             ///< seconds since 1970-01-01 00:00 on the recorder's clock
-    std::optional<std::int64_t> ahead;  ///< seconds that this clock is ahead of UTC; none = it is on the local wall
-
-    friend bool operator==(const NamedTime&, const NamedTime&) = default;
-};
 
 /// The moment of a time in a name, in seconds since 1970 (UTC).
 /// \param near a moment that can't be far off, for the hour that comes twice when summer time ends
@@ -26,12 +21,29 @@ std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near = {}
 
 /// What a name tells.
 struct RecorderName {
-    std::string layout;              ///< whose name it is: that of a row, or "--names"; empty = nobody's
-    std::string camera;              ///< empty = it tells none
-    std::optional<NamedTime> begin;  ///< of the recording
+    std::string layout;                ///< whose name it is: that of a row, or "--names"; empty = nobody's
+    std::string camera;                ///< empty = it tells none
+    bool below = false;                ///< the camera is one of those in its folder, which is a part of its name
+    std::optional<NamedTime> begin{};  ///< of the recording
+    bool doubtful = false;             ///< nobody can read its time for sure
 };
 
-/// A way to name files: text with fields.
+/// What speaks against a time that a row reads.
+enum class Doubt {
+    none,
+    day_or_month,  ///< which of two numbers is the month: only days after the 12th are told
+    hour_again,    ///< 20/20-05 is 20:05 or 20:20:05
+    always         ///< the name has a date that nobody can read for sure
+};
+
+/// What the camera of a row is.
+enum class NamedCamera {
+    whole,  ///< all there is to say, as the recorder knows all its cameras by name
+    below,  ///< one of those whose files lie in the folder, by what is in front of the time
+    folder  ///< the same, by a folder
+};
+
+/// A way to name files.
 class RecorderLayout {
   public:
     /// \param pattern for a path without its ending, or for as many of its last folders as the pattern has. Fields are
@@ -45,33 +57,37 @@ class RecorderLayout {
     std::optional<RecorderName> read(std::string_view path) const;
 
   private:
-    class Match;
-    struct Part {
-        std::string_view field;  ///< as in the table of fields; empty = text
-        std::string text{};
-    };
+    friend class RecorderNames;
+    RecorderLayout(std::string_view name, RecorderPattern pattern, bool utc, Doubt doubt, NamedCamera camera);
+
+    std::optional<RecorderName> read_stem(std::string_view stem) const;
 
     std::string name_;
-    std::vector<Part> parts_;
-    std::size_t folders_ = 0;
+    RecorderPattern pattern_;
     bool utc_;
+    Doubt doubt_ = Doubt::none;
+    NamedCamera camera_ = NamedCamera::whole;
 };
 
 /// The layouts of a user, then those of recorders that are known.
 class RecorderNames {
   public:
+    /// \param base folder that paths are below; with it, a path says the same wherever one stands
     /// \throws Error usage as RecorderLayout does
-    explicit RecorderNames(std::span<const std::string> patterns = {});
+    explicit RecorderNames(std::span<const std::string> patterns = {}, const std::filesystem::path& base = {});
 
-    /// \param path below the folder of all recordings; which layout comes first decides
+    /// \param path as many of its last folders are looked at as a layout has; which layout comes first decides
     RecorderName read(std::string_view path) const;
 
-    /// The camera of a file: as its name tells, else the folders before the first that is a date, else the first folder
-    /// after the date that is neither date nor hour; empty where there is none.
-    std::string camera_of(std::string_view path) const;
+    /// The camera of a file: as its name tells, else as `camera_of_folders` does; empty where there is none.
+    /// \param skipped bytes at the front of `path` whose folders are no camera
+    std::string camera_of(std::string_view path, std::size_t skipped = 0) const;
 
   private:
+    std::string whole(std::string_view path) const;
+
     std::vector<RecorderLayout> layouts_;
+    std::string folder_;  ///< with a `/` at its end; empty = none
 };
 
 /// The names of the recorders whose layouts are known, for help texts.

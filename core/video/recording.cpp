@@ -7,20 +7,19 @@
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <set>
 #include <system_error>
 
-#include <glob.h>
 #include <sys/stat.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/ending.h"
 #include "core/error.h"
 #include "core/plain_name.h"
 #include "core/video/input.h"
+#include "core/video/matches.h"
 #include "core/video/natural_order.h"
+#include "core/video/one_camera.h"
 #include "core/video/picture_list.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"
@@ -34,13 +33,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view list_ending = ".txt";
 constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
-
-std::vector<std::string> matches_of(const std::string& pattern) {
-    glob_t found{};
-    const std::unique_ptr<glob_t, void (*)(glob_t*)> owner(&found, &globfree);
-    if (::glob(pattern.c_str(), 0, nullptr, &found) != 0) return {};
-    return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
-}
 
 [[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
     throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
@@ -179,7 +171,8 @@ void set_times_of_containers(Recording& recording) {
         if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
     }
     if (untold.empty()) return;
-    const auto try_times = [&](double share, const std::function<std::optional<double>(const Untold&)>& begin_of) {
+    const auto try_times = [&](ClockSource source, double share,
+                               const std::function<std::optional<double>(const Untold&)>& begin_of) {
         std::vector<std::pair<double, double>> spans;
         for (const Untold& file : untold) {
             const auto begin = begin_of(file);
@@ -188,34 +181,41 @@ void set_times_of_containers(Recording& recording) {
         }
         if (spans.empty() || !follow_each_other(spans, share)) return false;
         for (const Untold& file : untold) {
-            if (const auto begin = begin_of(file)) recording.segments[file.segment].begin = std::llround(*begin);
+            const auto begin = begin_of(file);
+            if (!begin) continue;
+            recording.segments[file.segment].begin = std::llround(*begin);
+            recording.segments[file.segment].begin_by = source;
         }
         return true;
     };
-    if (try_times(0.4, [](const Untold& file) -> std::optional<double> {
+    const std::string files = untold.size() == recording.segments.size()
+                                  ? "its files' names do not tell"
+                                  : fmt::format("the names of {} do not tell", counted(std::ssize(untold), "file"));
+    if (try_times(ClockSource::container, 0.4, [](const Untold& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
+        recording.warnings.push_back(fmt::format(
+            "'{}': {} when it was recorded, so each is placed by when its container says it was written; times of day "
+            "are not shown (--start-time container shows these)",
+            recording.name, files));
         return;
     }
-    const std::string files =
-        untold.size() == recording.segments.size()
-            ? "neither names nor containers tell"
-            : fmt::format("of {} neither name nor container tells", counted(std::ssize(untold), "file"));
     // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
-    if (try_times(0.05, [](const Untold& file) -> std::optional<double> {
+    if (try_times(ClockSource::modified, 0.05, [](const Untold& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
             return file.written - file.header.length;
         })) {
         recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, so it is taken to end when the file was last written; names can tell",
+            "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
+            "times of day are not shown (--start-time modified shows these)",
             recording.name, files));
         return;
     }
-    recording.warnings.push_back(
-        fmt::format("'{}': {} when it was recorded, and the times at which the files were "
-                    "written contradict that; they follow each other by their names",
-                    recording.name, files));
+    recording.warnings.push_back(fmt::format(
+        "'{}': {} when it was recorded, and the times at which the files were written contradict each other; "
+        "they follow each other by their names",
+        recording.name, files));
 }
 
 /// In the order of time; what has none stays behind the file that it follows by its name.
@@ -247,7 +247,28 @@ std::string name_of(std::span<const std::string> names, const std::vector<std::s
 
 }  // namespace
 
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts) {
+SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end) {
+    constexpr double tolerance = 1;
+    if (!end) return {};
+    if (!segment.begin || !origin) return {*end, true, false};
+    const double begin = static_cast<double>(*segment.begin - *origin);
+    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
+    return {begin, false, begin < *end};
+}
+
+Segment look_at_name(const std::string& path, const RecorderNames& layouts) {
+    RecorderName told = layouts.read(whole_path(path));
+    Segment segment{path};
+    segment.camera = std::move(told.camera);
+    segment.layout = std::move(told.layout);
+    if (told.begin) {
+        segment.begin = utc_of(*told.begin, std::llround(written_at(path)));
+        segment.begin_by = ClockSource::file_name;
+    }
+    return segment;
+}
+
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join) {
     if (names.size() == 1) {
         std::error_code none;
         const bool single = fs::is_regular_file(names.front(), none) && !is_list(names.front());
@@ -265,21 +286,9 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
                     fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};
-    std::set<std::string> cameras;
-    for (std::string& file : files) {
-        RecorderName told = layouts.read(file);
-        Segment segment{std::move(file)};
-        if (told.begin) segment.begin = utc_of(*told.begin, std::llround(written_at(segment.path)));
-        if (!told.camera.empty()) cameras.insert(std::move(told.camera));
-        recording.segments.push_back(std::move(segment));
-    }
-    if (cameras.size() > 1) {
-        throw Error(
-            ErrorKind::usage,
-            fmt::format("'{}' holds files of {}: {}; give those of one, for example '2026-11-21/*/{}'", recording.name,
-                        counted(std::ssize(cameras), "camera"), fmt::join(cameras, ", "), *cameras.begin()));
-    }
-    if (!cameras.empty()) recording.camera = *cameras.begin();
+    for (const std::string& file : files) recording.segments.push_back(look_at_name(file, layouts));
+    recording.camera = find_camera(recording.name, recording.segments, layouts, join);
+    if (!join) require_related(recording);
     set_times_of_containers(recording);
     sort_by_time(recording.segments);
     return recording;

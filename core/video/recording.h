@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock_source.h"
 #include "core/video/recorder_names.h"
 
 // A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.
@@ -14,7 +15,10 @@ namespace vvr {
 /// One file of a recording.
 struct Segment {
     std::string path;
-    std::optional<std::int64_t> begin{};  ///< seconds since 1970 (UTC); none = it follows the one before
+    std::optional<std::int64_t> begin{};       ///< seconds since 1970 (UTC); none = it follows the one before
+    ClockSource begin_by = ClockSource::none;  ///< what tells that
+    std::string camera{};                      ///< empty = nobody knows
+    std::string layout{};                      ///< whose name it is, as in RecorderName
 };
 
 /// The files of a recording, in order.
@@ -25,6 +29,19 @@ struct Recording {
     std::vector<std::string> warnings{};  ///< a sentence each
 };
 
+/// Where a file of a recording begins.
+struct SegmentBegin {
+    double time = 0;        ///< seconds of the recording
+    bool follows = false;   ///< the file before without a gap
+    bool overlaps = false;  ///< that file
+};
+
+/// A file that begins within a second of the end of the one before follows it: names tell whole seconds, and recorders
+/// begin a file at the next key frame.
+/// \param origin of the recording, seconds since 1970 (UTC); none = not known
+/// \param end of the file before, in seconds of the recording; none = it is the first
+SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end);
+
 /// Finds out whether some names mean a recording of several files: files, folders of video files (and all folders in
 /// them), patterns (`day/*.mp4`, `2026-11-21/*/gate`) and lists, text files whose names end in `.txt` and that hold the
 /// path of a file in each line, below the folder of the list. Nothing for a single file, a stream, or pictures.
@@ -32,8 +49,14 @@ struct Recording {
 /// When each begins is told by its name, else by its container, else by when it was last written and how long it is;
 /// if those contradict each other, the files follow each other in the order of their names.
 ///
-/// \throws Error io when one can't be read, usage for what can't be a part of a recording, or when the names tell of
-///         several cameras
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts);
+/// \param join whether files are one recording that seem to be of several cameras, or to have nothing to do with each
+///        other
+/// \throws Error io when one can't be read, usage for what can't be a part of a recording, or when the files are of
+///         several cameras or unrelated
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts,
+                                        bool join = false);
+
+/// What the name of a single file tells.
+Segment look_at_name(const std::string& path, const RecorderNames& layouts);
 
 }  // namespace vvr

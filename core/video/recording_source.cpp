@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "core/video/decoder.h"
@@ -18,13 +19,14 @@ namespace vvr {
 
 namespace {
 
-// Names tell whole seconds, and recorders begin a file at the next key frame.
-constexpr double tolerance = 1;
+constexpr double tolerance = 1;  // seconds; headers round
 
 // With fewer files their headers are read beforehand, so that the length is known as exactly as that of one clip.
 constexpr std::size_t few = 31;
 
 constexpr double likely_rate = 25;
+
+constexpr std::size_t named = 5;  // of the files that are left out whole
 
 double frame_duration(const VideoInfo& info) {
     return 1 / (info.rate > 0 ? info.rate : likely_rate);
@@ -62,7 +64,8 @@ RecordingSource::RecordingSource(Recording recording, const SourceOptions& optio
     info_.segments = {first};
     info_.name = recording_.name;
     info_.title = recording_.camera;
-    info_.created = origin_;
+    info_.began = origin_;
+    info_.began_by = origin_by_;
     field_size_ = field_size_for(info_.size, options_.field_size);
     estimate_length();
 }
@@ -84,7 +87,7 @@ void RecordingSource::estimate_length() {
     for (const Segment& segment : segments) {
         try {
             const ClipHeader header = header_of(Demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate));
-            const Begin begin = begin_of(segment, end);
+            const SegmentBegin begin = begin_of(segment, origin_, end);
             const double gap = end ? std::max(0.0, begin.time - *end) : 0;
             frames += header.frames + std::llround(gap * rate);
             end = begin.time + header.length;
@@ -94,15 +97,6 @@ void RecordingSource::estimate_length() {
     }
     info_.duration = end.value_or(0);
     info_.frames = frames;
-}
-
-/// \param end of the segment before, in seconds of the recording
-RecordingSource::Begin RecordingSource::begin_of(const Segment& segment, std::optional<double> end) const {
-    if (!end) return {};
-    if (!segment.begin || !origin_) return {*end, true, false};
-    const double begin = static_cast<double>(*segment.begin - *origin_);
-    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
-    return {begin, false, begin < *end};
 }
 
 bool RecordingSource::open_next() {
@@ -116,8 +110,11 @@ bool RecordingSource::open_next() {
             continue;
         }
         const bool is_first = index_ < 0;
-        if (is_first) origin_ = segment.begin;
-        begin_ = begin_of(segment, is_first ? std::nullopt : std::optional(last_ + frame_));
+        if (is_first) {
+            origin_ = segment.begin;
+            origin_by_ = segment.begin_by;
+        }
+        begin_ = begin_of(segment, origin_, is_first ? std::nullopt : std::optional(last_ + frame_));
         frame_ = frame_duration(segment_->info());
         first_of_segment_ = true;
         info_.segments.push_back({segment.path, begin_.time, begin_.time, index_ + 1});
@@ -126,14 +123,56 @@ bool RecordingSource::open_next() {
     return false;
 }
 
+/// Says what of a segment the ones before have shown already.
+void RecordingSource::count_overlap() {
+    constexpr double usual = 5;  // seconds that recorders keep from before, and that names leave open
+    const std::int64_t frames = std::exchange(left_out_, 0);
+    if (frames == 0) return;
+    const double seconds = static_cast<double>(frames) * frame_;
+    const std::string& name = segment_->info().name;
+    if (first_of_segment_) {
+        info_.left_out.files += 1;
+        info_.left_out.frames += frames;
+        info_.left_out.seconds += seconds;
+        if (info_.left_out.first.size() < named) info_.left_out.first.push_back(name);
+        return;
+    }
+    if (seconds > usual) {
+        problems_.push_back(
+            fmt::format("'{}' begins before the file before it ends; left out: {}", name, counted(frames, "frame")));
+        return;
+    }
+    trimmed_.files += 1;
+    trimmed_.frames += frames;
+    trimmed_.seconds += seconds;
+}
+
+std::string text_of(const LeftOut& left_out) {
+    const auto rest = left_out.files - std::ssize(left_out.first);
+    return fmt::format(
+        "{} {} left out whole, as other files show the same time: '{}'{}; {}, {:.1f} s; are they of another camera, or "
+        "copies?",
+        counted(left_out.files, "file"), left_out.files == 1 ? "is" : "are", fmt::join(left_out.first, "', '"),
+        rest > 0 ? fmt::format(" and {} more", rest) : "", counted(left_out.frames, "frame"), left_out.seconds);
+}
+
+std::vector<std::string> RecordingSource::problems() const {
+    std::vector<std::string> problems;
+    if (info_.left_out.files > 0) problems.push_back(text_of(info_.left_out));
+    if (trimmed_.files > 0) {
+        problems.push_back(
+            fmt::format("{} {} before the file before ends, by 5 s or less; left out as shown already: "
+                        "{}, {:.1f} s in all",
+                        counted(trimmed_.files, "file"), trimmed_.files == 1 ? "begins" : "begin",
+                        counted(trimmed_.frames, "frame"), trimmed_.seconds));
+    }
+    problems.insert(problems.end(), problems_.begin(), problems_.end());
+    return problems;
+}
+
 void RecordingSource::close() {
     const VideoInfo& info = segment_->info();
-    constexpr double usual = 5;  // seconds that recorders keep from before, and that names leave open
-    if (static_cast<double>(left_out_) * frame_ > usual) {
-        problems_.push_back(fmt::format("'{}' begins before the file before it ends; left out: {}", info.name,
-                                        counted(left_out_, "frame")));
-    }
-    left_out_ = 0;
+    count_overlap();
     if (const std::int64_t damaged = segment_->damaged(); damaged > 0) {
         damaged_ += damaged;
         problems_.push_back(fmt::format("'{}' has {}", info.name, counted(damaged, "damaged packet")));
@@ -142,6 +181,7 @@ void RecordingSource::close() {
             fmt::format("'{}' ends after {:.1f} s, and its header says {:.1f} s; it was not written whole", info.name,
                         segment_end_, info.duration));
     }
+    for (std::string& problem : segment_->problems()) problems_.push_back(std::move(problem));
     segment_.reset();
 }
 
@@ -168,7 +208,15 @@ std::unique_ptr<DecodedFrame> RecordingSource::next() {
         frame->pts = last_;
         return frame;
     }
+    if (index_ < 0) throw_gone();
     return nullptr;
+}
+
+/// They were there when the recording was opened.
+void RecordingSource::throw_gone() const {
+    throw Error(ErrorKind::io, fmt::format("'{}': none of its {} can be read any more: {}; has its folder gone?",
+                                           recording_.name, counted(std::ssize(recording_.segments), "file"),
+                                           problems_.empty() ? "they hold no frame" : problems_.front()));
 }
 
 std::int64_t RecordingSource::damaged() const {
@@ -182,6 +230,8 @@ void RecordingSource::rewind() {
     index_ = -1;
     damaged_ = 0;
     left_out_ = 0;
+    trimmed_ = {};
+    info_.left_out = {};
     problems_.clear();
     info_.segments.clear();
 }
@@ -222,7 +272,7 @@ std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
         const Segment& segment = recording_.segments[i];
         try {
             Demuxer demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate);
-            const double begin = begin_of(segment, end).time;
+            const double begin = begin_of(segment, origin_, end).time;
             PacketSpan span;
             double last_key = -std::numeric_limits<double>::infinity();
             while (demuxer.read(*packet)) {

@@ -29,21 +29,16 @@ class RecordingSource final : public FrameSource {
     bool colour() const override { return options_.colour; }
     std::unique_ptr<DecodedFrame> next() override;
     std::int64_t damaged() const override;
-    std::vector<std::string> problems() const override { return problems_; }
+    std::vector<std::string> problems() const override;
     void rewind() override;
     std::vector<Frame> sample(int count) override;
 
   private:
-    struct Begin {
-        double time = 0;
-        bool follows = false;   ///< the segment before without a gap
-        bool overlaps = false;  ///< that segment
-    };
-
     bool open_next();
     void close();
+    [[noreturn]] void throw_gone() const;
+    void count_overlap();
     void estimate_length();
-    Begin begin_of(const Segment& segment, std::optional<double> end) const;
     std::vector<Frame> sample_segments(int count) const;
     std::vector<Frame> sample_key_frames(int count) const;
 
@@ -52,10 +47,11 @@ class RecordingSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     std::optional<std::int64_t> origin_;  ///< of the recording's clock, seconds since 1970 (UTC)
+    ClockSource origin_by_ = ClockSource::none;
 
     std::size_t next_segment_ = 0;
     std::unique_ptr<FileSource> segment_;  ///< that is being read
-    Begin begin_;                          ///< of that segment
+    SegmentBegin begin_;                   ///< of that segment
     bool first_of_segment_ = true;
     double frame_ = 0;        ///< seconds that a frame of the segment lasts
     double segment_end_ = 0;  ///< end of the last frame that was read, in seconds of the segment
@@ -63,6 +59,7 @@ class RecordingSource final : public FrameSource {
     std::int64_t index_ = -1;
     std::int64_t damaged_ = 0;   ///< in segments that have been read
     std::int64_t left_out_ = 0;  ///< frames of this segment at times that the one before has shown
+    LeftOut trimmed_;            ///< files that begin a little before the one before has ended
     std::vector<std::string> problems_;
 };
 

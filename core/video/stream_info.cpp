@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 extern "C" {
 #include <libavutil/display.h>
@@ -25,7 +26,8 @@ Size shown_size(const AVFrame& frame, AVRational aspect, Orientation orientation
     return orientation.transpose ? Size{size.height, size.width} : size;
 }
 
-double duration_of(const AVFormatContext& format, const AVStream& stream) {
+/// What a container says, in seconds; 0 = nothing.
+double stated_duration(const AVFormatContext& format, const AVStream& stream) {
     const double stated = static_cast<double>(stream.duration) * av_q2d(stream.time_base);
     constexpr double longest = 9.2e12;  // seconds: all that libav can count in microseconds
     if (stated > 0 && stated < longest) return stated;
@@ -72,7 +74,11 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
 ClipHeader header_of(const Demuxer& demuxer) {
     const AVStream& stream = demuxer.stream();
     const double rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
-    ClipHeader header{duration_of(demuxer.format(), stream), stream.nb_frames, creation_time(demuxer.format())};
+    ClipHeader header;
+    header.length = stated_duration(demuxer.format(), stream);
+    if (header.length > longest_clip) header.unbelievable = std::exchange(header.length, 0);
+    header.frames = stream.nb_frames;
+    header.created = creation_time(demuxer.format());
     if (header.frames <= 0) header.frames = std::llround(header.length * rate);
     return header;
 }

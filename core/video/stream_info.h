@@ -13,8 +13,12 @@ namespace vvr {
 VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
 
 /// What a container's header says of a clip, without a frame being decoded.
+/// Seconds that a clip may last: ten years. What is longer is no clip's length but a header that lies.
+inline constexpr double longest_clip = 10 * 365.25 * 86'400;
+
 struct ClipHeader {
     double length = 0;                      ///< seconds; 0 = unknown
+    double unbelievable = 0;                ///< seconds that it says instead, where no clip lasts so long
     std::int64_t frames = 0;                ///< estimate; 0 = unknown
     std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC)
 };

@@ -19,7 +19,7 @@ void VideoReader::open(const Start& start) {
     pass_frames_ = 0;
     pass_until_.reset();
     const double duration = demuxer_->frame_duration();
-    clock_ = origin_ ? Clock(duration, *origin_) : Clock(duration);
+    clock_ = origin_ ? StampClock(duration, *origin_) : StampClock(duration);
     const auto packet = av::make_packet();
     for (std::int64_t i = 0; i < start.packets; ++i) {
         if (!demuxer_->read(*packet)) return;

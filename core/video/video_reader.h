@@ -55,7 +55,7 @@ class VideoReader {
     int threads_;
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
-    Clock clock_{0};
+    StampClock clock_{0};
     std::optional<double> origin_;
     bool threaded_ = false;     ///< the decoder
     std::int64_t damaged_ = 0;  ///< when it was closed

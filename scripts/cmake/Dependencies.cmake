@@ -5,6 +5,9 @@ pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
+# Regular expressions in time that the text's length bounds, for names that anybody may have written.
+pkg_check_modules(re2 REQUIRED IMPORTED_TARGET re2)
+
 # Filters of system calls.
 pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp)
 

@@ -6,7 +6,7 @@ import re
 
 def write_man_pages(folder, commands, version, epoch, cli_page):
     """\param epoch the date of the pages, seconds since 1970
-    \param cli_page the text of docs/cli.md, where config files and exit statuses are described"""
+    \param cli_page the text of docs/cli.md, where config files, variables of the environment and exit statuses are described"""
     date = datetime.datetime.fromtimestamp(epoch, datetime.timezone.utc).date().isoformat()
     folder.mkdir(parents=True, exist_ok=True)
 
@@ -29,6 +29,12 @@ def program_page(commands, cli_page):
     prose, example = re.search(r"## Config files\n\n(.*?)\n```toml\n(.*?)```", cli_page, flags=re.DOTALL).groups()
     text += "".join(map(prose_block, prose.strip().split("\n\n"))).removeprefix(".PP\n")
     text += ".PP\n.nf\n" + "".join(paragraph(line) for line in example.splitlines()) + ".fi\n"
+    text += ".SH ENVIRONMENT\n"
+    variables = re.findall(r"^\| (`[A-Z_`, ]+) \| (.*) \|$", cli_page.split("## Environment")[1].split("## ")[0], flags=re.MULTILINE)
+    if not variables:
+        raise ValueError("docs/cli.md lists no variables of the environment")
+    for names, meaning in variables:
+        text += f".TP\n.B {escape(names.replace('`', ''))}\n{paragraph(meaning)}"
     text += ".SH EXIT STATUS\n"
     statuses = re.findall(r"^\| ([\d, ]+) \| (.*) \|$", cli_page.split("## Exit status")[1], flags=re.MULTILINE)
     if not statuses:

@@ -3,6 +3,7 @@
 import collections
 import json
 import os
+import re
 
 from harness import check
 
@@ -36,24 +37,116 @@ def test_labels_tell_clip_span_times_and_colours(t):
 def test_labels_with_a_title_and_a_clock(t):
     t.clip(seconds=12)
     texts = texts_of(labels_of(t, "clip.avi", "--title", "Hall, north", "--start-time", "2026-11-21 23:59:55"))
-    check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06"], str(texts))
+    check(texts[:2] == ["Hall, north", "120 frames, 2026-11-21 23:59:55 to 2026-11-22 00:00:06 (as given)"], str(texts))
     check("00:00:00" in texts and "00:00:04" in texts, str(texts))
 
 
 def test_labels_with_the_clock_of_the_recording(t):
-    t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
+    t.clip("2026-11-21T07-30-00Z.mp4", seconds=12, codec=("-c:v", "mpeg4"))
     os.environ["TZ"] = "Europe/Berlin"
     for options in ((), ("--start-time", "recorded")):
-        texts = texts_of(labels_of(t, "dated.mp4", *options))
-        check("120 frames, 2026-11-21 08:30:00 to 08:30:11 (CET, UTC+1)" in texts, str(texts))
-    texts = texts_of(labels_of(t, "dated.mp4", "--start-time", "none"))
+        texts = texts_of(labels_of(t, "2026-11-21T07-30-00Z.mp4", *options))
+        check("120 frames, 2026-11-21 08:30:00 to 08:30:11 (CET, UTC+1; by file name)" in texts, str(texts))
+    texts = texts_of(labels_of(t, "2026-11-21T07-30-00Z.mp4", "--start-time", "none"))
     check("120 frames, 0.0 s to 11.9 s" in texts and "0:00" in texts, str(texts))
     del os.environ["TZ"]
-    told = t.vvr("info", "dated.mp4")
-    check("recorded 2026-11-21 07:30:00" in told.out, str(told))
+    told = t.vvr("info", "2026-11-21T07-30-00Z.mp4")
+    check("recorded 2026-11-21 07:30:00 UTC, by file name" in told.out, str(told))
     t.clip()
     t.render("clip.avi", "--start-time", "recorded").expect(
-        1, "--start-time recorded: 'clip.avi' does not say when it was recorded; give the date and time")
+        1, "--start-time recorded: the name of 'clip.avi' does not say when it was recorded; give the date and time")
+    t.render("clip.avi", "--start-time", "container").expect(
+        1, "--start-time container: the container of 'clip.avi' does not say when it was written; give the date and time")
+
+
+def time_of_day_in(text):
+    return re.findall(r"[0-9]{2}:[0-9]{2}:[0-9]{2}|20[0-9]{2}-[0-9]{2}-[0-9]{2}", text)
+
+
+def test_when_a_file_was_written_is_no_time_of_day(t):
+    """A container's creation_time and a file's modification time are shown by whom they are asked for, as what they are."""
+    t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
+    os.utime(t.path("dated.mp4"), (1795300012, 1795300012))  # 2026-11-21 22:26:52
+    os.environ["TZ"] = "UTC"
+    for output in ("out.png", "out.html"):
+        t.vvr("render", "dated.mp4", "-o", output, "--size", "640x480", "--report", "report.json", "--quiet").expect(0)
+    report = json.loads(t.path("report.json").read_text())
+    texts = texts_of(report["labels"])
+    check("120 frames, 0.0 s to 11.9 s" in texts, str(texts))
+    check(not time_of_day_in(" ".join(texts)), str(texts))
+    check(report["clock"] is None and report["input"]["recorded"] is None and report["input"]["recorded_by"] is None, str(report["input"]))
+    check(report["input"]["written"] == "2026-11-21 07:30:00", str(report["input"]))
+    check(all("time" not in event["first"] for event in report["events"]), str(report["events"]))
+    page = t.path("out.html").read_text(encoding="utf-8")
+    data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+    check(data["clock"] is None and '<p id="summary">0:00 to 0:12, 120 frames; time of day not known</p>' in page, page[-3000:])
+
+    told = t.vvr("info", "dated.mp4")
+    check("written  2026-11-21 07:30:00 UTC, as the container says; that need not be when it was recorded" in told.out, str(told))
+    check("recorded 2" not in told.out and "22:26" not in told.out, str(told))
+    told = json.loads(t.vvr("info", "dated.mp4", "--json").out)
+    check(told["recorded"] is None and told["recorded_by"] is None and told["written"] == "2026-11-21 07:30:00", str(told))
+
+    for asked, first, words in [("container", "07:30:00", "when the container was written"), ("modified", "22:26:40", "by when the file was last written")]:
+        t.vvr("render", "dated.mp4", "-o", "out.html", "--size", "640x480", "--report", "report.json", "--quiet", "--start-time", asked).expect(0)
+        report = json.loads(t.path("report.json").read_text())
+        texts = texts_of(report["labels"])
+        check(any(text.startswith(f"120 frames, 2026-11-21 {first}") and text.endswith(f"(UTC; {words})") for text in texts), str(texts))
+        check(report["clock"]["source"] == asked and report["clock"]["first"] == f"2026-11-21T{first}+00:00", str(report["clock"]))
+        check(report["input"]["recorded_by"] == asked and report["input"]["recorded"] == f"2026-11-21 {first}", str(report["input"]))
+        page = t.path("out.html").read_text(encoding="utf-8")
+        data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+        check(data["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
+    del os.environ["TZ"]
+
+
+def test_parts_of_a_clip_by_the_clock(t):
+    t.clip("gate_2026-11-21_23-59-50.avi", seconds=20)
+    name = "gate_2026-11-21_23-59-50.avi"
+    os.environ["TZ"] = "UTC"
+    for options, frames, says in [
+        (("--start", "@23:59:55", "--end", "@00:00:02"), (50, 120), "2026-11-21 23:59:55 to 2026-11-22 00:00:02 (UTC; by file name)"),
+        (("--start", "2026-11-21 23:59:55", "--end", "2026-11-22T00:00:02"), (50, 120), "2026-11-21 23:59:55 to 2026-11-22 00:00:02"),
+        (("--between", "23:59:55-00:00:02"), (50, 120), "2026-11-21 23:59:55 to 2026-11-22 00:00:02"),
+        (("--start", "00:00:05"), (50, 200), f"'{name}': 2026-11-21 23:59:55 to the end at 2026-11-22 00:00:10 (UTC; by file name)"),
+        (("--end", "2s"), (0, 20), "2026-11-21 23:59:50 to 2026-11-21 23:59:52"),
+    ]:
+        done = t.render(name, *options, "--report", "r.json").expect(0, says)
+        report = json.loads(t.path("r.json").read_text())
+        first, stop = frames
+        check(report["frames"]["used"] == stop - first and report["span"]["first"] == first / 10, f"{done} {report['span']}")
+    t.scene("left_bag", "hall_2026-11-21_07-12-00.y4m", "--size", "192x144", "--frames", "400")
+    t.vvr("render", "hall_2026-11-21_07-12-00.y4m", "--report", "r.json").expect(0, "; the longest from 2026-11-21 07:12:")
+    t.vvr("extract", name, "-o", "data", "--start", "@00:00:00").expect(0, "2026-11-22 00:00:00 to the end at", "100 frames")
+    t.vvr("extract", name, "-o", "data2", "--start", "@02:00", "--start-time", "2026-11-22 01:59:55").expect(
+        0, "2026-11-22 02:00:00 to the end", "(as given)", "150 frames")
+    t.render("data", "--start", "@00:00:00").expect(1, "'data' was extracted already; extract that part of the clip")
+    t.render(name, "--start", "@12:00").expect(
+        1, f"--start: there is nothing of @12:00 in '{name}', which begins at 2026-11-21 23:59:50 and ends at 2026-11-22 00:00:10 (by file name)")
+    t.render(name, "--between", "12:00-13:00").expect(1, "--between: there is nothing of 12:00-13:00")
+    t.render(name, "--between", "2-5").expect(1, "--between: '2-5' is not a part of the day like 02:00-05:00")
+    t.render(name, "--start", "2026-11-22").expect(1, "--start: '2026-11-22' is not a date and time like 2026-11-22 02:00, or a time of day like @02:00")
+    t.render(name, "--end", "2026-11-21 23:00").expect(1, "--end: there is nothing of 2026-11-21 23:00")
+    t.clip()
+    for option, value in (("--start", "@02:00"), ("--end", "2026-11-22 02:00"), ("--between", "02:00-05:00")):
+        t.render("clip.avi", option, value).expect(
+            1, f"{option} {value}: nothing tells at which time of day 'clip.avi' was recorded; say when it begins with --start-time DATETIME")
+    del os.environ["TZ"]
+
+
+def test_parts_of_each_night(t):
+    """A recording of two evenings: what lies between the parts is left out, not lost."""
+    t.clip("2026-11-20_22-00-00.avi", seconds=20)
+    for name in ("2026-11-21_21-59-50.avi", "2026-11-21_22-00-10.avi", "2026-11-22_12-00-00.avi"):
+        t.path(name).write_bytes(t.path("2026-11-20_22-00-00.avi").read_bytes())
+    os.environ["TZ"] = "UTC"
+    files = sorted(path.name for path in t.path(".").glob("*.avi"))
+    t.vvr("render", *files, "-o", "out.png", "--size", "640x480", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
+    report = json.loads(t.path("r.json").read_text())
+    check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
+    check("left out, no signal" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
+    t.vvr("extract", *files, "-o", "data", "--between", "22:00-05:00").expect(1, "has 2 parts of it, and an extraction is of one stretch")
+    del os.environ["TZ"]
 
 
 def test_labels_can_be_switched_off(t):

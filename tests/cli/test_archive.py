@@ -5,6 +5,7 @@ import os
 import random
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -171,7 +172,7 @@ def test_archive_does_what_is_new(t):
 
     # Each reason why a clip is to be done, and only that clip is.
     def only(clip, reason, *options):
-        check(archive(t, "--dry-run", *options).expect(0, out=None).out == f"{reason:<15} {clip}\n", f"{clip} is not to be done")
+        check(archive(t, "--dry-run", *options).expect(0, out=None).out == f"{reason:<15} {clip}  camera not known, time of day not known\n", f"{clip} is not to be done")
         kept = {other: stamp for other, stamp in stamps(t, files_there=False).items() if other != clip}
         archive(t, *options).expect(0, f"1/1 {clip}: ", "1 clip drawn")
         check(kept.items() <= stamps(t).items(), "another clip was done too")
@@ -198,7 +199,7 @@ def test_archive_uses_the_contents_of_files_of_settings(t):
     archive(t, "--mask", "mask.png").expect(0, "1 clip drawn")
     archive(t, "--mask", "mask.png").expect(0, "nothing to do")
     t.ffmpeg("-f", "lavfi", "-i", "color=gray:size=64x48", "-frames:v", "1", "mask.png")
-    check(archive(t, "--mask", "mask.png", "--dry-run").out == "other settings  a.avi\n", "another mask")
+    check(archive(t, "--mask", "mask.png", "--dry-run").out == "other settings  a.avi  camera not known, time of day not known\n", "another mask")
     t.write("settings.ini", "[archive]\nsize = 120x80\n")
     t.vvr("archive", "in", "-o", "small", "--config", "settings.ini", "--flow", "none", "--backend", "software").expect(0, "1 clip drawn")
     t.expect_picture("small/a.avi.png", (120, 80))
@@ -208,7 +209,7 @@ def test_archive_leaves_what_is_still_written(t):
     clips(t, "a.avi", "b.avi")
     os.utime(t.path("in/b.avi"))
     archive(t).expect(0, "1 clip drawn, 0 failed", "1 still being written (--settle)")
-    check(archive(t, "--dry-run").out == "still written   b.avi\n", "dry run")
+    check(archive(t, "--dry-run").out == "still written   b.avi  camera not known, time of day not known\n", "dry run")
     check("out/b.avi.png" not in t.files(), "b.avi was drawn")
     archive(t, "--settle", "0s").expect(0, "1 clip drawn", "1 done before")
 
@@ -222,21 +223,26 @@ def test_archive_tries_again(t):
         check(archive(t, "--dry-run").out.startswith("failed, again   bad.avi: 'in/bad.avi' is not"), "dry run")
         archive(t).expect(6, "1/1 bad.avi failed", "1 done before")
         check(sidecar(t, "bad.avi")["tries"] == tries, str(sidecar(t, "bad.avi")))
-    result = archive(t).expect(6, "nothing to do; 1 done before, 1 failed too often (--tries)")
+    # A service that runs every ten minutes has not failed for a clip that is known to be dead.
+    result = archive(t).expect(0, "nothing to do; 1 done before, 1 failed too often (--tries)")
     check("is not a video" not in result.err, "told again and again")
-    archive(t, "--quiet").expect(6)
+    check(archive(t, "--quiet").expect(0).err == "", "a dead clip is news")
     check(archive(t, "--dry-run").out.startswith("given up        bad.avi: 'in/bad.avi' is not"), "dry run")
     archive(t, "--tries", "4").expect(6, "1/1 bad.avi failed")
     t.path("in/bad.avi").write_bytes(t.path("in/a.avi").read_bytes())
     age(t, "in/bad.avi")
     archive(t).expect(0, "1/1 bad.avi: ")
     check(sidecar(t, "bad.avi")["tries"] == 1, "a good clip was tried once")
-    # A clip that goes bad has no picture any more.
+    # A clip that goes bad keeps the picture of what it was, which may be all that is left of it.
+    before = sidecar(t, "a.avi")
     t.write("in/a.avi", "no video")
     age(t, "in/a.avi")
-    archive(t).expect(6, "a.avi failed")
-    complete_names = [name for name in outputs(t) if name.startswith("a.")]
-    check(complete_names == ["a.avi.json"], f"pictures of what the clip was: {complete_names}")
+    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi' is not a video", "; the picture that is there stays")
+    check([name for name in outputs(t) if name.startswith("a.")] == sorted(f"a.avi{ending}" for ending in ENDINGS), str(outputs(t)))
+    after = sidecar(t, "a.avi")
+    check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
+    check(after["shows"] == {name: before["clip"][name] for name in ("bytes", "modified_ns")} | {"settings": before["settings"]}, f"{after}")
+    check("failed; shows what was until" in t.path("out/index.html").read_text(), "the index does not say it")
 
 
 def test_archive_takes_any_name(t):
@@ -292,7 +298,7 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in", "in", "-o", "out").expect(1, "one argument too many")
     t.vvr("archive", "in", "-o", "in").expect(1, "give -o a folder of its own, such as 'in/pictures'")
     t.vvr("archive", "none", "-o", "out").expect(2, "cannot read the archive 'none': No such file", "is mounted")
-    t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "cannot read the archive 'in/a.avi'")
+    t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "'in/a.avi' is a file, and an archive is a folder of clips; draw one clip with: vvr render 'in/a.avi' -o picture.png")
     t.write("file", "")
     t.vvr("archive", "in", "-o", "file").expect(2, "cannot make the folder 'file'")
     t.vvr("archive", "in", "-o", "file/out").expect(2, "cannot make the folder 'file/out'")
@@ -309,7 +315,7 @@ def test_archive_refuses_what_cannot_be(t):
 
 
 def test_archive_knows_the_names_of_recorders(t):
-    clips(t, "2026-11-21/08/gate/00.10.mp4", "hall/door at 2026.11.21 09-30.avi", "2026/11/21/10/yard/x.avi")
+    clips(t, "2026-11-21/08/gate/00.10.mp4", "hall/door at 21.11.2026 09-30.avi", "2026/11/21/10/yard/x.avi")
 
     def index(*arguments):
         archive(t, *arguments, "--no-pages").expect(0)
@@ -318,14 +324,14 @@ def test_archive_knows_the_names_of_recorders(t):
         return {row[1]: (data["cameras"][row[0]], row[2]) for row in data["clips"]}, data["zone"]
 
     os.environ["TZ"] = "Asia/Kolkata"
-    found, zone = index("--names", "{camera} at %Y.%m.%d %H-%M")
+    found, zone = index("--names", "{camera} at %d.%m.%Y %H-%M")
     day = 1795219200  # 2026-11-21 00:00 UTC
     check(found["./2026-11-21/08/gate/00.10.mp4"] == ("gate", day + 8 * 3600 + 10), f"Frigate's are in UTC: {found}")
-    check(found["./hall/door%20at%202026.11.21%2009-30.avi"] == ("door", day + 4 * 3600), f"others are local: {found}")
+    check(found["./hall/door%20at%2021.11.2026%2009-30.avi"] == ("door", day + 4 * 3600), f"others are local: {found}")
     check(found["./2026/11/21/10/yard/x.avi"][0] == "yard", str(found))
     check(zone[0][1:] == [19800, "IST, UTC+5:30"], str(zone))
     found, _ = index()
-    check(found["./hall/door%20at%202026.11.21%2009-30.avi"][0] == "hall", f"not drawn again, and indexed by its folder: {found}")
+    check(found["./hall/door%20at%2021.11.2026%2009-30.avi"][0] == "hall", f"not drawn again, and indexed by its folder: {found}")
     del os.environ["TZ"]
 
 
@@ -360,7 +366,7 @@ def test_archive_is_shared_out(t):
     check(all(parts) and parts == [of_shard(t, number, 3) for number in (1, 2, 3)], "shares are not stable")
 
     for number, part in enumerate(parts):
-        check(all(fnv1a(line[16:]) % 3 == number for line in part), "not the hash that docs/archive.md names")
+        check(all(fnv1a(line[16:].split("  ")[0]) % 3 == number for line in part), "not the hash that docs/archive.md names")
     for number in (1, 2, 3):
         archive(t, "--shard", f"{number}/3", "--no-index").expect(0, "drawn, 0 failed")
     check("index.html" not in outputs(t), "a shard writes an index")
@@ -369,25 +375,30 @@ def test_archive_is_shared_out(t):
 
 
 def test_archive_prunes(t):
-    clips(t, "a.avi", "b.avi", "cam/c.avi", "disk/d.avi")
+    clips(t, "a.avi", "b.avi", "cam/2026-11-21/c.avi", "cam/2026-11-22/c.avi", "disk/d.avi", "away/e.avi", "linked/f.avi")
     archive(t).expect(0)
     t.write("out/b.avi.txt", "a note")
     t.path("out/mine").mkdir()
     t.write("out/mine/x.avi.png", "not vvr's")
     t.path("in/b.avi").unlink()
-    t.path("in/cam/c.avi").unlink()
-    t.path("in/cam").rmdir()
+    t.path("in/cam/2026-11-21/c.avi").unlink()
+    t.path("in/cam/2026-11-21").rmdir()
     t.path("in/disk/d.avi").unlink()
+    t.path("in/away").rename(t.path("elsewhere"))
+    t.path("in/linked").rename(t.path("far"))
+    t.path("in/linked").symlink_to("nowhere")
     archive(t).expect(0, "nothing to do")
     check("b.avi.png" in outputs(t), "removed unasked")
-    check(sorted(archive(t, "--prune", "--dry-run").out.splitlines()) == ["gone            b.avi", "gone            cam/c.avi"], "dry run")
+    check(sorted(archive(t, "--prune", "--dry-run").out.splitlines()) == ["gone            b.avi", "gone            cam/2026-11-21/c.avi"], "dry run")
     archive(t, "--prune").expect(0, "b.avi: the clip has gone, and its picture with it",
-                                 "warning: 'in/disk' is empty, so its pictures stay: it may be a disk that is not mounted")
-    expected = [clip + ending for clip in ("a.avi", "disk/d.avi") for ending in ENDINGS]
+                                 *[f"warning: 'in/{name}' is empty or not there, so its pictures stay: it may be a disk that is not mounted" for name in ("disk", "away", "linked")])
+    kept = ("a.avi", "cam/2026-11-22/c.avi", "disk/d.avi", "away/e.avi", "linked/f.avi")
+    expected = [clip + ending for clip in kept for ending in ENDINGS]
     check(outputs(t) == sorted(expected + ["b.avi.txt", "mine/x.avi.png", "index.html"]), str(outputs(t)))
     text = t.path("out/index.html").read_text()
     check("a.avi" in text and "b.avi" not in text, "the index is old")
     t.path("in/a.avi").unlink()
+    t.path("in/cam/2026-11-22/c.avi").unlink()
     archive(t, "--prune").expect(2, "no clip is left in 'in', so nothing is pruned")
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
 
@@ -461,8 +472,8 @@ def test_archive_goes_on_past_a_sidecar_that_cannot_be_written(t):
     for name in ("b.avi", full):
         t.path(f"out/{name}.json").mkdir(parents=True)
     t.path("out/c.avi.json").symlink_to("c.avi.json")
-    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': Is a directory",
-                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link that can't be followed",
+    archive(t, "--jobs", "1").expect(6, "1 clip drawn, 3 failed", "b.avi failed, cannot write 'out/b.avi.json': it is a folder; remove it",
+                                     "c.avi failed, cannot write 'out/c.avi.json': it is a link; remove it",
                                      f"{full} failed, cannot write", "4/4 a.avi: ")
     check("a.avi" in t.path("out/index.html").read_text(), "no index")
     check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
@@ -603,6 +614,25 @@ def test_archive_ends_its_workers(t):
     archive(t).expect(0, "0 failed")
 
 
+def test_archive_ends_workers_that_do_not_answer(t):
+    """A worker that does not hear the polite word is killed before anybody notices the wait."""
+    clips(t, "a.avi", "b.avi")
+    run = start(t, "--jobs", "2", "--field-size", "source", "--flow", "horn-schunck")
+    workers = []
+    while not workers and run.poll() is None:
+        workers = workers_of(run)
+        time.sleep(0.01)
+    for worker in workers:
+        os.kill(worker, signal.SIGSTOP)
+    begin = time.monotonic()
+    os.kill(run.pid, signal.SIGTERM)
+    run.communicate(timeout=20)
+    took = time.monotonic() - begin
+    check(run.returncode == -signal.SIGTERM and took < 4, f"{run.returncode} after {took:.1f} s")  # two, and a busy machine
+    no_worker_left(workers)
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+
+
 def test_archive_draws_no_playlists(t):
     t.path("in").mkdir()
     t.clip("in/seg.ts", codec=("-c:v", "mpeg2video"))
@@ -626,6 +656,40 @@ def days_of(t):
     text = t.path("out/index.html").read_text()
     data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
     return {(data["cameras"][day["row"][0]], day["date"]): day for day in data["recordings"]}, data
+
+
+def test_archive_says_where_a_day_is_that_of_writing(t):
+    """Nothing tells when these were recorded: log, report, sidecar and index say that the day is by when they were written."""
+    os.environ["TZ"] = "UTC"
+    t.path("in/gate").mkdir(parents=True)
+    t.clip("in/gate/a.avi", seconds=2)
+    t.clip("in/gate/b.avi", seconds=2)
+    for name, written in (("a.avi", 1795176000), ("b.avi", 1795176060)):  # 2026-11-20 12:00
+        os.utime(t.path(f"in/gate/{name}"), (written, written))
+    archive(t, "--per", "both").expect(
+        0, "warning: 'in': the names of 2 clips do not tell when they were recorded, the first 'gate/a.avi'; each is taken to be of "
+        "the day when it was last written", "3 clips drawn")
+    report = json.loads(t.path("out/gate/2026-11-20.report.json").read_text())
+    check(any("is taken to end when the file was last written; times of day are not shown" in problem for problem in report["problems"]),
+          f"{report['problems']}")
+    check(report["clock"] is None and report["input"]["recorded"] is None, f"{report['input']}")
+    check(not any(re.search("[0-9]{2}:[0-9]{2}:[0-9]{2}", label["text"]) for label in report["labels"]), f"{report['labels']}")
+    check(sidecar(t, "gate/2026-11-20")["recorded"] is None, "nothing tells it")
+    days, data = days_of(t)
+    by_file, by_container = 2048, 1024
+    check(days["gate", "2026-11-20"]["row"][5] & by_file, f"{days}")
+    check(all(row[5] & by_file for row in data["clips"]), f"{data['clips']}")
+    # A container that says when it was written tells no more of when it was recorded, and the index says that it is that.
+    t.clip("in/gate/c.mp4", seconds=2, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-19T08:00:00Z"))
+    t.clip("in/gate/2026-11-18_08-00-00.avi", seconds=2)
+    for name in ("c.mp4", "2026-11-18_08-00-00.avi"):
+        os.utime(t.path(f"in/gate/{name}"), (1795176120, 1795176120))
+    archive(t).expect(0, "2 clips drawn")
+    rows = {row[1]: row for row in days_of(t)[1]["clips"]}
+    check(rows["./gate/c.mp4"][2] == 1795075200 and rows["./gate/c.mp4"][5] & by_container, f"{rows}")
+    check(sidecar(t, "gate/c.mp4")["recorded_by"] == "container", f"{sidecar(t, 'gate/c.mp4')}")
+    named = next(row for url, row in rows.items() if "2026-11-18" in url)
+    check(not named[5] & (by_file | by_container), f"{rows}")
 
 
 def test_archive_draws_days_of_cameras(t):
@@ -654,6 +718,9 @@ def test_archive_draws_days_of_cameras(t):
     t.path("in/2026-11-21/08/gate/00.00.avi").unlink()
     archive(t, "--per", "day", "--prune").expect(0, "nothing to do; 3 done before")
     t.path("in/2026-11-22/00/gate/00.00.avi").unlink()
+    archive(t, "--per", "day", "--prune").expect(0, "'in/2026-11-22/00/gate' is empty or not there, so its pictures stay")
+    for folder in ("gate", "", ".."):
+        (t.path("in/2026-11-22/00") / folder).resolve().rmdir()
     archive(t, "--per", "day", "--prune").expect(0, "gate/2026-11-22: the clip has gone")
     check("gate/2026-11-22.png" not in outputs(t) and "gate/2026-11-21.png" in outputs(t), f"{outputs(t)}")
     # Beside a picture of each clip.
@@ -669,3 +736,102 @@ def test_archive_takes_no_camera_for_a_way_out(t):
                                                                                      "its camera '.x' cannot be", "1 clip drawn")
     check(outputs(t) == sorted([f"a/2026-11-21{ending}" for ending in ENDINGS] + ["index.html"]), f"{outputs(t)} {result}")
     check(not list(t.folder.glob("2026*")), f"{t.files()}")
+
+
+def pictures(t):
+    return [name for name in outputs(t) if name.endswith(".png")]
+
+
+def test_archive_prunes_no_day_whose_clips_may_be_there(t):
+    """Whatever a run leaves out of the clips, or can't see of them."""
+    folders = {day: f"in/2026-11-{day}" for day in (20, 21)}
+    names = [f"2026-11-{day}/10/{camera}/00.00.avi" for day in folders for camera in ("gate", "hall")]
+    frigate(t, *names)
+    archive(t, "--per", "day").expect(0, "4 clips drawn")
+    days = pictures(t)
+
+    def prune(status, *texts, options=()):
+        archive(t, "--per", "day", "--prune", *options).expect(status, *texts)
+        check(pictures(t) == days, f"{options} {texts}: left are {pictures(t)}")
+
+    away = t.path("away")
+    t.path(folders[21]).rename(away)
+    t.path(folders[21]).mkdir()
+    prune(0, "'in/2026-11-21' is empty or not there, so its pictures stay")
+    t.path(folders[21]).rmdir()
+    t.path(folders[21]).symlink_to("nowhere")
+    prune(0, "'in/2026-11-21' is empty or not there")
+    t.path(folders[21]).unlink()
+    away.rename(t.path(folders[21]))
+    prune(0, options=("--exclude", "*/*/hall/*"))
+    prune(0, options=("--match", "*.mp4"))
+    prune(0, options=("--names", "{camera}/%Y.%m.%d %H"))
+    for stamp in (time.time(), time.time() + 10 * 365 * 86400, 0):  # copied again; the clock set back; copied by who knows no times
+        for name in names:
+            os.utime(t.path(f"in/{name}"), (stamp, stamp))
+        prune(0)
+    t.path("in/broken.avi").symlink_to("broken.avi")
+    t.path(f"in/{names[0]}").rename(t.path("kept.avi"))
+    prune(2, "'in/broken.avi' can't be read: Too many levels of symbolic links; so nothing is pruned")
+    t.path("in/broken.avi").unlink()
+    # Moved within the archive, the day is there still.
+    t.path("in/2026-11-20/11/gate").mkdir(parents=True)
+    t.path("kept.avi").rename(t.path("in/2026-11-20/11/gate/00.00.avi"))
+    prune(0)
+    if os.geteuid() != 0:
+        t.path(f"{folders[21]}/10").chmod(0)
+        prune(2, "can't be read: Permission denied; so nothing is pruned")
+        t.path(f"{folders[21]}/10").chmod(0o755)
+    # A sidecar of an older vvr does not tell its clips.
+    for day in ("gate/2026-11-20", "gate/2026-11-21"):
+        known = sidecar(t, day)
+        del known["clips"]
+        t.write(f"out/{day}.json", json.dumps(known, indent=2))
+    for hour in (10, 11):
+        shutil.rmtree(t.path(f"{folders[20]}/{hour}/gate"))
+    prune(0, "1 day was drawn by an older vvr, which did not note the clips")
+
+
+def test_archive_keeps_a_day_whose_redraw_fails(t):
+    """Until a new set is whole the old one stays, and says what it shows."""
+    slow = ("--per", "day", "--field-size", "source", "--flow", "horn-schunck", "--no-pages")
+    frigate(t, "2026-11-21/08/gate/00.00.avi", "2026-11-21/08/gate/00.02.avi")
+    archive(t, *slow).expect(0, "1 clip drawn")
+    day = "gate/2026-11-21"
+    before = sidecar(t, day)
+    whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
+    t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=200, size="384x288")
+    os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
+    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: it took longer than the 1 s that --timeout allows; the picture that is there stays")
+    after = sidecar(t, day)
+    check(whole_before == {name: t.path(f"out/{name}").read_bytes() for name in whole_before}, f"{outputs(t)}")
+    check((after["state"], after["tries"], after["frames"], after["day"]["clips"]) == ("failed", 1, before["frames"], 3), f"{after}")
+    check(after["shows"]["modified_ns"] == before["clip"]["modified_ns"] < after["clip"]["modified_ns"], f"{after}")
+    check(sum(len(names) for names in after["clips"].values()) == 3, f"{after}")
+    row = days_of(t)[0]["gate", "2026-11-21"]["row"]
+    check(row[10] == before["clip"]["modified_ns"] // 10**9 and row[5] & 1, f"{row}")
+    check(not [name for name in t.files() if "/.vvr-" in name], f"left behind: {t.files()}")
+    # Whole again once it can be drawn.
+    t.path("in/2026-11-21/08/gate/10.00.avi").unlink()
+    archive(t, *slow).expect(0, "1 clip drawn")
+    check("shows" not in sidecar(t, day) and sidecar(t, day)["state"] == "done", f"{sidecar(t, day)}")
+
+
+def test_archive_says_that_clips_are_of_the_future(t):
+    """And draws them with the others of their day."""
+    frigate(t, *[f"2026-11-21/08/gate/00.0{second}.avi" for second in (0, 2, 4)])
+    later = time.time() + 365 * 86400
+    os.utime(t.path("in/2026-11-21/08/gate/00.02.avi"), (later, later))
+    archive(t, "--per", "day").expect(0, "warning: 1 clip was written in the future, by the time of the file, such as 'in/2026-11-21/08/gate/00.02.avi'")
+    known = sidecar(t, "gate/2026-11-21")
+    check(known["day"]["clips"] == 3 and known["frames"] == 60, f"{known}")
+    archive(t, "--per", "day").expect(0, "nothing to do; 1 done before")
+    os.utime(t.path("in/2026-11-21/08/gate/00.04.avi"))
+    archive(t, "--per", "day").expect(0, "1 still being written (--settle)")
+
+
+def test_archive_without_clips_says_what_it_looked_for(t):
+    t.path("in").mkdir()
+    archive(t).expect(0, "no clips below 'in' (looked for ", ".avi ")
+    clips(t, "a.avi")
+    archive(t, "--match", "*.xyz", "--match", "gate/*").expect(0, "no clips below 'in' (looked for *.xyz gate/*)", "'out': nothing to do")

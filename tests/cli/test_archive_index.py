@@ -92,6 +92,21 @@ def test_index_lists_by_day_and_camera(t):
         check(page.run("return getComputedStyle(document.documentElement).backgroundColor") != light, "no dark colours")
 
 
+def test_index_of_a_redraw_that_failed(t):
+    """The picture is there, and the index says until when it shows the clip."""
+    until = (NOW - HOUR) * 10**9
+    known(t, "gate/a.avi", NOW, state="failed", tries=2, status=5, reason="it took longer", events=1,
+          shows={"bytes": 1, "modified_ns": until, "settings": "s"})
+    known(t, "gate/2026-11-21", NOW, day={"camera": "gate", "date": "2026-11-21", "clips": 2}, seconds=1200)
+    write_index(t)
+    with opened(t) as page:
+        page.wait("cards", "return document.querySelectorAll('a.card').length === 2")
+        check("failed; shows what was until 2026-11-21 07:00:00" in page.texts(".badge"), str(page.texts(".badge")))
+        check(page.texts(".card .first b") == ["07:50 to 08:10", "06:50:00"], str(page.texts(".card .first b")))
+        page.run("document.querySelector('[value=failed]').click()")
+        page.wait("one", "return document.querySelectorAll('.card').length === 1")
+
+
 def test_index_of_names_that_mean_harm(t):
     evil = ["</script><script>document.title='evil'</script>", "<img src=x onerror=document.title='evil'>", "javascript:alert(1)",
             "a\" onmouseover=\"document.title='evil'", "{{script}}", "&lt;b&gt;", "#text=x?y", "up..%2F.."]

@@ -28,12 +28,21 @@ def test_doctor_tells_programs(t):
         check((backend["renderer"] is not None) == backend["works"] == (backend["reason"] is None), f"{backend}")
     check(f"font           {said['font']}\n" in text, f"{said}")
     check(any(backend["works"] for backend in said["backends"]), f"{said}")
+    first = next(backend for backend in said["backends"] if backend["works"])
+    check(said["draws_with"] == first["name"] and f"draws with     {first['name']}: {first['renderer']}\n" in text, text)
+
+
+def test_doctor_tells_of_the_backend_that_is_asked_for(t):
+    t.vvr("doctor", "--backend", "software").expect(0, out=None)
+    t.vvr("doctor", "--backend", "egl", "--device", "200").expect(4, "no OpenGL context from backend egl", out=None)
 
 
 def test_doctor_tells_of_every_backend(t):
     result = t.vvr("doctor").expect(0, out=None)
     for text in ("vvr ", "FFmpeg ", "OpenImageIO ", "OpenCV ", "\negl ", "\nsoftware ", "\nosmesa ", "llvmpipe"):
         check(text in result.out, f"{result}\nexpected: {text}")
+    works = [" works:" in block.splitlines()[0] for block in result.out.split("\n\n")[1:]]
+    check(works == sorted(works, reverse=True), f"what works does not come first: {result}")
     for block in result.out.split("\n\n")[1:]:
         wanted = ["renderer", "version"] if " works:" in block.splitlines()[0] else ["reason", "fix with"]
         for word in wanted:

@@ -1,5 +1,6 @@
 """vvr compare, and render --golden: what is the same, what is not, and what is left behind."""
 
+import itertools
 import json
 import shutil
 import struct
@@ -24,9 +25,11 @@ def png(t, name, size=(40, 20), value=128, spots=(), alpha=False):
     return t.write(name, b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b""))
 
 
-def pfm(t, name, values, size=(2, 2)):
-    """A picture of floats, which may be no numbers."""
-    return t.write(name, b"PF\n%d %d\n-1.0\n" % size + struct.pack(f"<{len(values)}f", *values))
+def floats(t, name, values, size=(2, 2)):
+    """An OpenEXR file of RGB values as they are, such as infinite ones."""
+    planes = [values[channel::3] for channel in (1, 2, 0)]  # as gbrpf32le has them
+    t.path("raw").write_bytes(struct.pack(f"<{len(values)}f", *itertools.chain(*planes)))
+    t.ffmpeg("-f", "rawvideo", "-pix_fmt", "gbrpf32le", "-s", f"{size[0]}x{size[1]}", "-i", "raw", "-compression", "none", name)
 
 
 def test_compare_same(t):
@@ -49,7 +52,7 @@ def test_compare_tells_where_they_differ(t):
     png(t, "a.png", (120, 80))
     png(t, "b.png", (120, 80), 128, [(x, y, 28) for x in range(60, 66) for y in range(40, 46)])
     told = t.vvr("compare", "a.png", "b.png").expect(
-        7, "vvr: at 60,40: 0.5020 0.5020 0.5020 and 0.1098 0.1098 0.1098 differ by 0.3922",
+        7, "vvr: at 60,40: A 0.5020 0.5020 0.5020 and B 0.1098 0.1098 0.1098 differ by 0.3922",
         "'a.png' and 'b.png' differ: a patch of 8x8 pixels differs by 0.221 in the mean, 0.03 is allowed", out=None)
     check(told.err.count("vvr: at ") == 10, "not the ten worst pixels")
     rows = [line for line in told.err.splitlines() if line.startswith("vvr: |")]
@@ -67,12 +70,12 @@ def test_compare_looks_at_size_channels_and_numbers_first(t):
     png(t, "clear.png", alpha=True)
     t.vvr("compare", "a.png", "wide.png").expect(7, "'a.png' and 'wide.png' differ: sizes 40x20 and 41x20")
     t.vvr("compare", "a.png", "clear.png").expect(7, "differ: channels R,G,B and R,G,B,A")
-    pfm(t, "good.pfm", [0.5] * 12)
-    pfm(t, "bad.pfm", [0.5] * 10 + [float("nan"), float("inf")])
+    floats(t, "good.exr", [0.5] * 12)
+    floats(t, "bad.exr", [0.5] * 10 + [float("nan"), float("inf")])
     text = "differ: 2 of the second picture's values are no number or infinite, first at 1,"
-    t.vvr("compare", "good.pfm", "bad.pfm").expect(7, text)
-    t.vvr("compare", "bad.pfm", "bad.pfm").expect(7, "2 of the first picture's values")
-    t.vvr("compare", "good.pfm", "good.pfm").expect(0, out=None)
+    t.vvr("compare", "good.exr", "bad.exr").expect(7, text)
+    t.vvr("compare", "bad.exr", "bad.exr").expect(7, "2 of the first picture's values")
+    t.vvr("compare", "good.exr", "good.exr").expect(0, out=None)
 
 
 def test_compare_leaves_out_layers(t):
@@ -176,6 +179,8 @@ def test_golden_of_another_size_or_renderer(t):
 def test_golden_that_cannot_be_read_or_kept(t):
     t.clip()
     t.write("golden.png", "no picture")
+    # Found before anything is drawn, and before the clip is opened.
+    t.vvr("render", "none.avi", "--golden", "golden.png").expect(2, "cannot read picture 'golden.png'")
     golden(t).expect(2, "cannot read picture 'golden.png'")
     t.vvr("render", "clip.avi", "--golden", "none/golden.png", "--bless").expect(2, "there is no folder 'none'")
     # No one may make files there, not even root; what counts is that there is no golden picture.
@@ -189,10 +194,18 @@ def test_golden_options_that_do_not_fit(t):
     t.clip()
     t.render("clip.avi", "--bless").expect(1, "--bless: add --golden FILE to say which picture is blessed")
     t.render("clip.avi", "--diff", "d.png").expect(1, "--diff: add --golden FILE to say what the picture is compared with")
-    golden(t, "--bless", "--diff", "d.png").expect(1, "--bless compares nothing")
     golden(t, "--animate", "3", output=("-o", "a.####.png")).expect(1, "--golden compares one picture")
     t.vvr("render", "clip.avi").expect(1, "no output: say where the picture goes with -o FILE")
     t.expect_files("clip.avi")
+
+
+def test_bless_beside_diff(t):
+    """The line of a workflow has --diff, and is what one adds --bless to."""
+    t.clip()
+    golden(t, "--bless", "--diff", "d.png").expect(0, "'golden.png': blessed")
+    t.expect_files("clip.avi", "golden.png")
+    golden(t, "--diff", "d.png").expect(0)
+    t.expect_files("clip.avi", "d.png", "golden.png")
 
 
 def test_golden_in_every_format(t):

@@ -66,7 +66,7 @@ def test_workers_of_an_archive_read_no_config_file(t, places):
     t.clip("in/a.avi")
     t.vvr("archive", "in", "-o", "drawn", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
     check(t.picture_size("drawn/a.avi.png") == (90, 60), "the size that archive was given")
-    t.path("home/.config/vvr/vvr.toml").write_text("[render]\nplain-nonsense = 1\n")
+    t.path("home/.config/vvr/vvr.toml").write_text("[render]\nfilter = 'nonsense'\n")
     t.vvr("archive", "in", "-o", "again", "--settle", "0s", "--size", "90x60", env=places).expect(0, "1 clip drawn")
 
 
@@ -83,8 +83,44 @@ def test_config_says_what_is_in_force(t, places):
     t.vvr("config").expect(0, out="config file: none (because VVR_CONFIG is empty)\n")
     found.write_text("size = 40x30\n")
     said = t.vvr("config", env=places).expect(0, out=None).out
-    check("vvr render: size = 40x30\n" in said, said)
-    check(f"vvr doctor: the config file '{found}' sets 'size', which `vvr doctor` does not have" in said, said)
+    check("vvr render: size = 40x30\n" in said and "vvr doctor" not in said, said)
+
+
+def test_top_level_keys_are_for_the_commands_that_have_them(t):
+    t.clip()
+    t.write("vvr.toml", 'size = "40x30"\nnames = ["{camera}-%s"]\ntolerance = 0.5\nquiet = false\n')
+    config = ("--config", "vvr.toml")
+    t.vvr("doctor", *config).expect(0, out=None)
+    t.vvr("cut", "clip.avi", "--from", "0.5s", "-o", "cut.avi", *config).expect(0)
+    t.vvr("extract", "clip.avi", "-o", "data", *config).expect(0)
+    t.vvr("seeds", "data", "-o", "lists", *config).expect(0)
+    t.vvr("render", "clip.avi", "-o", "a.png", *config).expect(0)
+    check(t.picture_size("a.png") == (40, 30), "size counts for render")
+    t.vvr("compare", "a.png", "a.png", *config).expect(0, out=None)
+
+
+def test_names_that_nobody_knows_stop_every_command(t):
+    t.clip()
+    commands = (["render", "clip.avi", "-o", "out.png"], ["doctor"], ["compare", "a.png", "b.png"], ["config"], ["config", "render"],
+                ["info", "clip.avi"])
+    for text, error in (
+        ("[redner]\nsize = '40x30'\n", "the config file 'vvr.toml' has a section [redner], and there is no such command (did you mean 'render'?)"),
+        ("[redner]\n", "has a section [redner]"),
+        ("[render.look]\nsize = '40x30'\n", "has a section [render.look]"),
+        ("szie = '40x30'\n", "the config file 'vvr.toml' sets 'szie', which no command has (did you mean 'size'?)"),
+        ("[render]\nszie = '40x30'\n", "sets 'szie', which `vvr render` does not have (did you mean 'size'?)"),
+        ("[info]\ntolerance = 1\n", "sets 'tolerance', which `vvr info` does not have"),
+        ("config = 'other.toml'\n", "sets 'config', which no command has"),
+    ):
+        t.write("vvr.toml", text)
+        for command in commands:
+            t.vvr(*command, "--config", "vvr.toml").expect(1, error)
+    t.vvr("render", "--help", env=os.environ | {"VVR_CONFIG": "vvr.toml"}).expect(0, out=None)  # for whoever wants to mend it
+    t.expect_files("clip.avi", "vvr.toml")
+
+
+def test_config_says_who_named_a_file_that_is_missing(t, places):
+    t.vvr("config", env=places | {"VVR_CONFIG": "none.toml"}).expect(2, "cannot read config file 'none.toml', named by VVR_CONFIG")
 
 
 def test_config_with_errors(t):

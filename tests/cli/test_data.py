@@ -148,6 +148,8 @@ def test_extract_replaces_only_its_own(t):
     t.vvr("extract", "clip.mkv", "-o", "none/data").expect(2, "there is no folder 'none'")
     t.vvr("extract", "clip.mkv").expect(1, "no output", "-o DIR")
     t.vvr("extract", "-o", "data").expect(1, "no INPUT")
+    t.vvr("extract", "clip.mkv", "-o", "data", "--start", "736.40199999999999s", "--end", "750.4019999999999s").expect(
+        1, "'clip.mkv' has no frame from 736.402 s to 750.402 s")
     t.vvr("extract", "clip.mkv", "-o", "data", "--start", "40f").expect(1, "'clip.mkv' has no frame from frame 40 to its end: it has 40 frames, the last at 3.900 s")
     t.expect_files("clip.mkv", "mine", "mine/notes.txt")
     t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
@@ -222,6 +224,7 @@ def test_inspect_shows_one_frame(t):
     check(t.picture_size("a.png")[0] == 1280, f"{t.picture_size('a.png')}")
     t.vvr("inspect", "clip.mkv", "--frame", "40f", "-o", "c.png").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
     t.vvr("inspect", "clip.mkv", "--frame", "00:01:00", "-o", "c.png").expect(1, "40 frames")
-    t.vvr("inspect", "clip.mkv", "-o", "c.png").expect(1, "no frame: say which with --frame")
+    t.vvr("inspect", "clip.mkv", "-o", "c.png").expect(0, "frame 20 at 2.000 s; --frame TIME chooses another")
+    t.path("c.png").unlink()
     t.vvr("inspect", "clip.mkv", "--frame", "3f").expect(1, "no output")
     t.expect_files("a.png", "b.png", "clip.mkv")

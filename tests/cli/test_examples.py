@@ -86,7 +86,7 @@ def test_cron_lines_draw_what_is_new(t):
         (here / "pictures").mkdir()
         for name in "abc":
             t.clip(f"{number}/clips/door {name}.avi", seconds=1)
-            os.utime(here / "clips" / f"door {name}.avi", (1e9, 1e9))
+            os.utime(here / "clips" / f"door {name}.avi", (1e9 + 60 * ord(name), 1e9 + 60 * ord(name)))  # not at once
         for place, there in (("/usr/local/bin/vvr", t.vvr_path), ("/usr/bin/vvr", t.vvr_path), ("/media/frigate/recordings", "clips"), ("/srv/cctv", "clips"), ("/data/cctv", "clips"),
                              ("/srv/pictures", "pictures"), ("/data/pictures", "pictures"), ("/var/log/vvr", ".")):
             line = line.replace(place, str(there))

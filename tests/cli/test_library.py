@@ -107,6 +107,7 @@ def test_settings_have_the_programs_names_and_checks(t, prefix):
             ("sise", "1x1", " 0 there is no option '--sise' (did you mean '--size'?)"),
             ("slices", "-1", " 0 slices: '-1' is not a whole number from 0 to 16384"),
             ("help", "yes", " 0 'help' is not a setting; leave it out"),
+            ("config=/nowhere", "x", " 0 'config=/nowhere' is no name of a setting; it has small letters, digits and -"),
             ("output", "x.png", " 0 there is no option '--output'")]:
         done = t.run(["./main", name, value])
         check(done.status == 0 and done.out.startswith(text), str(done))

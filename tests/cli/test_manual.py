@@ -42,7 +42,7 @@ def test_man_pages_are_sound(t):
     done = t.run(["mandoc", "-Tlint", "-Wwarning", *pages])
     check(done.status == 0, str(done))
     text = t.run(["mandoc", "-Tutf8", manual(t) / "man1" / "vvr.1"]).out
-    for word in ("CONFIG FILES", "EXIT STATUS", "vvr-render"):
+    for word in ("CONFIG FILES", "ENVIRONMENT", "VVR_CONFIG", "TMPDIR", "EXIT STATUS", "vvr-render"):
         check(word in re.sub(".\x08", "", text), text)
 
 

@@ -53,13 +53,31 @@ def test_unusable_values(t):
 def test_unknown_command(t):
     t.vvr("rendr").expect(1, "there is no command 'rendr' (did you mean 'render'?); `vvr --help` lists them")
     t.vvr("xyzzy").expect(1, "there is no command 'xyzzy'; `vvr --help`")
-    t.vvr().expect(1, "no command")
+    t.vvr().expect(1, "no command; there are render, watch, extract,", "`vvr --help` says what they do")
+    # What people type first.
+    t.clip()
+    for name in ("clip.avi", "none.mp4", "rtsp://camera/stream"):
+        t.vvr(name).expect(1, f"there is no command '{name}'; to draw it: vvr render '{name}' -o picture.png")
+    t.vvr("render", "clip.avi", "out.png").expect(1, "no output, and there is no input 'out.png'; if that is where the picture goes: -o 'out.png'")
+    t.expect_files("clip.avi")
 
 
 def test_unknown_option(t):
     t.vvr("render", "--szie", "3x3").expect(1, "there is no option '--szie' (did you mean '--size'?)", "`vvr render --help`")
     t.vvr("render", "--xyzzy=1", "a.avi").expect(1, "there is no option '--xyzzy';")
     t.vvr("doctor", "-z").expect(1, "there is no option '-z'")
+    for option, text in (("-i", "an input has no option"), ("-ss", "--start TIME"), ("-y", "outputs are replaced"), ("-to", "--end TIME"),
+                         ("--add-region", "--roi AREA")):
+        t.vvr("render", option, "clip.avi", "-o", "out.png").expect(1, f"there is no option '{option}': ", text)
+
+
+def test_two_dashes_end_the_options(t):
+    t.clip()
+    t.path("clip.avi").rename(t.path("-clip.avi"))
+    t.vvr("render", "-o", "out.png", "--size", "160x100", "--", "-clip.avi").expect(0)
+    t.vvr("render", "--", "-clip.avi", "-o", "out.png").expect(1)
+    t.vvr("render", "-o", "out.png", "--", "--no-such.avi").expect(2, "cannot read '--no-such.avi'")
+    t.vvr("info", "--", "--config").expect(2, "cannot read '--config'")
 
 
 def test_missing_or_too_many_arguments(t):
@@ -95,6 +113,10 @@ def test_help_and_version(t):
     for command in ("render", "info", "doctor"):
         text = t.vvr(command, "--help").expect(0, out=None)
         check(f"Usage: vvr {command}" in text.out and text.err == "", str(text))
+        check(t.vvr("help", command).expect(0, out=None).out == text.out, f"vvr help {command}")
+    t.vvr("help", "rendr").expect(1, "there is no command 'rendr'")
+    for other in ("-V", "version"):
+        check(t.vvr(other).expect(0, out=None).out == t.vvr("--version").out, other)
     version = t.vvr("--version").expect(0, out=None).out.splitlines()
     names = [line.split()[0] for line in version]
     check(names == ["vvr", "FFmpeg", "OpenImageIO", "OpenCV", "OpenGL:"], str(version))

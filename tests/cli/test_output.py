@@ -1,7 +1,9 @@
 """Where pictures go, and that they are whole or not there."""
 
 import fcntl
+import json
 import os
+import pty
 import resource
 import struct
 import subprocess
@@ -53,9 +55,48 @@ def test_settings_stand_in_the_picture(t):
 def test_unknown_format(t):
     t.clip()
     t.render("clip.avi", output="out.pgn").expect(
-        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg")
+        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg .html .gif .mp4 .webm")
+    t.render("clip.avi", output="out.htlm").expect(1, "'.htlm' is not an output format (did you mean '.html'?)")
     t.render("clip.avi", output="out").expect(1, "a name without an ending is not an output format")
     t.expect_files("clip.avi")
+
+
+def test_standard_output(t):
+    t.clip()
+    small = ("--size", "160x100")
+    t.render("clip.avi").expect(0)
+    with open(t.path("clip.avi"), "rb") as clip, open(t.path("piped.png"), "wb") as piped:
+        done = subprocess.run([t.vvr_path, "render", "-", "-o", "-", *small, "--title", "clip.avi"], cwd=t.folder, stdin=clip,
+                              stdout=piped, stderr=subprocess.PIPE, check=False)
+    check(done.returncode == 0 and b"20 frames" in done.stderr, f"{done}")
+    check(t.rgb("piped.png") == t.rgb("out.png"), "another picture")
+    report = json.loads(t.render("clip.avi", "--report", "-").expect(0, "20 frames", out=None).out)
+    check(report["frames"]["used"] == 20, f"{report}")
+    t.vvr("render", "clip.avi", "-o", "-", "--report", "-").expect(1, "-o and --report both go to standard output; name a file")
+    t.vvr("render", "clip.avi", "-o", "-", "--animate", "3", "--show", "volume,tracelines").expect(1, "'-' is the name of one")
+    for command in (("render", "clip.avi", "-o", "x.png", "--page", "-"), ("extract", "clip.avi", "-o", "-"),
+                    ("render", "clip.avi", "--golden", "-"), ("watch", "clip.avi", "-o", "-"),
+                    ("cut", "clip.avi", "--from", "0s", "-o", "-"), ("archive", ".", "-o", "-")):
+        t.vvr(*command).expect(1, "'-' is standard input or output, which this can't be; ./- is a file of that name")
+    t.expect_files("clip.avi", "out.png", "piped.png")
+
+
+def test_a_terminal_gets_no_picture(t):
+    t.clip()
+    outside, terminal = pty.openpty()
+    done = subprocess.run([t.vvr_path, "render", "clip.avi", "-o", "-"], cwd=t.folder, stdin=subprocess.DEVNULL, stdout=terminal,
+                          stderr=subprocess.PIPE, check=False)
+    os.close(terminal)
+    os.close(outside)
+    check(done.returncode == 1 and b"-o -: standard output is a terminal" in done.stderr, f"{done}")
+
+
+def test_an_output_that_is_named_twice(t):
+    t.clip()
+    t.vvr("render", "clip.avi", "-o", "a.png", "--output=b.png").expect(
+        1, "--output is given twice, as 'a.png' and as 'b.png'; leave one of them out")
+    t.vvr("render", "clip.avi", "-o", "a.png", "--report", "a.json", "--report", "b.json").expect(1, "--report is given twice")
+    t.render("clip.avi", "-o", "out.png").expect(0)  # the same
 
 
 def test_missing_folder(t):

@@ -220,7 +220,7 @@ def test_page_of_a_part(t):
     places = discs(t, "discs.avi", *MSMPEG4)
     t.vvr("render", "discs.avi", "-o", "out.html", *SIDE_VIEW, "--start", "4s", "--end", "8s").expect(0)
     with Page(t, "out.html") as page:
-        check(page.text("summary") == "0:04 to 0:08, 100 frames", page.text("summary"))
+        check(page.text("summary") == "0:04 to 0:08, 100 frames, 4.0 s; time of day not known", page.text("summary"))
         page.hold_still()
         for frame in (110, 130, 170, 190):
             _, shown = page.click_and_look(column_of((frame - 100 + 0.5) / 100), row_of(places[frame][1]))

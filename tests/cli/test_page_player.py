@@ -20,9 +20,10 @@ def bag(t, *arguments):
 
 
 def with_events(t, name, paths, kind_of=lambda _: "moved"):
-    """The page out.html with other events, of these paths of [frame, x, y]."""
+    """The page out.html with other events, of these paths of [frame, x, y], and ways by them."""
     events = [{"kind": kind_of(k), "first": path[0][0], "last": path[-1][0], "still": 0, "from": None, "into": None, "by": None,
-               "path": path, "number": k + 1} for k, path in enumerate(paths)]
+               "path": path, "way": [value for frame, x, y in path for value in (frame / RATE * 10, 1000 * x, 1000 * y)],
+               "number": k + 1} for k, path in enumerate(paths)]
     text = t.path("out.html").read_text()
     text, count = re.subn(r'"objects":.*?,"events":\[.*?\],"regions":\[.*?\],"stills"',
                           f'"objects":null,"events":{json.dumps(events)},"regions":[],"stills"', text, count=1)

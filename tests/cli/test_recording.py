@@ -122,7 +122,9 @@ def test_recording_says_what_overlaps(t):
     whole_clip(t)
     cut(t)
     t.ffmpeg("-ss", "10", "-t", "20", "-i", "whole.mkv", "-c:v", "mpeg4", "-q:v", "3", "day/2026-11-21/23/gate/59.52.mkv")
-    done = t.render("day", *LOOK, "--report", "r.json").expect(0, "begins before the file before it ends; left out: 80 frames")
+    done = t.render("day", *LOOK, "--report", "r.json").expect(
+        6, "begins before the file before it ends; left out: 80 frames", "1 file is left out whole, as other files show the same time: ",
+        "1 file begins before the file before ends, by 5 s or less; left out as shown already: 20 frames, 2.0 s in all")
     check(any("left out" in problem for problem in report_of(t)["problems"]), str(done))
 
 
@@ -152,8 +154,11 @@ def test_recording_is_ordered_by_what_tells_the_time(t):
     # Names of no known layout, containers without a time: when they were written counts.
     for number, name in enumerate(names):
         os.utime(t.path(name), (1795300000 + 10 * (number + 1),) * 2)
-    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': neither names nor containers tell when", "400 frames")
-    check(report_of(t)["input"]["recorded"] is not None, "the clock is known")
+    t.render("plain", *LOOK, "--report", "r.json").expect(0, "warning: 'plain': its files' names do not tell when it was recorded, nor do containers", "400 frames")
+    report = report_of(t)
+    check(report["input"]["recorded"] is None and any("last written" in problem for problem in report["problems"]), f"{report['problems']}")
+    t.render("plain", *LOOK, "--start-time", "modified", "--report", "r.json").expect(0)
+    check(report_of(t)["clock"]["source"] == "modified" and report_of(t)["input"]["recorded_by"] == "modified", "asked for")
     # All written at once: by their names.
     for name in names:
         os.utime(t.path(name), (1795300000,) * 2)
@@ -166,7 +171,9 @@ def test_recording_is_ordered_by_what_tells_the_time(t):
         t.path("stamped.mkv").rename(t.path(name))
     t.render("plain", *LOOK, "--report", "r.json").expect(0, "400 frames in 400 layers")
     check([segment["file"] for segment in report_of(t)["segments"]] == list(reversed(names)), "containers tell the order")
-    check(report_of(t)["input"]["recorded"] == "2026-11-21 08:00:00", "and the clock")
+    report = report_of(t)
+    check(report["input"]["recorded"] is None and report["input"]["written"] == "2026-11-21 08:00:00", "but not the clock")
+    check(any("each is placed by when its container says it was written" in problem for problem in report["problems"]), f"{report['problems']}")
 
 
 def test_recording_that_cannot_be(t):
@@ -191,7 +198,7 @@ def test_recording_that_cannot_be(t):
     for camera in ("gate", "hall"):
         t.path(f"day/2026-11-21/08/{camera}").mkdir(parents=True)
         t.path(f"day/2026-11-21/08/{camera}/00.00.avi").write_bytes(t.path("b.avi").read_bytes())
-    t.render("day").expect(1, "'day' holds files of 2 cameras: gate, hall; give those of one, for example '2026-11-21/*/gate'")
+    t.render("day").expect(1, "'day' holds files of 2 cameras: gate, hall; give those of one, for example 'day/2026-11-21/08/gate', or join them", "(--join)")
     t.render("day/2026-11-21/*/hall").expect(0)
 
 
@@ -204,9 +211,9 @@ def test_recording_has_the_clock_of_the_day(t):
     t.render("day", *look).expect(0)
     report = report_of(t)
     texts = [label["text"] for label in report["labels"]]
-    check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1)" in texts, f"{texts}")
+    check("400 frames, 2026-11-21 23:59:40 to 2026-11-22 00:00:19 (CET, UTC+1; by file name)" in texts, f"{texts}")
     check("00:00:00" in texts and "gate" in texts, f"{texts}")
-    check(report["clock"] == {"first": "2026-11-21T23:59:40+01:00", "last": "2026-11-22T00:00:19+01:00", "zone": "CET, UTC+1"}, f"{report['clock']}")
+    check(report["clock"] == {"first": "2026-11-21T23:59:40+01:00", "last": "2026-11-22T00:00:19+01:00", "zone": "CET, UTC+1", "source": "file-name"}, f"{report['clock']}")
     for event in report["events"]:
         begin = datetime.datetime.fromisoformat(report["clock"]["first"])
         told = datetime.datetime.fromisoformat(event["first"]["time"])
@@ -214,7 +221,7 @@ def test_recording_has_the_clock_of_the_day(t):
     t.render("day", output="day.html").expect(0)
     text = t.path("day.html").read_text(encoding="utf-8")
     data = json.loads(text.split('id="data">')[1].split("</script>")[0])
-    check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1"}, f"{data['clock']}")
+    check(data["clock"] == {"begin": 1795305580, "leaps": [], "zone": "CET, UTC+1", "by": "by file name"}, f"{data['clock']}")
     # To summer time: names on the local clock leap by an hour, time does not.
     names = []
     for number, piece in enumerate(sorted(t.path("day").rglob("*.mkv"))):

@@ -45,7 +45,9 @@ def test_region_editor_shows_the_frame_itself(t):
 
 def test_region_editor_of_what_cannot_be(t):
     clip(t)
-    t.vvr("inspect", "clip.mkv", "-o", "roi.html").expect(1, "no frame: say which with --frame")
+    t.vvr("inspect", "clip.mkv", "-o", "roi.html").expect(
+        0, "draw regions on frame 20 at 2.000 s, and copy the option for them; --frame TIME chooses another")
+    t.path("roi.html").unlink()
     t.vvr("inspect", "clip.mkv", "--frame", "9s", "-o", "roi.html").expect(1, "--frame: 'clip.mkv' has 40 frames, the last at 3.900 s")
     t.vvr("inspect", "clip.mkv", "--frame", "1s", "--roi", "1,2 3,4", "-o", "roi.html").expect(1, "a polygon has at least three points")
     t.vvr("inspect", "clip.mkv", "--frame", "1s", "-o", "no/roi.html").expect(2, "there is no folder 'no'")

@@ -170,6 +170,8 @@ def test_stored_flows_that_cannot_be(t):
     moving_clip(t)
     t.path("flows").mkdir()
     t.vvr("seeds", "flows", "-o", "out").expect(2, "'flows' is no extraction and holds no .flo file; name a folder")
+    t.write("clip.avi", "a file")
+    t.vvr("seeds", "clip.avi", "-o", "out").expect(2, "'clip.avi' can't be read as a folder: Not a directory; name a folder")
     t.write("flows/a1.flo", flo(1, 1))
     t.vvr("seeds", "flows", "-o", "out").expect(1, "'flows' holds flow alone", "choose seed-area field", "(--seed-area, --seed-order)")
     t.vvr("seeds", "flows", "-o", "out", "--seed-area", "field", "--seed-order", "age").expect(1, "holds flow alone")

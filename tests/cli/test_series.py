@@ -1,5 +1,8 @@
 """Series: a picture for each brick, while a window slides over the clip."""
 
+import json
+
+import pytest
 from harness import check, moving_clip
 
 ALL = ("--show", "volume,arrows,tracelines,outline,frames", "--backend", "software")
@@ -25,6 +28,19 @@ def test_a_picture_for_each_brick(t):
     for text in (b"vvr:brick\x007", b"vvr:window\x003", b"vvr:first-frame\x0021", b"vvr:frames\x0019",
                  b"vvr:seconds\x002.100 to 3.900"):
         check(text in data, f"{text} is not in the last picture")
+
+
+@pytest.mark.parametrize("look", [(), ("--camera", "-50,20"), ("--filter", "luminance"), ("--transfer", "solid"),
+                                  ("--layout", "box")], ids=" ".join)
+def test_a_picture_does_not_depend_on_how_the_volume_is_cut(t, look):
+    t.scene("left_bag", "bag.y4m", "--size", "192x144", "--frames", "210")
+    for window in (1, 2, 3, 8):
+        t.render("bag.y4m", "--size", "400x250", "--show", "volume", "--backend", "software", *look, "--window", str(window),
+                 output=f"{window}.png").expect(0)
+    for window in (2, 3, 8):
+        compared = t.vvr("compare", "1.png", f"{window}.png", "--tolerance", "1", "--json").expect(0, out=None)
+        most = json.loads(compared.out)["max"]
+        check(most <= 1.001 / 255, f"--window {window}: a pixel is {most * 255:.1f} of 255 off")
 
 
 def test_a_window_that_moved_is_a_window_rendered_afresh(t):
@@ -163,3 +179,40 @@ def test_memory_of_a_series_depends_on_the_window(t):
                              "4", "--show", "volume", "--quiet") for clip in ("short.avi", "long.avi"))
     volume = 500 * 320 * 240  # the difference between the clips, a byte a voxel
     check(many - few < volume / 2, f"{few / 1e6:.0f} MB and {many / 1e6:.0f} MB")
+
+
+def colours_of(t, name):
+    """Which of the three colours a picture shows."""
+    found = set()
+    for row in t.rgb(name):
+        for red, green, blue in row:
+            if red > 150 and green < 90 and blue < 90:
+                found.add("red")
+            if green > 150 and red < 90 and blue < 90:
+                found.add("lime")
+            if blue > 150 and red < 90 and green < 90:
+                found.add("blue")
+    return found
+
+
+def test_a_series_shows_every_frame_before_a_gap(t):
+    """Files of 4 s, a minute apart: no brick is whole, and each has frames that nobody else shows."""
+    t.path("day").mkdir()
+    for i, colour in enumerate(("red", "lime", "blue")):
+        t.ffmpeg("-f", "lavfi", "-i", "color=c=0x808080:size=160x120:rate=5:duration=4", "-f", "lavfi", "-i",
+                 f"color=c={colour}:size=20x30:rate=5:duration=4", "-filter_complex",
+                 f"[0][1]overlay=x=t*35:y={20 + i * 28},format=yuv420p", "-c:v", "mpeg4", "-q:v", "2", f"day/2026-11-21_10-0{i}-00.avi")
+    look = ("--size", "640x400", "--reference", "first", "--color", "video", "--show", "volume,frames", "--backend", "software")
+    for brick, window in (("10s", "4"), ("10s", "1"), ("3s", "2"), ("10s", "16")):
+        for old in t.path(".").glob("s.*"):
+            old.unlink()
+        done = t.vvr("render", "day", "-o", "s.{brick:3}.png", "--brick", brick, "--window", window, *look, "--report", "r.json").expect(0)
+        report = json.loads(t.path("r.json").read_text())
+        names = sorted(path.name for path in t.path(".").glob("s.*.png"))
+        check(report["frames"]["used"] == 60 and f"{len(names)} pictures of 60 frames" in done.err, str(done))
+        shown = set().union(*(colours_of(t, name) for name in names))
+        check(shown == {"red", "lime", "blue"}, f"--brick {brick} --window {window}: only {shown} in {names}")
+    # The picture before the gap tells its own time, not that of the gap's end.
+    t.vvr("render", "day", "-o", "s.{brick:3}.png", "--brick", "10s", "--window", "2", *look).expect(0)
+    data = t.path("s.000.png").read_bytes()
+    check(b"vvr:seconds\x000.000 to 3.800" in data and b"vvr:frames\x0020" in data, "the first brick is another")

@@ -1,12 +1,16 @@
 """Names, files and texts that somebody made on purpose: nothing is replaced, forged, told or waited for without end."""
 
+import fcntl
 import http.server
 import json
 import os
 import resource
+import signal
+import subprocess
 import threading
+import time
 
-from harness import check
+from harness import check, lock_name
 
 SMALL = ("--size", "320x200", "--backend", "software", "--quiet")
 
@@ -70,6 +74,56 @@ def test_addresses_tell_no_secrets(t):
     server.shutdown()
 
 
+def server_of(content):
+    """An HTTP server that gives the same bytes for every address."""
+    class File(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            self.send_response(200)
+            self.send_header("Content-Length", str(len(content)))
+            self.end_headers()
+            self.wfile.write(content)
+
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), File)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return server
+
+
+def test_no_output_tells_the_secrets_of_an_address(t):
+    """A stream that is read, a reference and a title: each file that vvr writes, and all that it says."""
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=96x64:rate=10:duration=2", "-c:v", "mpeg2video", "clip.ts")
+    content = t.path("clip.ts").read_bytes()
+    server = server_of(content)
+    secrets = ("Wh0-Is-It", "s3cret-w0rd", "t0ken-0f-mine")
+    address = "http://{}:{}@127.0.0.1:{}/hall.ts?token={}".format(*secrets[:2], server.server_port, secrets[2])
+    outputs = ("-o", "a.png", "--page", "a.html", "--thumbnail", "a.jpg", "--still", "s.jpg", "--report", "a.json", "--log-file", "log")
+    runs = {
+        ("info", address): 0, ("info", address, "--json"): 0,
+        ("render", address, *outputs, "--size", "320x200", "--backend", "software", "--verbose"): 0,
+        ("render", address, "-o", "n.{brick}.png", "--report", "n.json", "--brick", "1s", *SMALL[:4], "--log-format", "json"): 0,
+        ("render", "clip.ts", "--reference", address, "-o", "r.png", "--page", "r.html", "--report", "r.json", *SMALL): 0,
+        ("extract", address, "-o", "data"): 0, ("render", "data", "-o", "d.png", "--report", "d.json", *SMALL): 0,
+        ("inspect", address, "--frame", "5f", "-o", "inspect.png"): None,
+        ("watch", address, "-o", "w.png", "--log-file", "watch.log", "--duration", "2s", *SMALL[:4]): None,
+        ("render", address, "-o", "late.png", "--start", "100s"): None, ("render", address, address, "-o", "two.png"): 1,
+        ("seeds", address, "-o", "seeds"): None, ("cut", address, "--from", "0", "-o", "cut.avi"): 1,
+        ("archive", address, "-o", "out"): None}
+    for command, status in runs.items():
+        run = t.vvr(*command)
+        check(status in (None, run.status), f"{run}")
+        told = [secret for secret in secrets if secret in run.out + run.err]
+        check(not told, f"{command}: {told} in what it says")
+    server.shutdown()
+    files = [path for path in t.folder.rglob("*") if path.is_file()]
+    told = [(str(path), secret) for path in files for secret in secrets if secret.encode() in path.read_bytes()]
+    check(not told, f"{told}")
+    check(json.loads(t.path("a.json").read_text())["input"]["name"].endswith("/hall.ts"), "the report names no stream")
+    check(json.loads(t.path("r.json").read_text())["settings"]["reference"] == "hall.ts", "the report names no reference")
+    check(len(files) > 15, f"{files}")
+
+
 def test_json_that_is_deep_is_none(t):
     deep = "[" * 200_000
     t.path("data").mkdir()
@@ -86,7 +140,7 @@ def test_json_that_is_deep_is_none(t):
 def test_long_titles_and_names_cost_nothing(t):
     t.clip("clip.avi", seconds=1)
     t.vvr("render", "clip.avi", "-o", "out.png", "--title", "x" * 100_000, *SMALL, timeout=30).expect(0)
-    t.vvr("render", "clip.avi", "-o", "{" + "a" * 40_000).expect(1, "a name has 255 bytes at most, and this has 40001")
+    t.vvr("render", "clip.avi", "-o", "{" + "a" * 40_000 + ".png").expect(1, "a name has 255 bytes at most, and this has 40005")
     t.vvr("render", "clip.avi", "-o", "#" * 40_000 + ".png").expect(1, "a name has 255 bytes at most")
 
 
@@ -113,19 +167,7 @@ def test_a_file_on_a_server_is_waited_for(t):
     """It comes all at once: no frame is late, and --reference first is not advised to who has given it."""
     t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=25:duration=4", "-c:v", "mpeg2video", "clip.ts")
     content = t.path("clip.ts").read_bytes()
-
-    class File(http.server.BaseHTTPRequestHandler):
-        def do_GET(self):
-            self.send_response(200)
-            self.send_header("Content-Length", str(len(content)))
-            self.end_headers()
-            self.wfile.write(content)
-
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), File)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    server = server_of(content)
     address = f"http://127.0.0.1:{server.server_port}/clip.ts"
     watch = ("watch", address, "-o", "out.png", "--size", "160x100", "--backend", "software")
     t.vvr(*watch, "--brick", "1s", "--reference", "first").expect(0, "3 pictures of 75 frames", "0 frames dropped")
@@ -181,6 +223,110 @@ def test_archive_keeps_to_its_folder(t):
         check(f"'in/{name}': it is a link to a folder that holds all clips; remove it" in run.err, run.err)
     check(run.err.count("vvr: ") == 2, run.err)
     check(run.out.count("\n") == 1 and "clip.avi" in run.out, run.out)
+
+
+QUICK = ("--size", "160x100", "--field-size", "48x36", "--flow", "none", "--backend", "software")
+
+
+def old_clips(t, *names):
+    """Clips that were written yesterday."""
+    t.clip("one.avi", seconds=1)
+    for name in names:
+        t.path(f"in/{name}").parent.mkdir(parents=True, exist_ok=True)
+        t.path(f"in/{name}").write_bytes(t.path("one.avi").read_bytes())
+        os.utime(t.path(f"in/{name}"), (time.time() - 86400, time.time() - 86400))
+
+
+def test_a_clip_with_absurd_times_holds_up_no_archive(t):
+    """Its clock jumps by 30 million years; and sidecars say the like."""
+    old_clips(t, "a.avi")
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=3", "-c:v", "mpeg4", "b.mkv")
+    t.ffmpeg("-i", "b.mkv", "-c", "copy", "-bsf:v", "setts=ts='if(lt(N,15),N*100,1000000000000000000+N*100)'", "in/jump.mkv")
+    os.utime(t.path("in/jump.mkv"), (time.time() - 86400, time.time() - 86400))
+    archive = ("archive", "in", "-o", "out", *QUICK)
+    t.vvr(*archive, timeout=60, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0, "2 clips drawn", "jump.mkv: its times say that it lasts 1e+15 s, which cannot be")
+    known = json.loads(t.path("out/jump.mkv.json").read_text())
+    check(known["seconds"] == 0 and known["state"] == "done", f"{known}")
+    text = t.path("out/a.avi.json").read_text()
+    for change in (('"seconds": 0.9', '"seconds": 1e15'), ('"recorded": null', '"recorded": "2026-11-21 4294967295:00:00"'),
+                   ('"recorded": null', '"recorded": "99999-11-21 00:00:00"'), ('"modified_ns": 1', '"modified_ns": 9')):
+        check(change[0] in text, f"{change} {text}")
+        t.write("out/a.avi.json", text.replace(*change))
+        t.vvr("archive", "-o", "out", "--index-only", timeout=20, env=os.environ | {"TZ": "Europe/Berlin"}).expect(0)
+    # What can't be is no sidecar, so the clip is new.
+    t.vvr(*archive, timeout=60).expect(0, "1 clip drawn")
+
+
+def test_archive_writes_through_no_link(t):
+    """What a link in PICTURES leads to is not the archive's."""
+    old_clips(t, "a/a.avi", "b/b.avi", "c/c.avi", "d/d.avi")
+    t.path("victim/dir").mkdir(parents=True)
+    victims = ["victim/sidecar", "victim/index", "victim/day", "victim/picture", "victim/dir/b.avi.png"]
+    for name in victims:
+        t.write(name, "precious")
+    for folder in ("a", "c"):
+        t.path(f"out/{folder}").mkdir(parents=True)
+    links = {"a/a.avi.json": "../../victim/sidecar", "c/c.avi.png": "../../victim/picture", "index.html": "../victim/index", "b": "../victim/dir"}
+    for name, to in links.items():
+        t.path(f"out/{name}").symlink_to(to)
+    archive = ("archive", "in", "-o", "out", *QUICK)
+    t.vvr(*archive).expect(2, "a/a.avi failed, cannot write 'out/a/a.avi.json': it is a link; remove it",
+                           "c/c.avi failed, cannot write 'out/c/c.avi.png': it is a link; remove it",
+                           "b/b.avi failed, cannot write into 'out/b': it is a link, and no folder of this archive; remove it",
+                           "cannot write 'out/index.html': it is a link; remove it", "1 clip drawn, 3 failed")
+    t.vvr(*archive, "--settle", "0s", "--opacity", "0.5", "--prune").expect(2, "1 clip drawn, 3 failed")
+    check([t.path(name).read_text() for name in victims] == ["precious"] * 5, "a link was followed")
+    check(sorted(os.listdir(t.path("victim/dir"))) == ["b.avi.png"], "files were made behind a link")
+    check(all(t.path(f"out/{name}").is_symlink() for name in links), "a link is gone")
+    check(t.path("out/d/d.avi.png").exists(), "the others were not drawn")
+
+
+def test_what_is_no_sidecar_stops_no_archive(t):
+    """A pipe that nobody writes to, a device, and a file of holes with the right beginning."""
+    old_clips(t, "a.avi", "b.avi")
+    t.path("out").mkdir()
+    for name in ("q.json", "a.avi.json", "index.2026-11-21.js"):
+        os.mkfifo(t.path(f"out/{name}"))
+    with open(t.path("out/large.json"), "wb") as file:
+        file.write(b'{\n  "vvr-archive": 1,')
+        file.truncate(20 << 30)
+    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
+    run = t.vvr("archive", "in", "-o", "out", *QUICK, "--prune", timeout=60, preexec_fn=limit)
+    run.expect(6, "'out/q.json': it is a pipe, and no file; it is left alone", "'out/large.json': it has 21474836480 bytes",
+               "a.avi failed, cannot write 'out/a.avi.json': it is a pipe; remove it", "1 clip drawn, 1 failed")
+    check(t.path("out/index.html").exists() and t.path("out/b.avi.png").exists(), f"{t.files()}")
+    t.vvr("archive", "in", "-o", "out", *QUICK, "--dry-run", timeout=20).expect(0, out=None)
+
+
+def test_a_signal_ends_the_wait_for_a_lock(t):
+    """One that somebody holds for good, too."""
+    old_clips(t, "a.avi")
+    t.vvr("archive", "in", "-o", "out", *QUICK).expect(0)
+    lock = open(t.path(f"out/{lock_name('index.html')}"), "w", encoding="utf-8")
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        run = subprocess.Popen([t.vvr_path, "archive", "-o", "out", "--index-only"], cwd=t.folder, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(1)
+        check(run.poll() is None, f"it did not wait: {run.returncode}")
+        begin = time.monotonic()
+        run.send_signal(number)
+        run.wait(timeout=30)
+        check(time.monotonic() - begin < 2 and run.returncode == -number, f"{run.returncode} after {time.monotonic() - begin:.1f} s")
+    lock.close()
+    t.vvr("archive", "-o", "out", "--index-only").expect(0, "is up to date")
+
+
+def test_a_page_without_its_preview_is_a_page(t):
+    """One frame whose time is 25 days late makes a film that libav can't write."""
+    t.path("in").mkdir()
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=3", "-c:v", "flv1", "b.flv")
+    t.ffmpeg("-i", "b.flv", "-c", "copy", "-bsf:v", "setts=ts='if(eq(N,15),2147480000,N*100)'", "-flvflags", "no_duration_filesize+no_metadata",
+             "in/jump.flv")
+    t.vvr("render", "in/jump.flv", "-o", "out.png", "--page", "out.html", "--size", "160x100", "--backend", "software").expect(
+        0, "warning: the page has stills and no preview, as libav made none: cannot encode 'preview': Invalid argument")
+    check(t.path("out.html").exists() and t.path("out.png").exists(), f"{t.files()}")
+    t.vvr("archive", "in", "-o", "out", *QUICK, "--settle", "0s").expect(0, "1 clip drawn, 0 failed")
 
 
 def test_too_little_memory_is_refused_at_once(t):

@@ -121,6 +121,18 @@ def test_watch_over_tcp(t):
     check("brick 1, 20" in said, said)
 
 
+def test_render_of_a_live_stream_is_refused(t):
+    """It has no end, and can't be read twice."""
+    source(t)
+    for command in (("render", "-o", "out.png"), ("render", "-o", "out.png", "--end", "1s"), ("extract", "-o", "data")):
+        port = free_port()
+        with Server(t, f"tcp://127.0.0.1:{port}?listen=1", loop=True):
+            listening(port)
+            t.vvr(command[0], f"tcp://127.0.0.1:{port}", *command[1:]).expect(
+                1, "is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS -t 60 -c copy piece.mkv` records")
+    t.expect_files("cam.ts")
+
+
 def test_watch_over_udp(t):
     source(t)
     said = watched(t, "udp://127.0.0.1:{port}", "--duration", "5s", "--patience", "3", loop=True)
@@ -176,6 +188,45 @@ def test_watch_a_pipe_drops_nothing(t):
     said = Watch(t, "cam.ts", "-o", "file.png", "--brick", "2s", "--reference", "first", *SIZE).end()
     check(figures(said)["frames"] == 199, said)
     check(t.path("fifo.png").read_bytes()[:4] == b"\x89PNG", "no picture of the named pipe")
+
+
+def test_watch_of_a_finished_file_is_not_now(t):
+    """What is in a file has been: its clock is that of its name, or none, and `render` is meant."""
+    source(t)
+    os.utime(t.path("cam.ts"), (time.time() - 60, time.time() - 60))
+    look = ("--brick", "2s", "--reference", "first", *SIZE)
+    said = Watch(t, "cam.ts", "-o", "cam.html", *look).end()
+    check("warning: 'cam.ts' is a finished file, not a stream: `vvr render` draws the whole of it" in said, said)
+    check("brick 0, 0.0 s to " in said and time.strftime("%Y-") not in said, said)
+    data = json.loads(t.path("cam.html").read_text(encoding="utf-8").split('id="data">')[1].split("</script>")[0])
+    check(data["clock"] is None, str(data["clock"]))
+    t.path("cam.ts").rename(t.path("2026-11-21_08-00-00.ts"))
+    said = Watch(t, "2026-11-21_08-00-00.ts", "-o", "named.png", *look).end()
+    check("brick 0, 2026-11-21 08:00:00 to " in said and "(by file name)" in said and "is a finished file" in said, said)
+    os.utime(t.path("2026-11-21_08-00-00.ts"))
+    said = Watch(t, "2026-11-21_08-00-00.ts", "-o", "named.png", *look).end()
+    check("is a finished file" not in said, f"it may grow: {said}")
+
+
+def test_watch_draws_the_last_seconds_before_an_outage(t):
+    """A camera is cut off in the middle of a brick, for longer than the window: what it showed is in a picture."""
+    source(t, seconds=30)
+    port = free_port()
+    url = f"tcp://127.0.0.1:{port}"
+    with Server(t, url + "?listen=1"):
+        listening(port)
+        watch = Watch(t, url, "-o", "out.{brick}.png", "--brick", "2s", "--window", "1", *SIZE, "--reference", "first", "--duration", "20s")
+        watch.wait_for("brick 0")
+        time.sleep(1)
+    time.sleep(5)
+    with Server(t, url + "?listen=1", begin=16):
+        watch.wait_for("connected again", 20)
+        watch.wait_for("brick 1,", 10)
+        time.sleep(3)
+    said = watch.end()
+    first, last = re.search(r"brick 1, .*? ([0-9:]+) to ([0-9:]+)", said).groups()
+    seconds = [sum(int(part) * unit for part, unit in zip(moment.split(":"), (3600, 60, 1))) for moment in (first, last)]
+    check(0 <= (seconds[1] - seconds[0]) % 86400 <= 2, f"brick 1 is not of the time before the outage: {said}")
 
 
 def test_watch_shows_gaps(t):
@@ -267,6 +318,8 @@ def test_watch_refuses(t):
         (("clip.avi", "-o", "out.gif"), 1, "'out.gif': an animated file is written when it ends, and a stream does not"),
         (("clip.avi", "-o", "out.png", "--start", "3s"), 1, "--start: a stream begins now"),
         (("clip.avi", "-o", "out.png", "--end", "3s"), 1, "--end: --duration ends a stream"),
+        (("clip.avi", "-o", "out.png", "--between", "02:00-05:00"), 1, "--between: a stream is drawn as it comes"),
+        (("clip.avi", "-o", "out.png", "--start-time", "container"), 1, "a stream is not recorded"),
         (("clip.avi", "-o", "out.png", "--reference", "median"), 1, "--reference median: it takes the whole clip"),
         (("clip.avi", "-o", "out.png", "--start-time", "recorded"), 1, "a stream is not recorded"),
         (("clip.avi", "-o", "out.png", "--seeds", "folder"), 1, "--seeds: a list for each frame is for a clip whose frames are known; give one"),

@@ -90,6 +90,9 @@ UNDOCUMENTED = "ends with an undocumented status"
 WORKER_CRASHES = "a worker crashes"
 CRASHES = (UNDOCUMENTED, WORKER_CRASHES)
 
+# It goes on with the part of its configuration that it could read, and tells nobody: letters may look another way then.
+SILENT = "libfontconfig"
+
 
 @dataclass
 class Finding:
@@ -104,7 +107,8 @@ class Finding:
     def is_others(self):
         """Whether it is what vvr can't help: a crash within a library, or a wait for one that is known."""
         known = any(part in self.whose for part in OTHERS)
-        return known or (self.what in CRASHES and ".so" in self.whose and "libvvr" not in self.whose)
+        looks_other = SILENT in self.whose and ("draws another" in self.what or "missing [], other bytes" in self.what)
+        return known or looks_other or (self.what in CRASHES and ".so" in self.whose and "libvvr" not in self.whose)
 
     def __str__(self):
         said = "\n    ".join(self.run.said.strip().splitlines()[-4:])
@@ -168,7 +172,7 @@ def content(path):
 
 
 def is_hidden(name):
-    return pathlib.PurePath(name).name.startswith(".vvr-")
+    return any(part.startswith(".vvr-") for part in pathlib.PurePath(name).parts)
 
 
 @dataclass
@@ -188,6 +192,10 @@ class Walk:
     def __post_init__(self):
         self.folder = pathlib.Path(self.folder)
         self.inputs = self.folder / "in"
+        # A fault while fontconfig looks for fonts leaves an empty cache. Here, not where all programs of the machine read it.
+        self.fonts = self.folder / "fonts.conf"
+        self.fonts.write_text(f"<fontconfig><cachedir>{self.folder}/fonts</cachedir>"
+                              "<include>/etc/fonts/fonts.conf</include></fontconfig>")
         make_inputs(self.inputs)
 
     # Files
@@ -236,7 +244,7 @@ class Walk:
         begin = time.monotonic()
         variables = {"VVR_FAULT": fault, "VVR_FAULT_IN": scene.process, "VVR_FAULT_LOG": str(self.folder / "log"),
                      "LD_PRELOAD": self.library} if fault else {}
-        return self.end(self.start(scene, **variables), begin)
+        return self.end(self.start(scene, FONTCONFIG_FILE=str(self.fonts), **variables), begin)
 
     def learn(self, scene):
         """What a scene does without faults: its files, its words, its calls."""

@@ -142,9 +142,9 @@ int main(int argc, char** argv) {
         return 1;
     }
     const auto begin = std::chrono::steady_clock::now();
-    // Stays when the program ends before its time: the input that did it. It is open all the time, as each closing of a
-    // file that has become shorter waits for the disk.
-    const std::string last = fs::path(argv[0]).filename().string() + ".last-input";
+    // Stays beside the program when it ends before its time: the input that did it. It is open all the time, as each
+    // closing of a file that has become shorter waits for the disk.
+    const std::string last = std::string(argv[0]) + ".last-input";
     std::ofstream kept(last, std::ios::binary);
     const auto run_and_keep = [&](const std::string& input) {
         kept.seekp(0);

@@ -1,18 +1,27 @@
-/// What a decoder would try that a hostile clip has taken over. Preloaded into vvr (LD_PRELOAD), it tries all of it
-/// when an archive's worker starts, before main, and writes a line for each into $HIJACK_OUT/hijacked: what it tried,
-/// and the error that it met; 0 = none.
+/// What a decoder would try that a hostile clip has taken over. Preloaded into vvr (LD_PRELOAD), it takes the place of
+/// libav's function that opens a clip. With $HIJACK_OUT it tries all that such a worker should not be able to, and
+/// writes a line for each into $HIJACK_OUT/hijacked: what it tried, and the error that it met; 0 = none. Without it the
+/// clip's own name says what is done.
 #include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <linux/fs.h>
 #include <linux/io_uring.h>
 #include <linux/perf_event.h>
+#include <linux/seccomp.h>
 #include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/prctl.h>
@@ -100,13 +109,6 @@ int try_rename() {
     return error_of(rename(from.c_str(), (out() + "/hijack.whole").c_str()));
 }
 
-int try_peek() {
-    char byte = 0;
-    iovec here{&byte, 1};
-    iovec there{&byte, 1};
-    return error_of(process_vm_readv(getppid(), &here, 1, &there, 1, 0));
-}
-
 int try_limits() {
     rlimit limit{};
     return error_of(prlimit(getppid(), RLIMIT_NOFILE, nullptr, &limit));
@@ -119,11 +121,68 @@ int try_sharing() {
     return error;
 }
 
-/// Only where it fails: what a program of another file does is not tried.
-int try_program() {
-    std::array<char*, 1> none{nullptr};
-    execve("/bin/true", none.data(), none.data());
-    return errno;
+/// With a file of its own beside its picture, which goes again.
+template <class Use>
+int with_file(Use use, int mode = 0600) {
+    const std::string file = out() + "/hijack.own";
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor < 0) return errno;
+    const int error = use(descriptor);
+    close(descriptor);
+    unlink(file.c_str());
+    return error;
+}
+
+int nothing_more(int) {
+    return 0;
+}
+
+int try_flags() {
+    return with_file([](int file) {
+        int flags = 0;
+        const int error = error_of(ioctl(file, FS_IOC_GETFLAGS, &flags));
+        return error != 0 ? error : error_of(ioctl(file, FS_IOC_SETFLAGS, &flags));
+    });
+}
+
+int try_own_limit() {
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    return error_of(setrlimit(RLIMIT_NOFILE, &limit));
+}
+
+int try_scheduler() {
+    sched_param none{};
+    return error_of(sched_setscheduler(getppid(), SCHED_BATCH, &none));
+}
+
+int try_processors() {
+    cpu_set_t all{};
+    const int error = error_of(sched_getaffinity(0, sizeof all, &all));
+    return error != 0 ? error : error_of(sched_setaffinity(getppid(), sizeof all, &all));
+}
+
+int try_priority() {
+    return error_of(setpriority(PRIO_PROCESS, static_cast<id_t>(getppid()), getpriority(PRIO_PROCESS, 0)));
+}
+
+int try_hiding() {
+    const int error = error_of(prctl(PR_SET_DUMPABLE, 0));
+    prctl(PR_SET_DUMPABLE, 1);
+    return error;
+}
+
+int try_outliving() {
+    const int error = error_of(prctl(PR_SET_PDEATHSIG, 0));
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    return error;
+}
+
+int try_memory_file() {
+    const int file = memfd_create("hijack", MFD_CLOEXEC);
+    const int error = error_of(file);
+    if (file >= 0) close(file);
+    return error;
 }
 
 int try_perf() {
@@ -138,6 +197,8 @@ int try_ring() {
     io_uring_params wanted{};
     return error_of(syscall(SYS_io_uring_setup, 1, &wanted));
 }
+
+constexpr std::uint32_t allow = SECCOMP_RET_ALLOW;
 
 struct Attempt {
     const char* name;
@@ -170,6 +231,17 @@ constexpr std::array attempts{
     Attempt{"let all read its clip", [] { return error_of(chmod(clip().c_str(), 0777)); }},
     Attempt{"read the parent's environment",
             [] { return try_open("/proc/" + std::to_string(getppid()) + "/environ", O_RDONLY); }},
+    Attempt{"make a file with its owner's rights", [] { return with_file(nothing_more, 04755); }},
+    Attempt{"make a file with its group's rights", [] { return with_file(nothing_more, 02755); }},
+    Attempt{"give a file its owner's rights",
+            [] { return with_file([](int f) { return error_of(fchmod(f, 04755)); }); }},
+    Attempt{"make a file with creat", [] { return error_of(creat((out() + "/hijack.new").c_str(), 0600)); }},
+    Attempt{"make a file without a name", [] { return try_open(out(), O_WRONLY | O_TMPFILE); }},
+    Attempt{"make a file in memory", try_memory_file},
+    Attempt{"make a FIFO", [] { return error_of(mkfifo((out() + "/fifo").c_str(), 0600)); }},
+    Attempt{"set the flags of a file", try_flags},
+    Attempt{"reserve room for a file", [] { return with_file([](int f) { return error_of(fallocate(f, 0, 0, 1)); }); }},
+    Attempt{"make a giant file", [] { return with_file([](int f) { return error_of(ftruncate(f, 1LL << 40)); }); }},
     // Network.
     Attempt{"open a TCP socket", [] { return try_socket(AF_INET, SOCK_STREAM); }},
     Attempt{"open a UDP socket", [] { return try_socket(AF_INET, SOCK_DGRAM); }},
@@ -180,34 +252,157 @@ constexpr std::array attempts{
     Attempt{"start a process", try_fork},
     Attempt{"signal the parent", [] { return error_of(kill(getppid(), 0)); }},
     Attempt{"signal the parent's thread", [] { return error_of(syscall(SYS_tgkill, getppid(), getppid(), 0)); }},
-    Attempt{"trace the parent", [] { return error_of(ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr)); }},
-    Attempt{"read the parent's memory", try_peek},
     Attempt{"set the parent's limits", try_limits},
+    Attempt{"signal the parent by a file",
+            [] { return with_file([](int f) { return error_of(fcntl(f, F_SETOWN, getppid())); }); }},
+    Attempt{"outlive the parent", try_outliving},
+    Attempt{"hide from the parent", try_hiding},
+    Attempt{"set the parent's scheduler", try_scheduler},
+    Attempt{"set the parent's priority", try_priority},
+    Attempt{"set the parent's processors", try_processors},
+    Attempt{"set its own limits", try_own_limit},
     Attempt{"leave its group", [] { return error_of(setsid()); }},
     Attempt{"share memory", try_sharing},
     // The machine.
-    Attempt{"mount", [] { return error_of(mount("none", outside().c_str(), "tmpfs", 0, nullptr)); }},
-    Attempt{"make namespaces", [] { return error_of(unshare(CLONE_NEWUSER)); }},
-    Attempt{"load BPF", [] { return error_of(syscall(SYS_bpf, 0, nullptr, 0)); }},
     Attempt{"count events", try_perf},
-    Attempt{"handle page faults", [] { return error_of(syscall(SYS_userfaultfd, O_CLOEXEC)); }},
+    Attempt{"ask for filters", [] { return error_of(syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &allow)); }},
     Attempt{"use keys", [] { return error_of(syscall(SYS_keyctl, 0, -3, 0)); }},
 };
 
-/// The last one: if it succeeds, there is nothing left to write it down.
-constexpr Attempt program{"start a program", try_program};
-
-[[gnu::constructor]] void begin(int argc, char** argv) {
-    if (argc < 2 || std::strcmp(argv[1], "render") != 0 || out().empty()) return;
+void try_all() {
     std::string results;
-    const auto add = [&results](const char* name, int error) {
-        results += std::string(name) + '\t' + std::to_string(error) + '\n';
-    };
-    for (const Attempt& attempt : attempts) add(attempt.name, attempt.make());
-    if (std::getenv("HIJACK_PROGRAM") != nullptr) add(program.name, program.make());
+    for (const Attempt& attempt : attempts) {
+        results += std::string(attempt.name) + '\t' + std::to_string(attempt.make()) + '\n';
+    }
     const int file = open((out() + "/hijacked").c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (file < 0 || write(file, results.data(), results.size()) < 0) std::perror("hijacked");
     if (file >= 0) close(file);
 }
 
+std::string report;  ///< of this worker
+
+int become(int program) {
+    static std::array<char*, 1> none{nullptr};
+    if (program < 0) return execve("/bin/true", none.data(), none.data());
+    return fexecve(program, none.data(), none.data());
+}
+
+void become_memory() {
+    // What is already open will do where no file can be made in memory.
+    const int copied = memfd_create("program", 0);
+    become(copied < 0 ? STDIN_FILENO : copied);
+}
+
+void peek() {
+    char byte = 0;
+    iovec here{&byte, 1};
+    process_vm_readv(getppid(), &here, 1, &here, 1, 0);
+}
+
+void call_as_32_bits() {
+#ifdef __x86_64__
+    int answer = 20;  // getpid
+    asm volatile("int $0x80" : "+a"(answer) : : "memory");
+#else
+    raise(SIGSYS);
+#endif
+}
+
+void call_as_x32() {
+#ifdef __x86_64__
+    syscall(0x40000000 + SYS_getpid);
+#else
+    raise(SIGSYS);
+#endif
+}
+
+void end_with(int status, const char* words) {
+    if (write(STDERR_FILENO, words, std::strlen(words)) < 0) status = 99;
+    _exit(status);
+}
+
+void leave_report(const char* text, off_t size) {
+    const int file = open(report.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    if (write(file, text, std::strlen(text)) < 0 || (size > 0 && ftruncate(file, size) != 0)) _exit(99);
+    _exit(0);
+}
+
+/// \param most bytes; what is beyond is up to the parent
+void write_on(int file, std::int64_t most) {
+    static std::array<char, 1 << 16> words{};
+    words.fill('x');
+    for (std::int64_t written = 0; written < most; written += static_cast<std::int64_t>(words.size())) {
+        if (write(file, words.data(), words.size()) < 0) _exit(98);
+    }
+}
+
+void stay() {
+    prctl(PR_SET_PDEATHSIG, 0);
+    setsid();
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);
+    for (;;) sleep(1);
+}
+
+struct Deed {
+    std::string_view clip;  ///< its file's name, without the extension
+    void (*make)();
+};
+
+constexpr std::array deeds{
+    // What ends a worker that is shut in, there and then.
+    Deed{"execve", [] { become(-1); }},
+    Deed{"execveat", become_memory},
+    Deed{"ptrace", [] { ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr); }},
+    Deed{"peek", peek},
+    Deed{"mount", [] { mount("none", "/nowhere", "tmpfs", 0, nullptr); }},
+    Deed{"unshare", [] { unshare(0); }},
+    Deed{"bpf", [] { syscall(SYS_bpf, 0, nullptr, 0); }},
+    Deed{"userfaultfd", [] { syscall(SYS_userfaultfd, O_CLOEXEC); }},
+    Deed{"int80", call_as_32_bits},
+    Deed{"x32", call_as_x32},
+    // What should end this worker's clip alone.
+    Deed{"exit-127", [] { end_with(127, "vvr: cannot execute\n"); }},
+    Deed{"exit-2", [] { end_with(2, "vvr: cannot write: No space left on device; free some space\n"); }},
+    Deed{"exit-4", [] { end_with(4, "vvr: no OpenGL\n"); }},
+    Deed{"exit-5", [] { end_with(5, "vvr: out of memory\n"); }},
+    Deed{"done", [] { _exit(0); }},
+    Deed{"broken", [] { leave_report("{ \"frames\": ", 0); }},
+    Deed{"sparse", [] { leave_report("{", 1'900'000'000); }},
+    Deed{"closed", [] { close(STDERR_FILENO), sleep(1), _exit(3); }},
+    Deed{"flood", [] { write_on(STDERR_FILENO, 100'000'000), _exit(3); }},
+    Deed{"greedy", [] { write_on(open("/dev/null", O_WRONLY | O_CLOEXEC), INT64_MAX); }},
+    Deed{"stay", stay},
+};
+
+bool is_worker = false;
+
+[[gnu::constructor]] void look(int argc, char** argv) {
+    is_worker = argc > 1 && std::strcmp(argv[1], "render") == 0;
+    constexpr std::string_view option = "--report=";
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view(argv[i]).starts_with(option)) setenv("HIJACK_REPORT", argv[i] + option.size(), 1);
+    }
+}
+
+/// Once per process, with the clip that is about to be opened.
+void take_over(std::string_view clip) {
+    if (!std::exchange(is_worker, false)) return;
+    report = place("HIJACK_REPORT");
+    if (!out().empty()) return try_all();
+    clip = clip.substr(clip.rfind('/') + 1);
+    clip = clip.substr(0, clip.rfind('.'));
+    for (const Deed& deed : deeds) {
+        if (deed.clip == clip) deed.make();
+    }
+}
+
 }  // namespace
+
+/// In place of libav's.
+extern "C" [[gnu::visibility("default")]] int avformat_open_input(void** context, const char* url, const void* format,
+                                                                  void** options) {
+    using Open = int (*)(void**, const char*, const void*, void**);
+    static const auto real = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "avformat_open_input"));
+    take_over(url == nullptr ? "" : url);
+    return real(context, url, format, options);
+}

@@ -41,19 +41,24 @@ function folded(text) {
 
 // Each row: camera, address, begins (seconds since 1970), length, events or null, the kinds of files that there are,
 // seconds for which something was left and stood and how many things were taken, and of a failure its status, its reason
-// and the number of tries.
+// and the number of tries, and of one whose picture is there all the same the moment until which that shows the clip.
 const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone, hasDamage] = [1, 2, 4, 16, 256, 512];
+// Where nothing tells when a clip was recorded, it stands where it was written.
+const [byContainer, byFile] = [1024, 2048];
 // A recording is all that a camera recorded on a day, in one picture.
 const rows = [...data.clips.map(row => ({row})), ...data.recordings];
-const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badges, status, reason, tries], date: wholeDay, clips: of}) => {
+const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badges, status, reason, tries, until], date: wholeDay, clips: of}) => {
     const date = wallOf(begins);
     const path = readable(url).replace(/^\.\//, '');
     const [left, stood, taken] = badges ?? [0, 0, 0];
     const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason: reason && upright(reason), tries,
                   wholeDay, of, name: wholeDay ? many(of, 'clip') : path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: wholeDay ?? dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
+    clip.until = until === undefined ? '' : dayOf(wallOf(until)) + ' ' + timeOf(wallOf(until));
+    clip.drawn = !clip.failed || clip.until !== '';
     clip.gone = (files & hasGone) !== 0;
     clip.damaged = (files & hasDamage) !== 0;
+    clip.placedBy = files & byContainer ? 'when its container says it was written' : files & byFile ? 'when it was last written' : '';
     clip.text = folded([data.cameras[camera], path, clip.day, weekday(clip.day), clip.time, reason ?? ''].join(' '));
     return clip;
 }).sort((a, b) => b.begins - a.begins || (a.url < b.url ? -1 : 1));
@@ -129,7 +134,7 @@ const isWanted = {
     events: clip => clip.events > 0,
     left: clip => clip.left > 0 || clip.taken > 0,
     stood: clip => clip.stood > 0,
-    unseen: clip => !clip.failed && !seen.has(clip.url),
+    unseen: clip => clip.drawn && !seen.has(clip.url),
     failed: clip => clip.failed,
 };
 
@@ -146,7 +151,7 @@ function followNeighbour() {
     const by = parts.has('after') ? -1 : 1;
     const clip = clipOfUrl.get(parts.get('after') ?? parts.get('before') ?? '');
     if (!clip) return false;
-    const ofCamera = clips.filter(other => other.camera === clip.camera && !other.failed);
+    const ofCamera = clips.filter(other => other.camera === clip.camera && other.drawn);
     const next = ofCamera[ofCamera.indexOf(clip) + by];
     if (next) location.replace(pageOf(next));
     else Object.assign(asked, {camera: clip.camera});

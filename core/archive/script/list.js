@@ -13,22 +13,35 @@ function badgesOf(clip) {
     return badges;
 }
 
+/// From when to when a picture of a day shows it: most days are not whole.
+const stretchOf = clip => clip.drawn ? clip.time.slice(0, 5) + ' to ' + timeOf(wallOf(clip.begins + clip.seconds)).slice(0, 5) : 'the day';
+
 function factsOf(clip) {
     const facts = element('span', 'facts');
     const first = element('span', 'first');
-    first.append(element('b', '', clip.wholeDay ? 'the whole day' : clip.time));
-    if (!clip.failed) first.append(element('small', '', lengthOf(clip.seconds)));
-    if (!clip.failed && !seen.has(clip.url)) {
+    first.append(element('b', '', clip.wholeDay ? stretchOf(clip) : clip.time));
+    if (clip.drawn) first.append(element('small', '', lengthOf(clip.seconds)));
+    if (clip.drawn && !seen.has(clip.url)) {
         const dot = element('i', 'new', '●');
         dot.title = 'not seen yet';
         first.append(dot);
     }
     const badges = element('span', 'badges');
-    if (!clip.failed) badges.append(...badgesOf(clip));
+    if (clip.drawn) badges.append(...badgesOf(clip));
+    if (clip.failed && clip.drawn) {
+        const old = element('span', 'badge left', 'failed; shows what was until ' + clip.until);
+        old.title = `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, status ${clip.status}: ${clip.reason}`;
+        badges.append(old);
+    }
     const second = element('span', 'second');
     const name = element('bdi', 'name', clip.name);
     name.title = clip.path;
     second.append(name);
+    if (clip.placedBy) {
+        const written = element('small', 'written', clip.wholeDay ? 'day of writing' : 'time of writing');
+        written.title = `Nothing tells when it was recorded, so it stands at ${clip.placedBy}.`;
+        second.append(written);
+    }
     if (clip.gone) second.append(element('small', 'gone', 'the clip is gone'));
     facts.append(first, badges, second);
     return facts;
@@ -44,7 +57,7 @@ function imageOf(clip, ending) {
 }
 
 function cardOf(clip) {
-    if (clip.failed) {
+    if (!clip.drawn) {
         const card = element('article', 'card failed');
         const reason = element('p', 'reason');
         reason.title = clip.reason;
@@ -82,7 +95,7 @@ const orders = {
     events: (a, b) => (b.events ?? 0) - (a.events ?? 0),
 };
 /// Pictures of whole days come first, what failed last.
-const placeInList = clip => clip.failed ? 2 : clip.wholeDay ? 0 : 1;
+const placeInList = clip => !clip.drawn ? 2 : clip.wholeDay ? 0 : 1;
 const lastFailed = list => [...list].sort((a, b) => placeInList(a) - placeInList(b));
 
 function sectionOf(title, clipsOf, columns) {

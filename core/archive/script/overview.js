@@ -4,7 +4,7 @@
 function cellOf(all, most) {
     const cell = element('td');
     if (!all.length) return cell;
-    const recording = all.find(clip => clip.wholeDay && !clip.failed);
+    const recording = all.find(clip => clip.wholeDay && clip.drawn);
     const single = all.filter(clip => !clip.wholeDay);
     const clipsOf = single.length ? single : all;
     const button = element('button');
@@ -31,7 +31,7 @@ function cellOf(all, most) {
     button.addEventListener('click', () => ask({view: 'clips', camera: clipsOf[0].camera, day: clipsOf[0].day}));
     cell.append(button);
     if (recording) {
-        const link = element('a', 'wholeday', 'the whole day');
+        const link = element('a', 'wholeday', stretchOf(recording));
         link.href = pageOf(recording);
         link.addEventListener('click', () => see(recording));
         cell.append(link);

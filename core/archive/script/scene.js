@@ -52,41 +52,23 @@ function chosenDays() {
     return data.days.filter(day => (!at('from').value || day >= at('from').value) && (!at('to').value || day <= at('to').value));
 }
 
-/// Seconds that a path was in a box; null = never. And when it first was, in tenths.
-function inBox(path, box) {
-    let tenths = 0;
-    let first = null;
-    for (let k = 0; k + 2 < path.length; k += 3) {
-        const next = Math.min(k + 3, path.length - 3);
-        const part = partInBox(path[k + 1], path[k + 2], path[next + 1], path[next + 2], box);
-        if (!part) continue;
-        const length = path[next] - path[k];
-        first ??= path[k] + part[0] * length;
-        tenths += (part[1] - part[0]) * length;
-    }
-    return first === null ? null : {seconds: tenths / 10, at: first / 10};
-}
+/// The clock on the wall at a second of an event's clip.
+const clockIn = event => seconds => timeOf(wallOf(event.clip.begins + seconds));
 
-/// Whether and when a path first crossed a line, and to which side: 1 or -1.
-function acrossLine(path, from, to) {
-    for (let k = 0; k + 5 < path.length; k += 3) {
-        const crossing = crossingOf(path[k + 1], path[k + 2], path[k + 4], path[k + 5], from, to);
-        if (crossing) return {side: crossing.side, at: (path[k] + crossing.share * (path[k + 3] - path[k])) / 10};
-    }
-    return null;
-}
-
-/// What an event has to do with the place that is asked for: when, how long, in words; null = nothing.
+/// What an event has to do with the place that is asked for: when, how long, and a function that says it; null = nothing.
 function answerOf(event) {
-    if (!place) return {at: event.path[0] / 10, seconds: (event.path.at(-3) - event.path[0]) / 10, words: ''};
+    if (!place) return {at: event.path[0] / 10, seconds: (event.path.at(-3) - event.path[0]) / 10, words: () => ''};
     const box = sidesOf(place);
     if (!meets(event.bounds, box)) return null;
     if (place.kind === 'box') {
-        const found = inBox(event.path, box);
-        return found && {...found, words: 'here ' + lengthOf(found.seconds)};
+        const stay = stayOf(event.path, box);
+        return stay && {at: stay.at / 10, seconds: stay.lasts / 10, words: () => 'here ' + lengthOf(stay.lasts / 10)};
     }
-    const found = acrossLine(event.path, place.from, place.to);
-    return found && {at: found.at, seconds: 0, words: 'crossed ' + arrowAcross(place, found.side, [at('ground').naturalWidth || 4, at('ground').naturalHeight || 3])};
+    const crossings = crossingsOf(event.path, place.from, place.to);
+    if (!crossings.length) return null;
+    const line = place;
+    const size = [at('ground').naturalWidth || 4, at('ground').naturalHeight || 3];
+    return {at: crossings[0].at / 10, seconds: 0, words: () => crossingWords(crossings, line, size, clockIn(event))};
 }
 
 let asking = 0;  // counts questions: an answer to an older one is not shown
@@ -179,7 +161,7 @@ function listFound(found, count) {
         const when = wallOf(event.clip.begins + how.at);
         const badge = element('span', 'badge ' + ({l: 'left', t: 'left', s: 'stood'}[event.kind] ?? 'none'), kindNames[event.kind]);
         const lasts = (event.path.at(-3) - event.path[0]) / 10;
-        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words || lengthOf(event.kind === 's' ? event.still : lasts)));
+        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words() || lengthOf(event.kind === 's' ? event.still : lasts)));
         const item = element('li');
         item.append(link);
         return item;

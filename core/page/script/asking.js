@@ -5,42 +5,19 @@ const drawing = at('drawing');
 let asking = null;  // 'box' or 'line' while one is to be drawn
 let asked = null;   // what was drawn: {kind, from: [x, y], to: [x, y]} in shares of the clip's picture
 
-/// How often a path crosses a line, and towards which side last: 1 or -1.
-function crossingsOf(path, from, to) {
-    let count = 0;
-    let side = 0;
-    for (let k = 1; k < path.length; ++k) {
-        const crossing = crossingOf(path[k - 1][1], path[k - 1][2], path[k][1], path[k][2], from, to);
-        if (!crossing) continue;
-        ++count;
-        side = crossing.side;
-    }
-    return {count, side};
-}
-
-/// Seconds that the middle of an event's object was in a box.
-function secondsInBox(path, box) {
-    let seconds = 0;
-    let touched = path.length === 1 && partInBox(path[0][1], path[0][2], path[0][1], path[0][2], box) !== null;
-    for (let k = 1; k < path.length; ++k) {
-        const part = partInBox(path[k - 1][1], path[k - 1][2], path[k][1], path[k][2], box);
-        if (!part) continue;
-        touched = true;
-        seconds += (part[1] - part[0]) * (secondsOf(path[k][0]) - secondsOf(path[k - 1][0]));
-    }
-    return touched ? seconds : null;
-}
+/// A place in thousandths of the picture, in which the ways of events are.
+const inThousandths = ({kind, from, to}) => ({kind, from: from.map(share => share * 1000), to: to.map(share => share * 1000)});
 
 /// What an event has to do with the place that is asked for, in words; null = nothing.
 function answerOf(event) {
     if (!asked) return '';
+    const place = inThousandths(asked);
     if (asked.kind === 'box') {
-        const seconds = secondsInBox(event.path, sidesOf(asked));
-        return seconds === null ? null : `here ${spanOf(seconds)}`;
+        const stay = stayOf(event.way, sidesOf(place));
+        return stay && `here ${spanOf(stay.lasts / 10)}`;
     }
-    const {count, side} = crossingsOf(event.path, asked.from, asked.to);
-    if (count === 0) return null;
-    return `crossed ${arrowAcross(asked, side, data.size)}` + (count > 1 ? ` ${count} times` : '');
+    const crossings = crossingsOf(event.way, place.from, place.to);
+    return crossings.length ? crossingWords(crossings, asked, data.size, seconds => clockOf(seconds, false)) : null;
 }
 
 function pointOnPlayer(event) {

@@ -1,16 +1,22 @@
 
 // ---- Beginning
 
-function summarise() {
-    const count = lastFrame - firstFrame + 1;
-    const span = `${clockOf(begins, false)} to ${clockOf(ends, false)}, ${count} frame${count === 1 ? '' : 's'}`;
-    const zone = data.clock?.zone ? ', ' + data.clock.zone : '';
-    at('summary').textContent = data.clock === null ? span
-        : `${dayOf(begins)}, ${span}, ${spanOf(ends - begins)}; times are of the day${zone}`;
+/// Marks that turn the writing are shown as what they are.
+function nameIt() {
+    document.title = upright(document.title);
+    for (const name of [document.querySelector('h1'), at('file')]) name.textContent = upright(name.textContent);
 }
+
+function summarise() {
+    const count = framesIn(data.times);
+    const span = `${clockOf(begins, false)} to ${clockOf(ends, false)}, ${count.toLocaleString('en')} frame${count === 1 ? '' : 's'}`;
+    const lost = gaps.length ? ` of video, no signal for ${spanOf(ends - begins - secondsSeen())}` : '';
+    const zone = data.clock?.zone ? ', ' + data.clock.zone : '';
+    at('summary').textContent = data.clock === null ? `${span}, ${spanOf(secondsSeen())}${lost}; ${data.told}`
+        : `${dayOf(begins)}, ${span}, ${spanOf(secondsSeen())}${lost}; times are of the day${zone}, ${data.told}`;
+}
+nameIt();
 summarise();
-document.title = upright(document.title);
-document.querySelector('h1').textContent = upright(data.name);
 at('screen').style.aspectRatio = at('peeked').style.aspectRatio = data.size[0] + ' / ' + data.size[1];
 at('screen').style.setProperty('--shape', data.size[0] / data.size[1]);
 at('peeked').style.width = 220 * data.size[0] / Math.max(...data.size) + 'px';

@@ -156,7 +156,7 @@ function choose(number) {
         if (mine) button.scrollIntoView({block: 'nearest'});
     }
     for (const bar of at('bars').children) bar.classList.toggle('chosen', bar.dataset.event !== undefined && Number(bar.dataset.event) === number);
-    at('copycut').disabled = number === null || fileOf(events[number]) === null;
+    at('copycut').disabled = number === null || filesOf(events[number]) === null;
     drawVeil();
     drawRing();
     keepInAddress();

@@ -47,38 +47,54 @@ function tell(text) {
 const linkHere = () => location.href.split('#')[0] + (chosen === null ? '#t=' + secondsOf(now).toFixed(3) : '#event=' + numberOf(chosen));
 at('copylink').addEventListener('click', () => copy(linkHere(), 'a link'));
 
-/// The file that an event is in: [the way to it as a shell reads it, seconds at which it begins]; null where there is
-/// none, or where its name has marks that no shell shows.
-function fileOf(event) {
-    const [address, begin] = segments.length ? segmentAt(secondsOf(event.first)) : [data.clip, 0];
+/// When the last frame of an event has been shown. What follows may be a gap, which no file shows.
+function endOf(event) {
+    const step = stretchAt(0, event.last)[3];
+    return secondsOf(event.last) + (step > 0 ? step : lengthOf(event.last));
+}
+
+/// The files that an event is in, in order: [the way to it as a shell reads it, seconds at which it begins and ends];
+/// null where there is none, or where a name has marks that no shell shows.
+function filesOf(event) {
+    const [first, end] = [secondsOf(event.first), endOf(event)];
+    const files = segments.length ? segments.filter(([, begin, length]) => begin < end - 1e-6 && begin + length > first + 1e-6)
+                                  : [[data.clip ?? '', 0, Infinity]];
     try {
-        const path = decodeURIComponent(address ?? '');
-        return path === '' || /[\u0000-\u001f\u007f]/.test(path) ? null : [path, begin];
+        const paths = files.map(([address, begin, length]) => [decodeURIComponent(address), begin, begin + length]);
+        return paths.length && paths.every(([path]) => path !== '' && !/[\u0000-\u001f\u007f]/.test(path)) ? paths : null;
     } catch {
         return null;
     }
 }
 const quoted = text => /^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 
-/// The command that cuts an event out of the clip.
+/// The command that cuts an event out of the clip, or out of those files of a recording in which it is.
 function cutCommand(number) {
-    const event = events[number];
-    const [path, begin] = fileOf(event);
+    const files = filesOf(events[number]);
+    const [[path, begin]] = files;
     const stem = path.slice(path.lastIndexOf('/') + 1).replace(/\.[^.]*$/, '').replace(/^-/, '_');
-    const time = seconds => (seconds - begin).toFixed(3) + 's';
-    return `vvr cut ${quoted(path)} --from ${time(secondsOf(event.first))} --to ${time(secondsOf(event.last) + lengthOf(event.last))} -o ${quoted(`${stem}-event-${numberOf(number)}.mp4`)}`;
+    const time = seconds => (Math.max(seconds, begin) - begin).toFixed(3) + 's';
+    const overlap = files.some(([, from], i) => i > 0 && from < files[i - 1][2] - 0.001);
+    return ['vvr cut', ...files.map(([file]) => quoted(file)), ...data.cut.names.map(names => `--names ${quoted(names)}`),
+            `--from ${time(secondsOf(events[number].first))} --to ${time(Math.min(endOf(events[number]), files.at(-1)[2]))}`,
+            overlap ? '--exact' : [], `-o ${quoted(`${stem}-event-${numberOf(number)}${overlap ? '.mp4' : data.cut.ending}`)}`].flat().join(' ');
 }
 at('copycut').addEventListener('click', () => { if (chosen !== null) copy(cutCommand(chosen), 'the command'); });
 
-/// The frame on show as a picture. Browsers give no pixels of a clip that was opened as a file: then it is the
-/// preview's, else a still's.
+/// A picture of the frame on show: {image, frame, from}, where `from` says what it is taken from; '' = the clip.
+/// Browsers give no pixels of a clip that was opened as a file: then it is the preview's, else a still's.
+const stillSources = [
+    async () => film && {image: video, frame: film.isPreview ? frameOfPreview(now) : now, from: film.isPreview ? 'the preview in this page' : ''},
+    previewNow,
+    stillNow,
+];
+
 async function saveStill() {
-    const sources = [[async () => film && video, ''], [previewNow, ', which is the preview’s'], [stillNow, ', which is small']];
-    for (const [open, remark] of sources) {
-        const image = await open();
-        if (!image) continue;
+    for (const open of stillSources) {
+        const still = await open();
+        if (!still) continue;
         try {
-            return save(await pngOf(image), remark);
+            return save(await pngOf(still.image), still);
         } catch (error) {
             if (error.name !== 'SecurityError') throw error;
         }
@@ -106,25 +122,51 @@ async function previewNow() {
     await happens('loadeddata');
     small.currentTime = Math.max(0, timeWithin(now) - data.preview.begin);
     await happens('seeked');
-    return small;
+    setTimeout(() => URL.revokeObjectURL(small.src), 10_000);
+    return {image: small, frame: frameOfPreview(now), from: 'the preview in this page'};
 }
+
+/// The frame that the preview shows: it has every second, third, ... alone.
+const frameOfPreview = frame => frame - (frame - firstFrame) % data.preview.step;
 
 async function stillNow() {
+    const nearest = stillNear(now);
     const image = new Image();
-    image.src = stillNear(now).src;
+    image.src = nearest.src;
     await image.decode();
-    return image;
+    return {image, frame: nearest.frame, from: 'a still in this page'};
 }
 
-function save(blob, remark) {
+/// Names a still after its camera, else its clip, and its time.
+const stillName = (frame, ending) => `${upright(data.camera ?? data.name).replace(/[^\p{L}\p{N}._-]+/gu, '_')} ${dayOf(secondsOf(frame))} ${clockOf(secondsOf(frame)).replaceAll(':', '-')}${ending}`.replace(/ +/g, ' ');
+
+/// What is not the clip's own frame says so, in the file's name too: it may be taken for evidence.
+function save(blob, {image, frame, from}) {
+    const size = [image.videoWidth ?? image.naturalWidth, image.videoHeight ?? image.naturalHeight];
+    const whole = from === '' && size.every((side, k) => Math.abs(side - data.size[k]) <= 1);
     const link = element('a');
-    link.download = `${data.name.replace(/[^\p{L}\p{N}._-]+/gu, '_')} ${dayOf(secondsOf(now))} ${clockOf(secondsOf(now)).replaceAll(':', '-')}.png`.replace(/ +/g, ' ');
+    link.download = stillName(frame, whole ? '.png' : '.preview.png');
     link.href = URL.createObjectURL(blob);
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-    tell(`Saved ${link.download}${remark}`);
+    const fullSize = at('copystill').disabled ? '' : ' “Copy still command” gives the clip’s own frame.';
+    const other = frame === now ? '' : ` It is the frame at ${clockOf(secondsOf(frame))}.`;
+    tell(whole ? `Saved ${link.download}, ${size.join('×')}, as in the clip`
+        : `Saved ${link.download}: ${size.join('×')} of the clip’s ${data.size.join('×')}, from ${from || 'the player'}.${other}${fullSize}`);
 }
 at('savestill').addEventListener('click', () => saveStill().catch(error => tell(`The still can’t be saved: ${error.message}`)));
+
+/// The file that a frame is in, as filesOf has it.
+const fileOf = frame => filesOf({first: frame, last: frame})?.[0] ?? null;
+
+/// The command that takes a frame out of the clip in its full size: FFmpeg shows the first frame that is not before a time.
+function stillCommand(frame) {
+    const [path, begin] = fileOf(frame);
+    const seconds = Math.max(0, secondsOf(frame) - begin - Math.min(lengthOf(frame) / 2, 0.01));
+    return `ffmpeg -ss ${seconds.toFixed(3)} -i ${quoted(path.startsWith('-') ? './' + path : path)} -frames:v 1 ${quoted(stillName(frame, '.png'))}`;
+}
+at('copystill').disabled = fileOf(firstFrame) === null;
+at('copystill').addEventListener('click', () => copy(stillCommand(now), 'the command for this frame in full size'));
 
 /// The index knows which clip comes next: this page was made before that clip was there.
 if (data.index) {

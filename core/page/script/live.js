@@ -28,6 +28,7 @@ function takeOver(text) {
     const before = chosen === null ? null : numberOf(chosen);
     Object.assign(data, JSON.parse(node.textContent));
     events = data.events ?? [];
+    gaps = gapsIn(data.times);
     firstFrame = data.times[0][0];
     lastFrame = data.times.at(-1)[0] + data.times.at(-1)[1] - 1;
     begins = secondsOf(firstFrame);
@@ -38,6 +39,9 @@ function takeOver(text) {
     chosen = before !== null && placeOfNumber(before) >= 0 ? placeOfNumber(before) : null;
     now = clamp(now, firstFrame, lastFrame);
     picture.src = fresh.getElementById('picture').src;
+    document.title = fresh.title;
+    document.querySelector('h1').textContent = fresh.querySelector('h1').textContent;
+    nameIt();
     summarise();
     drawChips();
     listEvents();

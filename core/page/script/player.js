@@ -17,7 +17,7 @@ const segments = data.segments ?? [];
 if (segments.length) films.push({url: () => segments[0][0], begin: segments[0][1], says: 'the recording itself', segment: segments[0]});
 if (data.preview) {
     const every = data.preview.step > 1 ? ', one frame in ' + data.preview.step : '';
-    films.push({url: previewUrl, begin: data.preview.begin, says: `a small preview${every}`});
+    films.push({url: previewUrl, begin: data.preview.begin, isPreview: true, says: `a small preview${every}`});
 }
 
 /// Whether the file that was opened can be what the picture was made of.
@@ -219,7 +219,7 @@ function goTo(frame) {
 const goBy = seconds => goTo(frameAt(clamp(secondsOf(now) + seconds, begins, secondsOf(lastFrame))));
 function stepFrame(by) {
     until = null;
-    show(now + by, false);
+    show(frameBeside(now, by), false);
 }
 
 at('play').addEventListener('click', togglePlaying);

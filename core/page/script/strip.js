@@ -25,6 +25,7 @@ strip.addEventListener('pointermove', event => {
     const drags = rubbing?.down && (rubbing.far ||= Math.abs(event.clientX - rubbing.x) > 4);
     if (drags) goTo(frameOnStrip(event));
     pointAt(frameOnStrip(event), event.clientX, strip.getBoundingClientRect().top - 100, drags ? null : eventOnStrip(event));
+    if (isInGap(event)) at('when').textContent = 'no signal after ' + at('when').textContent;
 });
 for (const kind of ['pointerup', 'pointercancel']) strip.addEventListener(kind, () => { if (rubbing) rubbing.down = false; });
 strip.addEventListener('pointerleave', () => pointAt(null));
@@ -117,8 +118,28 @@ function rowsOf(numbers) {
     return {rows, count: ends.length};
 }
 
+/// Time without signal is hatched, as in the picture.
+function drawGaps() {
+    at('gaps').replaceChildren(...gaps.flatMap(([last, first]) => {
+        const [from, to] = [secondsOf(last) + lengthOf(last), secondsOf(first)].map(seconds => clamp(shareOnStrip(seconds), 0, 1));
+        if (to <= from) return [];
+        const gap = element('i', '', (to - from) * strip.clientWidth > 70 ? 'no signal' : '');
+        gap.style.left = from * 100 + '%';
+        gap.style.width = (to - from) * 100 + '%';
+        return [gap];
+    }));
+}
+
+/// Whether the pointer is where there is no signal.
+function isInGap(event) {
+    const box = strip.getBoundingClientRect();
+    const seconds = stripFrom + clamp((event.clientX - box.left) / box.width, 0, 1) * stripLasts;
+    return gaps.some(([last, first]) => seconds >= secondsOf(last) + lengthOf(last) && seconds < secondsOf(first));
+}
+
 function drawStrip() {
     drawTicks();
+    drawGaps();
     drawCursor();
     const inside = [];
     wantedEvents().forEach(number => {
@@ -176,4 +197,4 @@ function drawDensity(numbers) {
     }
     at('bars').replaceChildren(...columns);
 }
-new ResizeObserver(() => drawTicks()).observe(strip);
+new ResizeObserver(() => { drawTicks(); drawGaps(); }).observe(strip);

@@ -29,10 +29,27 @@ function frameAt(seconds) {
     return first + clamp(steps, 0, count - 1);
 }
 
-/// How long a frame is on show. Several may have one time; the last of all is on show as long as the one before it.
+/// Stretches of time without signal, [the last frame before, the first one after] each: numbers skip the frames that were
+/// lost.
+const gapsIn = times => times.slice(1).flatMap(([first], k) => {
+    const last = times[k][0] + times[k][1] - 1;
+    return first > last + 1 ? [[last, first]] : [];
+});
+let gaps = gapsIn(data.times);
+const framesIn = times => times.reduce((sum, [, count]) => sum + count, 0);
+
+/// The frame by so many frames further on that there is.
+function frameBeside(frame, by) {
+    const gap = gaps.find(([last, first]) => frame + by > last && frame + by < first);
+    return gap ? gap[by > 0 ? 1 : 0] : frame + by;
+}
+
+/// How long a frame is on show. Several may have one time; the last of all, and of those before a gap, is on show as long
+/// as the one before it.
 function lengthOf(frame) {
     const begin = secondsOf(frame);
-    for (let next = frame + 1; next <= Math.min(frame + 100, lastFrame); ++next) {
+    const last = Math.min(frame + 100, gaps.find(([before]) => before >= frame)?.[0] ?? lastFrame);
+    for (let next = frame + 1; next <= last; ++next) {
         if (secondsOf(next) > begin) return secondsOf(next) - begin;
     }
     return frame > firstFrame ? Math.max(0, begin - secondsOf(frame - 1)) : 0.04;
@@ -46,6 +63,9 @@ const timeWithin = frame => secondsOf(frame) + Math.min(lengthOf(frame) / 2, 0.0
 let begins = secondsOf(firstFrame);
 let ends = secondsOf(lastFrame) + lengthOf(lastFrame);
 let lasts = Math.max(secondsOf(lastFrame) - begins, 0.001);
+
+/// Seconds of video, without those that have no signal.
+const secondsSeen = () => gaps.reduce((sum, [last, first]) => sum - (secondsOf(first) - secondsOf(last) - lengthOf(last)), ends - begins);
 
 /// 75.25 as 1:15.2; tenths are cut off, as clocks do.
 function clipTime(seconds, tenths = true) {

@@ -19,25 +19,6 @@ function partInBox(x, y, toX, toY, [left, top, right, bottom]) {
     return begin <= end ? [begin, end] : null;
 }
 
-/// On which side of the line from (ax, ay) to (bx, by) a point is: the sign says it.
-const sideOf = (ax, ay, bx, by, x, y) => (bx - ax) * (y - ay) - (by - ay) * (x - ax);
-
-/// Where a stretch from (x, y) to (toX, toY) crosses a line, as a share of the stretch, and towards which side: 1 or -1;
-/// null = it does not.
-function crossingOf(x, y, toX, toY, [ax, ay], [bx, by]) {
-    const [before, after] = [sideOf(ax, ay, bx, by, x, y), sideOf(ax, ay, bx, by, toX, toY)];
-    if ((before < 0) === (after < 0)) return null;
-    if ((sideOf(x, y, toX, toY, ax, ay) < 0) === (sideOf(x, y, toX, toY, bx, by) < 0)) return null;
-    return {share: before / (before - after), side: after < 0 ? -1 : 1};
-}
-
-/// An arrow for the way across a line, as it is seen, y downwards: the line's normal on the side to which it went.
-/// \param size of the picture in pixels, of which the places are shares or other parts
-function arrowAcross({from, to}, side, [width, height]) {
-    const [x, y] = [-(to[1] - from[1]) * height * side, (to[0] - from[0]) * width * side];
-    return '→↘↓↙←↖↑↗'[(Math.round(Math.atan2(y, x) / (Math.PI / 4)) + 8) % 8];
-}
-
 /// Draws a place into an SVG over a picture; null = nothing.
 /// \param size of the picture, in the unit of the SVG
 /// \param whole what the places have for the whole of it

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <tuple>
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -15,6 +16,7 @@
 #include "core/archive/days.h"
 #include "core/archive/index.h"
 #include "core/archive/names.h"
+#include "core/archive/own_file.h"
 #include "core/archive/prune.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"
@@ -156,6 +158,97 @@ TEST_F(Archive, ReadsWhatItWroteOfAClip) {
     write_sidecar(out(), sidecar);
     EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->tries, 2);
     EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->state, Sidecar::State::failed);
+}
+
+TEST_F(Archive, ReadsNoNumberThatCannotBe) {
+    const std::string text = format_sidecar(done("a.avi"));
+    ASSERT_TRUE(parse_sidecar(text));
+    for (const auto& [what, number] : {std::pair{"\"seconds\": 0.0", "1e15"},
+                                       {"\"seconds\": 0.0", "-1"},
+                                       {"\"modified_ns\": 1000000000", "9000000000000000000"},
+                                       {"\"modified_ns\": 1000000000", "-1"},
+                                       {"\"modified_ns\": 1000000000", "1e18"},
+                                       {"\"tries\": 1", "18446744073709551615"},
+                                       {"\"frames\": 0", "-7"},
+                                       {"\"bytes\": 3", "1e300"},
+                                       {"\"status\": 0", "99999"}}) {
+        std::string forged = text;
+        const std::string from(what);
+        ASSERT_NE(forged.find(from), std::string::npos) << what;
+        forged.replace(forged.find(from), from.size(), from.substr(0, from.find(' ') + 1) + number);
+        EXPECT_FALSE(parse_sidecar(forged)) << what << " " << number;
+    }
+}
+
+TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
+    Sidecar sidecar = done("gate/2026-11-21");
+    sidecar.day =
+        Sidecar::Day{"gate", "2026-11-21", 3, {"gate/2026-11-21/08/00.avi", "gate/2026-11-21/08/\xFF%.avi", "x.avi"}};
+    sidecar.state = Sidecar::State::failed;
+    sidecar.shows.emplace();
+    sidecar.shows->clip = {"gate/2026-11-21", 2, 900'000'000};
+    sidecar.frames = 7;
+    const auto read = parse_sidecar(format_sidecar(sidecar));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->day->files, sidecar.day->files);
+    ASSERT_TRUE(read->shows);
+    EXPECT_EQ(read->shows->clip.modified, 900'000'000);
+    EXPECT_EQ(read->frames, 7);
+    EXPECT_EQ(format_sidecar(*read), format_sidecar(sidecar));
+    std::string out_of_folder = format_sidecar(sidecar);
+    out_of_folder.replace(out_of_folder.find("\"x.avi\""), 7, "\"../x\"");
+    EXPECT_FALSE(parse_sidecar(out_of_folder));
+}
+
+TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
+    write(in() / "elsewhere.json", format_sidecar(done("a.avi")));
+    const fs::path file = sidecar_path(out(), "a.avi");
+    std::string problem;
+    const auto read = [&] { return read_sidecar_file(out(), "a.avi.json", &problem).has_value(); };
+    EXPECT_TRUE(read());
+    EXPECT_EQ(problem, "");
+    fs::remove(file);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "") << "nothing is there";
+    fs::create_symlink(in() / "elsewhere.json", file);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "it is a link, and no file");
+    EXPECT_THROW(check_own_place(file), Error);
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "it is a pipe, and no file");
+    fs::remove(file);
+    write(file, "{\n  \"vvr-archive\": 1,");
+    fs::resize_file(file, std::uintmax_t{1} << 36);
+    EXPECT_FALSE(read());
+    EXPECT_NE(problem.find("at most"), std::string::npos) << problem;
+    const Outputs outputs = list_outputs(out(), in());
+    ASSERT_EQ(outputs.problems.size(), 1U);
+    EXPECT_EQ(outputs.problems[0].path, "a.avi.json");
+    fs::create_directories(out() / "gate");
+    EXPECT_NO_THROW(check_own_folder(out(), out() / "gate/new"));
+    fs::create_directory_symlink("gate", out() / "link");
+    EXPECT_THROW(check_own_folder(out(), out() / "link"), Error);
+    EXPECT_THROW(check_own_folder(out(), out() / "link/below"), Error);
+}
+
+TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
+    const auto held = Claim::try_take(out(), "index.html");
+    EXPECT_THROW(Claim::wait_for(out(), "index.html", 50ms), Error);
+    EXPECT_NO_THROW(Claim::wait_for(out(), "other.html", 50ms));
+}
+
+TEST_F(Archive, IndexesAnyTimesWithoutCountingDays) {
+    ::setenv("TZ", "Europe/Berlin", 1);
+    ::tzset();
+    Sidecar early = done("a.avi");
+    Sidecar late = done("b.avi");
+    late.clip.modified = std::int64_t{7'258'000'000} * 1'000'000'000;
+    const std::string text = make_index({early, late});
+    EXPECT_NE(text.find(R"("zone":[[1,3600,"CET, UTC+1"],[7258000000,3600,"CET, UTC+1"]])"), std::string::npos);
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
 }
 
 TEST_F(Archive, TakesNothingElseForASidecar) {
@@ -336,22 +429,53 @@ TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
 }
 
 TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
+    const RecorderNames recorders;
     write(in() / "there.avi");
+    write(in() / "gate/2026-11-20/x.avi");
     fs::create_directories(in() / "unmounted");
-    write(in() / "shut/x.avi");
-    std::vector<Sidecar> sidecars;
-    for (const char* clip : {"there.avi", "gone.avi", "unmounted/a.avi", "no folder/b.avi"})
-        sidecars.push_back(done(clip));
-    const Gone gone = find_gone(in(), sidecars, 1);
-    ASSERT_EQ(gone.sidecars.size(), 2);
-    EXPECT_EQ(gone.sidecars[0].clip.path, "gone.avi");
-    EXPECT_EQ(gone.sidecars[1].clip.path, "no folder/b.avi");
-    EXPECT_EQ(gone.empty_folders, (std::vector<std::string>{"unmounted"}));
-    EXPECT_THROW(find_gone(in(), sidecars, 0), Error);
-    EXPECT_NO_THROW(find_gone(in(), {}, 0));
+    fs::create_directory_symlink("nowhere", in() / "linked");
+    const auto fate = [&](const Sidecar& sidecar, const ClipNames& names = ClipNames()) {
+        return fate_of(in(), sidecar, look_at_all(in(), out(), names, recorders), recorders);
+    };
+    for (const auto& [clip, expected, folder] : {
+             std::tuple{"there.avi", Fate::there, ""},
+             {"gone.avi", Fate::gone, ""},
+             {"gate/2026-11-20/y.avi", Fate::gone, ""},
+             {"gate/2026-11-19/x.avi", Fate::gone, ""},
+             {"2026-11-19/08/x.avi", Fate::gone, ""},
+             {"unmounted/a.avi", Fate::away, "unmounted"},
+             {"unmounted/deep/a.avi", Fate::away, "unmounted"},
+             {"linked/a.avi", Fate::away, "linked"},
+             {"no camera/b.avi", Fate::away, "no camera"},
+         }) {
+        const Whereabouts verdict = fate(done(clip));
+        EXPECT_EQ(verdict.fate, expected) << clip;
+        EXPECT_EQ(verdict.folder, folder) << clip;
+    }
+    EXPECT_EQ(fate(done("there.avi"), ClipNames({}, {"*"})).fate, Fate::there) << "left out by a run, and there";
 
+    const auto day = [&](const std::string& date, const std::vector<std::string>& files) {
+        Sidecar sidecar = done("gate/" + date);
+        sidecar.day = Sidecar::Day{"gate", date, 1, files};
+        return fate(sidecar).fate;
+    };
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), Fate::gone);
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), Fate::there) << "one of its clips is left";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), Fate::away);
+    EXPECT_EQ(day("2026-11-19", {}), Fate::unknown) << "an older sidecar";
+    write(in() / "gate/2026-11-19 08-00-00.avi");
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), Fate::there) << "another clip of the day is there";
+    write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
+    EXPECT_NO_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)));
+    fs::create_symlink("nowhere", in() / "broken.avi");
+    EXPECT_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)), Error);
+    fs::remove_all(in());
+    fs::create_directories(in());
+    EXPECT_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)), Error);
+
+    const Sidecar gone = done("gone.avi");
     write(out() / "gone.avi.txt");
-    remove_outputs(out(), gone.sidecars[0]);
+    remove_outputs(out(), gone);
     EXPECT_FALSE(fs::exists(out() / "gone.avi.png"));
     EXPECT_FALSE(fs::exists(out() / "gone.avi.json"));
     EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
@@ -383,18 +507,29 @@ TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
 TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
-    std::vector<ScanProblem> problems;
     const std::vector<Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
                                   {"2026-11-21/23/gate/00.00.mp4", 7, 20},
                                   {"2026-11-21/23/gate/00.10.mp4", 9, 30},
                                   {"hall/x.mp4", 1, 20}};
-    const auto days = group_by_day(clips, RecorderNames(), 20, problems);
+    using std::chrono::nanoseconds;
+    const std::chrono::system_clock::time_point now{nanoseconds(30)};
+    const CameraDays grouped = group_by_day(clips, RecorderNames(), {now, nanoseconds(10)});
+    const auto& days = grouped.days;
     ASSERT_EQ(days.size(), 3U);
     EXPECT_EQ(days[0].clip.path, "gate/2026-11-21");
     EXPECT_EQ(days[1].clip.path, "gate/2026-11-22") << "Frigate's hour 23 is past midnight in Berlin";
     EXPECT_EQ(days[1].files.size(), 1U) << "the newest is still being written";
+    EXPECT_EQ(grouped.waiting, 1U);
     EXPECT_EQ(days[2].clip.path, "hall/1970-01-01") << "by when it was written";
-    EXPECT_TRUE(problems.empty());
+    EXPECT_TRUE(grouped.problems.empty());
+
+    const std::chrono::system_clock::time_point before{nanoseconds(5)};
+    const auto ahead = group_by_day(clips, RecorderNames(), {before, nanoseconds(2)}).days;
+    EXPECT_EQ(ahead[1].files.size(), 2U) << "a clip of the future is there";
+    EXPECT_EQ(ahead[1].clip.modified, 30) << "all are of the future: the clock was set back";
+    const auto one_ahead = group_by_day(clips, RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
+    EXPECT_EQ(one_ahead[1].files.size(), 2U);
+    EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
     ::setenv("TZ", "UTC", 1);
     ::tzset();
 }
@@ -422,7 +557,12 @@ TEST_F(Archive, IsIndexedByItsSidecars) {
     sidecar.seconds = 12.5;
     EXPECT_EQ(begin_of(sidecar), 1795248007);
     sidecar.recorded = "soon";
-    EXPECT_EQ(begin_of(sidecar), 1 - 13);
+    EXPECT_EQ(begin_of(sidecar), 0) << "no time before 1970";
+    for (const char* absurd :
+         {"2026-11-21 4294967295:00:00", "2026-11-21 25:00:00", "9999-11-21 08:00:07", "-026-11-21 08:00:07"}) {
+        sidecar.recorded = absurd;
+        EXPECT_EQ(begin_of(sidecar), 0) << absurd;
+    }
     Sidecar failed = done("b.avi", {});
     failed.state = Sidecar::State::failed;
     failed.reason = "<img src=x onerror=alert(1)>";

@@ -1,8 +1,5 @@
 #include "core/archive/found_event.h"
 
-#include <cmath>
-#include <random>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -12,52 +9,6 @@ namespace vvr {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Where a simplified path has an object at a time.
-std::pair<double, double> place_at(const std::vector<FoundPoint>& path, int time) {
-    for (std::size_t k = 1; k < path.size(); ++k) {
-        const FoundPoint& a = path[k - 1];
-        const FoundPoint& b = path[k];
-        if (time > b.time) continue;
-        const double share = static_cast<double>(time - a.time) / (b.time - a.time);
-        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-    }
-    return {path.back().x, path.back().y};
-}
-
-TEST(FoundEvent, KeepsEveryMomentsPlaceWithinTheTolerance) {
-    std::mt19937 random(7);
-    std::normal_distribution<double> step(0, 9);
-    for (int round = 0; round < 50; ++round) {
-        std::vector<FoundPoint> path;
-        double x = 500;
-        double y = 500;
-        for (int time = 0; time < 300; time += 5) {
-            path.push_back({time, static_cast<int>(x), static_cast<int>(y)});
-            x += step(random);
-            y += step(random);
-        }
-        const std::vector<FoundPoint> few = simplified(path, 12);
-        EXPECT_LT(few.size(), path.size());
-        EXPECT_EQ(few.front(), path.front());
-        EXPECT_EQ(few.back(), path.back());
-        for (const FoundPoint& point : path) {
-            const auto [there, down] = place_at(few, point.time);
-            EXPECT_LE(std::hypot(there - point.x, down - point.y), 12 + 1e-9);
-        }
-    }
-}
-
-TEST(FoundEvent, KeepsAStayAndAStraightWayInFewPoints) {
-    std::vector<FoundPoint> path;
-    for (int k = 0; k <= 100; ++k) path.push_back({k, k < 50 ? 10 * k : 500, 100});
-    const std::vector<FoundPoint> few = simplified(path, 2);
-    EXPECT_EQ(few, (std::vector<FoundPoint>{{0, 0, 100}, {50, 500, 100}, {100, 500, 100}}));
-    EXPECT_EQ(simplified({}, 2).size(), 0U);
-    EXPECT_EQ(simplified(std::vector<FoundPoint>{{1, 2, 3}}, 2).size(), 1U);
-    const std::vector<FoundPoint> one_time{{5, 0, 0}, {5, 900, 0}, {5, 0, 0}};
-    EXPECT_EQ(simplified(one_time, 2).size(), 3U);
-}
 
 TEST(FoundEvent, IsReadFromAReport) {
     const Json report = Json::parse(R"({"input": {"width": 200, "height": 100}, "events": [

@@ -43,6 +43,33 @@ TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
     EXPECT_EQ(refusal([] { parse_time("2.5"); }), "'2.5' has no unit: write 2.5s for seconds");
 }
 
+TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
+    const std::int64_t at = 1'795'312'800;  // 2026-11-22 02:00:00
+    const auto asked = [](const char* text) { return std::get<AskedTime>(parse_place(text)); };
+    EXPECT_EQ(asked("2026-11-22 02:00"), (AskedTime{at, true, "2026-11-22 02:00"}));
+    EXPECT_EQ(asked("2026-11-22T02:00:07").seconds, at + 7);
+    EXPECT_EQ(asked("@02:00"), (AskedTime{7200, false, "@02:00"}));
+    EXPECT_EQ(asked("@23:59:59").seconds, 86'399);
+    EXPECT_EQ(std::get<Time>(parse_place("02:00")), (Time{120, Time::Unit::seconds})) << "an offset, as ever";
+    EXPECT_EQ(std::get<Time>(parse_place("250f")), (Time{250, Time::Unit::frames}));
+    for (const char* text :
+         {"@", "@2:00", "@24:00", "@02", "@02:60", "2026-02-30 08:00", "2026-11-22", "2026-11-22 8:00",
+          "2026-11-22  02:00", "2026-11-22 02:00 ", "2026-11-22X02:00", "2026-13-01 00:00"}) {
+        EXPECT_THROW(parse_place(text), Error) << text;
+    }
+    EXPECT_EQ(refusal([] { parse_place("2026-02-30 08:00"); }),
+              "'2026-02-30 08:00' is not a date and time like 2026-11-22 02:00, or a time of day like @02:00");
+}
+
+TEST(ParseDayPart, TakesTwoTimesOfDay) {
+    EXPECT_EQ(parse_day_part("02:00-05:00"), (DayPart{7200, 18'000, "02:00-05:00"}));
+    EXPECT_EQ(parse_day_part("22:00:30-05:00").begin, 79'230);
+    for (const char* text : {"", "02:00", "02:00-", "02:00-02:00", "2-5", "02:00-25:00", "02:00-05:00-07:00"}) {
+        EXPECT_THROW(parse_day_part(text), Error) << text;
+    }
+    EXPECT_EQ(refusal([] { parse_day_part("2-5"); }), "'2-5' is not a part of the day like 02:00-05:00");
+}
+
 TEST(ParseDuration, IsInSecondsWithoutAUnit) {
     EXPECT_EQ(parse_duration("90"), 90);
     EXPECT_EQ(parse_duration("0.5"), 0.5);

@@ -158,6 +158,110 @@ TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
     }
 }
 
+/// Two files of 200 frames, and between them nothing for so many.
+std::vector<Event> events_about_gap(int gap, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
+    EventFinder finder({120, 90});
+    for (int f = 0; f < 400; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        paint(f, field);
+        finder.add({field, {}, {}}, at(f < 200 ? f : f + gap));
+    }
+    return finder.finish();
+}
+
+TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
+    const auto box = [](int, auto& field) { fill(field, {60, 60, 72, 70}, 220); };
+    constexpr int hours = 25 * 3600 * 7;
+    for (const int gap : {25, 600, hours}) {
+        const auto events = events_about_gap(gap, box);
+        ASSERT_EQ(events.size(), 2U) << gap;
+        EXPECT_EQ(events[0].last.frame, 199);
+        EXPECT_EQ(events[1].first.frame, 200 + gap) << "what is there after the gap is seen from then on";
+        EXPECT_EQ(events[1].last.frame, 399 + gap);
+        EXPECT_NEAR(still_seconds(events[0]) + still_seconds(events[1]), 16, 0.1);
+        for (const Event& event : events) {
+            for (const PathPoint& point : event.path) {
+                EXPECT_TRUE(point.at.frame < 200 || point.at.frame >= 200 + gap);
+            }
+        }
+    }
+    EXPECT_EQ(events_about_gap(0, box).size(), 1U);
+}
+
+TEST(EventFinder, NobodyWalksThroughTimeWithoutSignal) {
+    // Whoever is there after the gap goes on where the other was.
+    const auto walker = [](int f, auto& field) { fill(field, {f / 3 - 10, 30, f / 3, 50}, 120); };
+    const auto events = events_about_gap(75, walker);
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[0].last.frame, 199);
+    EXPECT_EQ(events[1].first.frame, 275);
+    EXPECT_FALSE(events[0].into || events[1].from);
+    EXPECT_EQ(events_about_gap(0, walker).size(), 1U);
+}
+
+// The empty scene was made of frames with a box in it; fields show its ghost where it is not there.
+TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
+    Planes scene;
+    scene.grey = Plane<std::uint8_t>({120, 90}, 90);
+    fill(scene.grey, {60, 60, 72, 70}, 220);
+    const Plane<std::uint8_t> floor({120, 90}, 90);
+    const auto events_of_ghost = [&](int from, int to) {
+        EventFinder finder({120, 90});
+        for (int f = 0; f < 400; ++f) {
+            Plane<std::uint8_t> field({120, 90});
+            const bool ghost = f >= from && f < to;
+            if (ghost) fill(field, {60, 60, 72, 70}, 130);
+            // Nothing is put down by nobody.
+            if (to < 400) fill(field, {f - to + 60, 15, f - to + 72, 55}, 100);
+            finder.add({field, ghost ? floor : scene.grey, {}}, at(f < 200 ? f : f + 1000));
+        }
+        return finder.finish(scene);
+    };
+    EXPECT_TRUE(events_of_ghost(200, 400).empty()) << "it may be another light, or a camera that was turned";
+    // It came while somebody could see it, in the second file: the ghost had been there before the gap, too.
+    const auto came = events_of_ghost(0, 300);
+    ASSERT_EQ(came.size(), 2U);
+    EXPECT_EQ(came[1].kind, EventKind::left);
+    EXPECT_NEAR(static_cast<double>(came[1].first.frame), 1300, 5);
+    EXPECT_EQ(came[1].last.frame, 1399);
+    // It came in the first file: that it lay there in the second nobody has followed.
+    const auto early = events_of_ghost(0, 100);
+    ASSERT_EQ(early.size(), 2U);
+    EXPECT_EQ(early[1].kind, EventKind::left);
+    EXPECT_EQ(early[1].last.frame, 199);
+}
+
+TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
+    Planes scene;
+    scene.grey = Plane<std::uint8_t>({120, 90}, 90);
+    const auto events_of_patch = [&](int to) {
+        EventFinder finder({120, 90});
+        for (int f = 0; f < 400; ++f) {
+            Plane<std::uint8_t> field({120, 90});
+            Plane<std::uint8_t> grey = scene.grey;
+            if (f < to) {
+                fill(field, {60, 60, 72, 70}, 130);
+                fill(grey, {60, 60, 72, 70}, 220);
+            }
+            finder.add({field, grey, {}}, at(f < 200 ? f : f + 1000));
+        }
+        return finder.finish(scene);
+    };
+    EXPECT_TRUE(events_of_patch(400).empty()) << "on both sides of the gap, all the time";
+    ASSERT_EQ(events_of_patch(200).size(), 1U);
+    EXPECT_EQ(events_of_patch(200)[0].last.frame, 199);
+}
+
+TEST(EventFinder, ASlowRateIsNoGap) {
+    EventFinder finder({120, 90});
+    for (int f = 0; f < 40; ++f) {
+        Plane<std::uint8_t> field({120, 90});
+        if (f >= 5) fill(field, {60, 60, 72, 70}, 220);
+        finder.add({field, {}, {}}, {f, 5.0 * f});
+    }
+    EXPECT_EQ(finder.finish().size(), 1U);
+}
+
 TEST(EventFinder, EventsDoNotLeaveTheField) {
     const auto events = events_of(200, [](int f, auto& field) {
         fill(field, {f - 30, -10, f - 10, 30}, 90);

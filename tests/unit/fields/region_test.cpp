@@ -1,8 +1,12 @@
 #include "core/fields/region.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
+
+#include "core/error.h"
 
 namespace vvr {
 namespace {
@@ -53,10 +57,24 @@ TEST(Region, PolygonsMayCrossTheEdges) {
     EXPECT_EQ(region.at(0, 49), 255);
     EXPECT_EQ(region.at(47, 25), 255);
     EXPECT_EQ(region.at(53, 25), 0);
-    options.roi = "500,500 600,500 600,600";
-    EXPECT_EQ(inside(make_region(options, field, video)), 0) << "wholly outside";
     options.roi = "-100000,-100000 100000,-100000 100000,100000 -100000,100000";
     EXPECT_EQ(inside(make_region(options, field, video)), field.width * field.height);
+}
+
+TEST(Region, NothingToLookAtIsAnError) {
+    FieldOptions options;
+    options.roi = "500,500 600,500 600,600";
+    try {
+        make_region(options, field, video);
+        FAIL() << "taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(std::string(error.what()).find("is outside of the frame, which has 200x100 pixels"),
+                  std::string::npos)
+            << error.what();
+    }
+    options.mask = std::exchange(options.roi, "");
+    EXPECT_EQ(inside(make_region(options, field, video)), field.width * field.height) << "a mask may lie outside";
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ TEST(TimeTicks, AreRoundOnTheClockOnTheWall) {
     EXPECT_EQ(texts(time_ticks(0, 40, 5, at)), (Texts{"08:00:20", "08:00:30", "08:00:40", "08:00:50"}));
     EXPECT_EQ(texts(time_ticks(0, 0.9, 2, at)), (Texts{"08:00:17.00", "08:00:17.50"}));
     EXPECT_EQ(texts(time_ticks(0, 3 * 86400.0, 4, at)), (Texts{"11-22", "11-23", "11-24"}));
-    EXPECT_EQ(format_span(0, 46, at), "2026-11-21 08:00:17 to 08:01:03");
-    EXPECT_EQ(format_span(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17");
+    EXPECT_EQ(format_span(0, 46, at), "2026-11-21 08:00:17 to 08:01:03 (as given)");
+    EXPECT_EQ(format_span(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17 (as given)");
     EXPECT_EQ(format_span(0, 7.5), "0.0 s to 7.5 s");
     EXPECT_EQ(format_span(0, 7267), "0:00 to 2:01:07");
 }
@@ -229,15 +229,17 @@ TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
     // From 2026-03-28 23:30 CET for four hours: at 2:00 clocks are put forward to 3:00.
-    const Clock clock = local_clock(1774737000, 4 * 3600);
+    const Clock clock = local_clock(1774737000, 4 * 3600, ClockSource::file_name);
     EXPECT_EQ(texts(time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
     EXPECT_EQ(time_ticks(0, 4 * 3600, 4, clock)[2].seconds, 2.5 * 3600);
     EXPECT_EQ(format_span(0, 4 * 3600, clock),
-              "2026-03-28 23:30:00 to 2026-03-29 04:30:00 (CET, UTC+1, then CEST, UTC+2)");
+              "2026-03-28 23:30:00 to 2026-03-29 04:30:00 (CET, UTC+1, then CEST, UTC+2; by file name)")
+        << "what tells it";
+    EXPECT_EQ(format_stretch(0, 60, clock), "2026-03-28 23:30:00 to 23:31:00");
     EXPECT_EQ(clock.iso(0), "2026-03-28T23:30:00+01:00");
     EXPECT_EQ(clock.iso(2.5 * 3600), "2026-03-29T03:00:00+02:00");
     // In October the hour from 2:00 comes twice.
-    const Clock back = local_clock(1792886400, 3 * 3600);
+    const Clock back = local_clock(1792886400, 3 * 3600, ClockSource::file_name);
     EXPECT_EQ(texts(time_ticks(0, 3 * 3600, 4, back)), (Texts{"02:00", "02:00", "03:00", "04:00"}));
     EXPECT_EQ(Clock(1774737000).iso(1.5), "2026-03-28T22:30:01") << "of no zone";
     ::setenv("TZ", "UTC", 1);
@@ -288,7 +290,7 @@ TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
     EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &Label::text), 1);
     const auto strokes = gap_marks(time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
     EXPECT_GT(strokes.size(), 20U);
-    for (const Segment& stroke : strokes) {
+    for (const LineSegment& stroke : strokes) {
         const double t = layout->c_from_p(stroke.from).z;
         EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
     }

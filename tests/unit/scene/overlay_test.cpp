@@ -48,7 +48,7 @@ TEST(Boxes, HaveTwelveEdges) {
     const auto edges = box_edges({{0, 0, 0}, {1, 2, 4}}, green);
     ASSERT_EQ(edges.size(), 12U);
     double length = 0;
-    for (const Segment& edge : edges) length += static_cast<double>(glm::distance(edge.from, edge.to));
+    for (const LineSegment& edge : edges) length += static_cast<double>(glm::distance(edge.from, edge.to));
     EXPECT_DOUBLE_EQ(length, 4 * (1 + 2 + 4));
 }
 
@@ -69,7 +69,7 @@ TEST(SliceOutlines, AreClosedPolygonsAcrossTheView) {
             depths.insert(static_cast<int>(std::lround(slice(lines[i].from))));
             // The next side begins where this one ends, or this was the last of its slice.
             const bool goes_on = i + 1 < lines.size() && lines[i + 1].from == lines[i].to;
-            const bool closes = std::ranges::any_of(lines, [&](const Segment& s) { return s.from == lines[i].to; });
+            const bool closes = std::ranges::any_of(lines, [&](const LineSegment& s) { return s.from == lines[i].to; });
             EXPECT_TRUE(goes_on || closes);
         }
         EXPECT_GE(depths.size(), 19U);

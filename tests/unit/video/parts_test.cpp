@@ -28,31 +28,31 @@ TEST(NaturalOrder, IsStrict) {
     EXPECT_NE(natural_less("frame1", "frame01"), natural_less("frame01", "frame1"));
 }
 
-TEST(Clock, StartsAtTheFirstStamp) {
-    Clock clock(0.04);
+TEST(StampClock, StartsAtTheFirstStamp) {
+    StampClock clock(0.04);
     EXPECT_DOUBLE_EQ(clock(5.0), 0);
     EXPECT_DOUBLE_EQ(clock(5.5), 0.5);
     EXPECT_DOUBLE_EQ(clock(std::nullopt), 0.54);
 }
 
-TEST(Clock, NeverRunsBackwards) {
-    Clock clock(0.04);
+TEST(StampClock, NeverRunsBackwards) {
+    StampClock clock(0.04);
     clock(0.0);
     clock(1.0);
     EXPECT_DOUBLE_EQ(clock(0.9), 1.0);
     EXPECT_DOUBLE_EQ(clock(1.1), 1.1);
 }
 
-TEST(Clock, GoesOnWhenTheCameraSetsItsClockBack) {
-    Clock clock(0.04);
+TEST(StampClock, GoesOnWhenTheCameraSetsItsClockBack) {
+    StampClock clock(0.04);
     clock(1000.0);
     clock(1010.0);
     EXPECT_DOUBLE_EQ(clock(3.0), 10.04);
     EXPECT_DOUBLE_EQ(clock(4.0), 11.04);
 }
 
-TEST(Clock, CountsFromTheFirstFrameWhenItHasNoStamp) {
-    Clock clock(0.5);
+TEST(StampClock, CountsFromTheFirstFrameWhenItHasNoStamp) {
+    StampClock clock(0.5);
     EXPECT_DOUBLE_EQ(clock(std::nullopt), 0);
     EXPECT_DOUBLE_EQ(clock(7.0), 0.5);
     EXPECT_DOUBLE_EQ(clock(8.0), 1.5);

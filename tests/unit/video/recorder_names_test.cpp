@@ -12,6 +12,7 @@
 namespace vvr {
 namespace {
 
+constexpr const char* any_name = "a date and a time";
 constexpr std::int64_t morning = 1795248007;  // 2026-11-21 08:00:07
 
 struct Known {
@@ -29,11 +30,11 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
              Known{"media/recordings/2026-11-21/08/front door/00.07.mp4", "Frigate", "front door", morning, 0},
              Known{"2026-11/21/08/gate/00.07.mp4", "Frigate", "gate", morning},
              Known{"RLC-823A_00_20261121080007.mp4", "Reolink", "RLC-823A", morning},
-             Known{"2026/11/21/Back_yard_01_20261121080007.mp4", "Reolink", "Back_yard", morning},
+             Known{"2026/11/21/Back_yard_01_20261121080007.mp4", any_name, "Back_yard_01", morning},
              Known{"Mp4Record/2026-11-21/RecM01_20261121_080007_080107_6D28808_1E7A0B2.mp4", "Reolink", "Mp4Record",
                    morning},
              Known{"yard/RecM02_DST20261121_080007_080107_0_1E7A0B2.mp4", "Reolink", "yard", morning},
-             Known{"192.168.1.64_01_20261121080007123.mp4", "Hikvision", "192.168.1.64", morning},
+             Known{"192.168.1.64_01_20261121080007123.mp4", "Hikvision", "192.168.1.64_01", morning},
              Known{"Camera1_hiknvr_20261121080007_20261121081007_55.mp4", "Hikvision", "Camera1", morning},
              Known{"gate/2026-11-21/001/dav/08/08.00.07-08.01.07[M][0@0][0].dav", "Dahua", "gate", morning},
              Known{"NVR_ch2_main_20261121080007_20261121081007.dav", "Dahua", "NVR_ch2", morning},
@@ -43,13 +44,13 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
              Known{"Front Door 11-21-2026, 08.00.07.mp4", "UniFi", "Front Door", morning},
              Known{"gate/01-20261121080007.mkv", "motion", "gate", morning},
              Known{"Camera1/2026-11-21/08-00-07.mp4", "motion", "Camera1", morning},
-             Known{"gate/2026-11-21T08:00:07Z.mp4", "ISO 8601", "gate", morning, 0},
-             Known{"gate/2026-11-21T08-00-07+05:30.mp4", "ISO 8601", "gate", morning, 19800},
-             Known{"gate/20261121T080007-0330.mp4", "ISO 8601", "gate", morning, -12600},
-             Known{"gate/2026-11-21_08-00-07-123456.mp4", "ISO 8601", "gate", morning},
-             Known{"gate/clip 2026-11-21 08.00.07.mp4", "ISO 8601", "gate", morning},
-             Known{"gate/VID_20261121_080007.mp4", "ISO 8601", "gate", morning},
-             Known{"hall-20261121080007", "ISO 8601", "", morning},
+             Known{"gate/2026-11-21T08:00:07Z.mp4", any_name, "gate", morning, 0},
+             Known{"gate/2026-11-21T08-00-07+05:30.mp4", any_name, "gate", morning, 19800},
+             Known{"gate/20261121T080007-0330.mp4", any_name, "gate", morning, -12600},
+             Known{"gate/2026-11-21_08-00-07-123456.mp4", any_name, "gate", morning},
+             Known{"gate/clip 2026-11-21 08.00.07.mp4", any_name, "gate", morning},
+             Known{"gate/VID_20261121_080007.mp4", any_name, "gate", morning},
+             Known{"hall-20261121080007", any_name, "hall", morning},
          }) {
         const RecorderName name = names.read(known.path);
         EXPECT_EQ(name.layout, known.layout) << known.path;
@@ -58,6 +59,120 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
         EXPECT_EQ(name.begin->clock, known.clock) << known.path;
         EXPECT_EQ(name.begin->ahead, known.ahead) << known.path;
     }
+}
+
+TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
+    const RecorderNames names;
+    constexpr std::int64_t evening = 1795291200;  // 2026-11-21 20:00:00
+    struct Tree {
+        const char* path;
+        const char* camera;
+        std::int64_t clock = evening;
+        std::optional<std::int64_t> ahead{};
+    };
+    for (const Tree& tree : {
+             // The date as a folder.
+             Tree{"2026-11-21/gate/20-00-00.mp4", "gate"},
+             Tree{"gate/2026-11-21/20.00.00.mp4", "gate"},
+             Tree{"gate/2026/11/21/20-00-00.mp4", "gate"},
+             Tree{"gate/20261121/20/00.mp4", "gate"},
+             Tree{"gate/2026-11-21/20-00-00_20-05-00.mp4", "gate"},
+             Tree{"2026-11-21/20/gate/05.00.mp4", "gate", evening + 300, 0},
+             Tree{"2026_11_21/20/gate/05.00.mp4", "gate", evening + 300},
+             Tree{"gate/2026.11.21/200000.mp4", "gate"},
+             Tree{"gate/2026-11-21/2000.mp4", "gate"},
+             Tree{"gate/2026-11-21/20-00.mp4", "gate"},
+             Tree{"gate/2026-11/21/20h00m00s.mp4", "gate"},
+             Tree{"gate/2026/11-21/20_00_00.mp4", "gate"},
+             Tree{"gate/2026/2026-11/2026-11-21/20:00:00.mp4", "gate"},
+             Tree{"gate/2026-11-21/20/20-00-00.mp4", "gate"},
+             Tree{"gate/2026-11-21/20/05-00.mp4", "gate", evening + 300},
+             Tree{"gate/2026-11-21/20h/05.mp4", "gate", evening + 300},
+             Tree{"2026-11-21/gate/20/05.mp4", "gate", evening + 300},
+             Tree{"2026-11-21/20/gate/05.mp4", "gate", evening + 300},
+             Tree{"2026-11-21/01/20-00-00.mp4", "01"},
+             Tree{"2026-11-21/gate_20-00-00.mp4", "gate"},
+             Tree{"2026/11/21/gate/20-00_20-05.mp4", "gate"},
+             Tree{"2026-11-21/20-00-00 motion.mp4", ""},
+             // All in the name.
+             Tree{"front-door_2026-11-21_20-00-00.mp4", "front-door"},
+             Tree{"house/front-door_2026-11-21_20-00-00.mp4", "house/front-door"},
+             Tree{"gate/gate_2026-11-21_20-00-00.mp4", "gate"},
+             Tree{"recordings/gate_2026-11-21_20-00-00.mp4", "gate"},
+             Tree{"ch01_20261121200000.mp4", "ch01"},
+             Tree{"ch01_20261121-200000_200500.mp4", "ch01"},
+             Tree{"CAM 2 - 2026.11.21 20.00.00.mp4", "CAM 2"},
+             Tree{"cam-2-20261121_2000.mp4", "cam-2"},
+             Tree{"gate_2026-11-21_20-00.mp4", "gate"},
+             Tree{"gate_2026-11-21_20-00-00_2026-11-21_20-05-00.mp4", "gate"},
+             Tree{"2026-11-21_20-00-00.000.mp4", ""},
+             Tree{"2026-11-21 20.00.00", ""},
+             Tree{"2026-11-21_20-00-00-1.mp4", ""},
+             Tree{"2026-11-21T20:00:00+05:30_gate.mp4", "", evening},
+             Tree{"gate_2026-11-21T20-00-00Z.mp4", "gate", evening, 0},
+             Tree{"2026-11-21_20-00-00-left_repeater.mp4", "left_repeater"},
+             Tree{"20261121_200000_cam2.mp4", "cam2"},
+             Tree{"VID_20261121_200000.mp4", ""},
+             Tree{"PXL_20261121_200000123.mp4", ""},
+             Tree{"clip 7 2026-11-21 20-00-00.mp4", ""},
+             Tree{"MDalarm_20261121_200000.mkv", ""},
+             Tree{"Screen Recording 2026-11-21 at 20.00.00.mov", ""},
+             Tree{"1795291200.mp4", "", evening, 0},
+             Tree{"1795291200000.mp4", "", evening, 0},
+             Tree{"gate/1795291200_1795291500.mp4", "gate", evening, 0},
+             Tree{"gate-1795291200.mp4", "gate", evening, 0},
+             // Of recorders.
+             Tree{"NVR/2026-11-21/001/dav/20/20.00.00-20.05.00[M][0@0][0].dav", "NVR"},
+             Tree{"house/2026-11-21/002/dav/20/20.00.00-20.05.00[M][0@0][0].dav", "house/002"},
+             Tree{"gate/2026-11-21/20.00.00-20.00.20[M][0@0][0].dav", "gate"},
+             Tree{"gate-20261121-200000-1795291200.mp4", "gate"},
+             Tree{"20261121PM/Front Door-20261121-200000-1795291200123-7.mp4", "Front Door"},
+             Tree{"gate-1795291200.123456-ab12cd.mp4", "gate", evening, 0},
+             Tree{"events/3/26/11/21/20/00/00/17-video.mp4", "3"},
+             Tree{"2026112120/05M00S_1795291500.mp4", "", evening + 300, 0},
+             Tree{"gate/2026Y11M21D20H/05M00S60.mp4", "gate", evening + 300},
+             Tree{"Front Door 3-4-2026, 20.00.00 GMT+1.mp4", "Front Door", 1772654400, 3600},
+         }) {
+        const RecorderName name = names.read(tree.path);
+        EXPECT_EQ(names.camera_of(tree.path), tree.camera) << tree.path;
+        ASSERT_TRUE(name.begin) << tree.path;
+        EXPECT_EQ(name.begin->clock, tree.clock) << tree.path << " by " << name.layout;
+        EXPECT_EQ(name.begin->ahead, tree.ahead) << tree.path << " by " << name.layout;
+    }
+}
+
+TEST(RecorderNames, AreNotGuessed) {
+    const RecorderNames names;
+    for (const char* path :
+         {"gate/clip1.mp4", "2026-11-21/clip1.mp4", "gate/1280x720_30fps.mp4", "2026-11-21/1280x720_30fps.mp4",
+          "gate/IMG_0001.mp4", "2026-11-21/IMG_0001.mp4", "2026-11-21/IMG_000123.mp4", "v1.20.30.mp4",
+          "gate/20.04.1.mp4", "2026-11-21/20.04.1.mp4", "20-00-00.mp4", "gate/2000.mp4", "2026/2000.mp4",
+          "2026-11-21.mp4", "gate_2026-11-21_20.mp4", "2026-11-21_20-00-75.mp4", "2026-11-21/24-00-00.mp4",
+
+          // Which is the month?
+          "03-04-2026_20-00-00.mp4", "gate_03.04.2026 20.00.00.mp4", "03-04-2026/gate/20-00-00.mp4",
+          "01-02-2026-03-04-05-06.mp4", "Front Door 3-4-2026, 20.00.00.mp4", "21-11-2026 20-00-00.mp4",
+          // 20:05, or 20:20:05?
+          "2026_11_21/20/20-05.mp4", "WhatsApp Video 2026-11-21 at 20.00.00.mp4", "12345678.mp4", "0912345678.mp4",
+          "5912345678.mp4"}) {
+        const RecorderName name = names.read(path);
+        EXPECT_FALSE(name.begin) << path << " by " << name.layout;
+    }
+    EXPECT_EQ(names.camera_of("2026-11-21/backdoor/clip1.mp4"), "backdoor");
+}
+
+TEST(RecorderNames, SayTheSameWhereverOneStands) {
+    const RecorderNames whole;
+    const std::string path = "/srv/2026-11-21/20/gate/05.00.mp4";
+    for (const char* folder : {"/", "/srv", "/srv/2026-11-21", "/srv/2026-11-21/20", "/srv/2026-11-21/20/gate"}) {
+        const RecorderNames names({}, folder);
+        const std::string below = path.substr(std::string(folder).size() + (std::string(folder) == "/" ? 0 : 1));
+        EXPECT_EQ(names.read(below).begin, whole.read(path).begin) << folder;
+        EXPECT_EQ(names.camera_of(below), "gate") << folder;
+    }
+    // Folders above the archive's are no cameras.
+    EXPECT_EQ(RecorderNames({}, "/home/user/videos").camera_of("x.avi"), "");
+    EXPECT_EQ(RecorderNames({}, "/home/user/2026-11-21").camera_of("20-00-00.avi"), "");
 }
 
 TEST(RecorderNames, OfNobodyTellNothing) {

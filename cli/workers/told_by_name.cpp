@@ -1,0 +1,23 @@
+#include "cli/workers/told_by_name.h"
+
+#include <fmt/format.h>
+
+#include "core/archive/names.h"
+#include "core/clock_source.h"
+#include "core/labels/time_ticks.h"
+#include "core/local_time.h"
+#include "core/shown_text.h"
+
+namespace vvr {
+
+std::string told_by_name(const std::string& clip, const RecorderNames& names) {
+    const RecorderName name = names.read(clip);
+    const std::string camera = names.camera_of(clip);
+    std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(text_of_path(camera));
+    if (!name.begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
+    const std::int64_t utc = utc_of(*name.begin);
+    return fmt::format("{}, {} {} ({})", text, format_clock(utc + local_offset(utc)),
+                       row_of(ClockSource::file_name).words, name.layout);
+}
+
+}  // namespace vvr

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/wall_clock.h"
+
+// Stretches of a clip as people ask for them: by the clock on the wall that was there.
+namespace vvr {
+
+struct FrameSpan;
+struct VideoInfo;
+
+/// A moment by the clock on the wall.
+struct AskedTime {
+    std::int64_t seconds = 0;  ///< since 1970-01-01 00:00 on that clock; of a time of day, since midnight
+    bool dated = false;        ///< else it is a time of day, and the next time that the clock shows it is meant
+    std::string text{};        ///< as it was asked for
+
+    friend bool operator==(const AskedTime&, const AskedTime&) = default;
+};
+
+/// A part of each day, over midnight where it ends before it begins.
+struct DayPart {
+    std::int64_t begin = 0;  ///< seconds since midnight
+    std::int64_t end = 0;    ///< itself left out
+    std::string text{};      ///< as it was asked for
+
+    friend bool operator==(const DayPart&, const DayPart&) = default;
+};
+
+/// Limits of a span by the clock on the wall. They mean nothing before `resolve`.
+struct AskedSpan {
+    std::optional<AskedTime> start{};
+    std::optional<AskedTime> end{};
+    std::optional<DayPart> between{};
+
+    friend bool operator==(const AskedSpan&, const AskedSpan&) = default;
+};
+
+/// The second of the clip that a moment means.
+/// \param from the second from which on a time of day is looked for
+double seconds_of(const AskedTime& asked, const Clock& clock, double from = 0);
+
+/// The clock, where it is known.
+/// \param setting that needs it, and what it was given
+/// \throws Error usage
+const Clock& require_clock(const WallClock& clock, const VideoInfo& info, std::string_view setting,
+                           std::string_view given);
+
+/// The same span with what was asked for by the clock as seconds of the clip.
+/// \throws Error usage where the clock isn't known, or the clip has nothing of what was asked for
+FrameSpan resolve(FrameSpan span, const WallClock& clock, const VideoInfo& info);
+
+/// Which times of day a span means: "2026-11-21 22:00:00 to 23:00:00 (by file name)"; empty where it is a whole clip,
+/// or nobody knows.
+std::string day_times_of(const FrameSpan& span, const WallClock& clock, const VideoInfo& info);
+
+}  // namespace vvr

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vvr {
+
+/// What a pattern of a shell (`day/*.mp4`) names, in order.
+/// \throws Error usage for one that is longer than any path
+std::vector<std::string> matches_of(const std::string& pattern);
+
+}  // namespace vvr

@@ -1,0 +1,215 @@
+#include "core/video/one_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <fnmatch.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "core/shown_text.h"
+#include "core/video/input.h"
+#include "core/video/stream_info.h"
+#include "core/words.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::vector<std::string>;
+
+std::string_view folder_of(std::string_view path) {
+    const auto slash = path.rfind('/');
+    return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
+}
+
+std::string_view file_of(std::string_view path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+/// Text in a pattern that stands for itself.
+std::string literal(std::string_view text) {
+    std::string pattern;
+    for (const char c : text) {
+        if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
+    }
+    return pattern;
+}
+
+/// How many bytes at the front all paths have in common, whole folders only.
+std::size_t common_folders(const Files& paths) {
+    std::string_view common = folder_of(paths.front());
+    for (const std::string& path : paths) {
+        while (!common.empty() && !(path.starts_with(common) && path[common.size()] == '/')) common = folder_of(common);
+    }
+    return common.empty() ? 0 : common.size() + 1;
+}
+
+/// The folders of all files as one pattern; nothing where some are deeper than others.
+std::optional<std::string> pattern_of_folders(const Files& files) {
+    std::vector<std::vector<std::string>> parts;
+    for (const std::string& file : files) {
+        std::vector<std::string> folders;
+        for (const fs::path& folder : fs::path(folder_of(file))) folders.push_back(folder.string());
+        parts.push_back(std::move(folders));
+    }
+    fs::path pattern;
+    for (std::size_t i = 0; i < parts.front().size(); ++i) {
+        bool same = true;
+        for (const auto& folders : parts) {
+            if (folders.size() != parts.front().size()) return std::nullopt;
+            same = same && folders[i] == parts.front()[i];
+        }
+        pattern /= same ? literal(parts.front()[i]) : "*";
+    }
+    return pattern.string();
+}
+
+/// What the names of all files begin with, up to the camera where it stands there.
+std::string_view common_begin(const Files& files, std::string_view camera) {
+    std::string_view common = file_of(files.front());
+    for (const std::string& file : files) {
+        const auto end = std::ranges::mismatch(common, file_of(file)).in1;
+        common = common.substr(0, static_cast<std::size_t>(end - common.begin()));
+    }
+    const std::string_view name = file_of(camera);
+    return !name.empty() && common.starts_with(name) ? common.substr(0, name.size()) : common;
+}
+
+/// A name to give for the files of one camera that means none of the others': a folder, a pattern, or a file.
+std::string choice_of(const Files& own, const Files& others, std::string_view camera) {
+    const auto chooses = [&](const std::string& pattern, int flags) {
+        const auto fits = [&](const std::string& file) { return ::fnmatch(pattern.c_str(), file.c_str(), flags) == 0; };
+        return std::ranges::all_of(own, fits) && std::ranges::none_of(others, fits);
+    };
+    if (const auto folders = pattern_of_folders(own)) {
+        if (!folders->empty() && chooses(*folders, FNM_PATHNAME | FNM_LEADING_DIR)) return *folders;
+        const std::string ending = fs::path(own.front()).extension().string();
+        for (const std::string& name : {fmt::format("{}*{}", literal(common_begin(own, camera)), literal(ending)),
+                                        fmt::format("*{}{}", literal(file_of(camera)), literal(ending))}) {
+            const std::string files = (fs::path(*folders) / name).string();
+            if (chooses(files, FNM_PATHNAME)) return files;
+        }
+    }
+    return own.front();
+}
+
+/// What a header says of a file's pictures.
+struct Shape {
+    Size size;
+    double rate = 0;
+};
+
+std::optional<Shape> shape_of(const std::string& path) {
+    try {
+        const Demuxer demuxer(open_input(path), Demuxer::Kind::video, 25);
+        const AVCodecParameters& picture = *demuxer.stream().codecpar;
+        const AVRational rate = demuxer.stream().avg_frame_rate;
+        return Shape{{picture.width, picture.height}, rate.den > 0 ? av_q2d(rate) : 0};
+    } catch (const Error&) {
+        return std::nullopt;  // it is named when it is read
+    }
+}
+
+bool are_alike(const Shape& a, const Shape& b) {
+    constexpr double tolerance = 0.1;  // of a rate: a camera's varies from file to file
+    const bool rates = a.rate <= 0 || b.rate <= 0 || std::abs(a.rate - b.rate) <= tolerance * std::max(a.rate, b.rate);
+    return a.size == b.size && rates;
+}
+
+std::string text_of(const Shape& shape) {
+    return fmt::format("{}x{} at {:.3g} frames per second", shape.size.width, shape.size.height, shape.rate);
+}
+
+}  // namespace
+
+std::string whole_path(const std::string& name) {
+    if (name == "-" || is_url(name)) return name;
+    std::error_code error;
+    const fs::path whole = fs::absolute(name, error);
+    return error ? name : whole.lexically_normal().string();
+}
+
+std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
+                        bool join) {
+    Files paths;
+    for (const Segment& segment : segments) paths.push_back(whole_path(segment.path));
+    const std::size_t common = common_folders(paths);
+    std::map<std::string, Files> cameras;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const std::string camera = layouts.camera_of(paths[i], common);
+        segments[i].camera = camera.empty() ? layouts.read(paths[i]).camera : camera;
+        cameras[camera].push_back(segments[i].path);
+    }
+    if (cameras.size() == 1) return segments.front().camera;
+    if (join) return "";
+    Files own = cameras.begin()->second;
+    std::string chosen = cameras.begin()->first;
+    Files names;
+    for (const auto& [camera, files] : cameras) {
+        names.push_back(camera.empty()
+                            ? fmt::format("one that no name tells ('{}')", shown_text(file_of(files.front())))
+                            : shown_text(camera));
+        if (!chosen.empty()) continue;
+        chosen = camera;
+        own = files;
+    }
+    Files others;
+    for (const auto& [camera, files] : cameras) {
+        if (camera != chosen) others.insert(others.end(), files.begin(), files.end());
+    }
+    constexpr std::size_t told = 8;
+    const std::size_t rest = names.size() - std::min(names.size(), told);
+    names.resize(names.size() - rest);
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
+                            "recording all the same",
+                            name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
+                            rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
+                {"join"});
+}
+
+void require_related(const Recording& recording) {
+    std::optional<Shape> first;
+    const std::string* first_path = nullptr;
+    bool first_is_told = false;
+    // One whose name tells the time stands for all of those.
+    std::vector<const Segment*> segments;
+    for (const Segment& segment : recording.segments) {
+        if (!segment.begin) segments.push_back(&segment);
+    }
+    if (segments.empty()) return;
+    const auto told = std::ranges::find_if(recording.segments, [](const Segment& s) { return s.begin.has_value(); });
+    if (told != recording.segments.end()) segments.insert(segments.begin(), &*told);
+    for (const Segment* segment : segments) {
+        const auto shape = shape_of(segment->path);
+        if (!shape) continue;
+        if (!first) {
+            first = shape;
+            first_path = &segment->path;
+            first_is_told = segment->begin.has_value();
+            continue;
+        }
+        if (are_alike(*first, *shape)) continue;
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
+                                "are one recording; give one, or join them",
+                                *first_path, text_of(*first), segment->path, text_of(*shape),
+                                first_is_told ? "no name tells of the second" : "no name tells of either",
+                                counted(std::ssize(recording.segments), "file")),
+                    {"join"});
+    }
+}
+
+}  // namespace vvr

@@ -1,0 +1,305 @@
+"""vvr cut of a recording of several files: the right footage, with its camera, day and time, or none."""
+
+import datetime
+import json
+import os
+import shutil
+
+from harness import check
+from test_cut import H264, KEYS, RATE, apart, bag, grey_frames, packets
+
+BEGIN = datetime.datetime(2026, 11, 21, 7, 59, 50)
+LAYOUT = "%Y-%m-%d/%H/gate/%M.%S"
+SECONDS = 3 * KEYS / RATE  # 4.8, of a file
+
+
+def segments(t, clip="bag.mp4", ending=".mp4", folder="day", layout=LAYOUT):
+    """The files that a recorder would have written, as Frigate names them."""
+    t.path("made").mkdir()
+    t.ffmpeg("-i", clip, "-c", "copy", "-f", "segment", "-segment_time", str(SECONDS - 0.5), "-reset_timestamps", "1", "made/%04d" + ending)
+    names = []
+    for number, file in enumerate(sorted(t.path("made").iterdir())):
+        at = BEGIN + datetime.timedelta(seconds=number * SECONDS)
+        names.append(f"{folder}/{at.strftime(layout)}{ending}")
+        t.path(names[-1]).parent.mkdir(parents=True, exist_ok=True)
+        file.rename(t.path(names[-1]))
+    t.path("made").rmdir()
+    check(len(names) == 4, f"{names}")
+    return names
+
+
+def pictures(t, *inputs):
+    """A hash of each frame."""
+    done = t.run(["ffmpeg", "-v", "error", *inputs, "-map", "0:v", "-fps_mode", "passthrough", "-f", "framemd5", "-"])
+    check(done.status == 0 and done.err == "", str(done))
+    return [line.split(",")[-1].strip() for line in done.out.splitlines() if not line.startswith("#")]
+
+
+def tags(t, name):
+    probe = t.run(["ffprobe", "-v", "error", "-show_entries", "format_tags", "-of", "json", name])
+    return {key.lower(): value for key, value in json.loads(probe.out)["format"].get("tags", {}).items()}
+
+
+def times(t, name):
+    return sorted(packet[0] for packet in packets(t, name))
+
+
+def report(t, *inputs):
+    t.vvr("render", *inputs, "--report", "r.json").expect(0)
+    return json.loads(t.path("r.json").read_text(encoding="utf-8"))
+
+
+def test_cut_joins_the_files_of_a_recording(t):
+    bag(t)
+    names = segments(t)
+    t.write("day/all.txt", "\n".join(name.removeprefix("day/") for name in names) + "\n")
+    whole = pictures(t, "-i", "bag.mp4")
+    for given in (["day"], names, ["day/*/*/gate"], ["day/*/*/*/*.mp4"], ["day/all.txt"]):
+        for ending in (".mp4", ".mkv"):
+            t.vvr("cut", *given, "--from", "3s", "--to", "12s", "-o", "piece" + ending).expect(
+                0, "frames copied, 1.600 s to ", "it begins with the key frame 1.400 s before the piece")
+            made = pictures(t, "-i", "piece" + ending)
+            check(300 - KEYS <= len(made) <= 303 - KEYS and made == whole[KEYS:KEYS + len(made)], f"{given}: {len(made)} other pictures")
+            apart = [b - a for a, b in zip(times(t, "piece" + ending), times(t, "piece" + ending)[1:])]
+            check(all(abs(seconds - 1 / RATE) < 0.002 for seconds in apart), f"{given}: {apart}")
+    sound = packets(t, "piece.mkv", "a")
+    known = {packet[2] for packet in packets(t, "bag.mp4", "a")}
+    check(all(packet[2] in known for packet in sound) and len(sound) > 10 / 1024 * 44100 * 0.98, "sound is missing")
+    # Exactly these frames: a second of the second and a second of the third file.
+    t.vvr("cut", "day", "--from", "8.6s", "--to", "10.6s", "--exact", "-o", "exact.mp4").expect(
+        0, "50 frames encoded anew without sound, 8.600 s to 10.560 s of 'day'")
+    check([round(at * RATE) for at in times(t, "exact.mp4")] == list(range(50)), f"{times(t, 'exact.mp4')}")
+
+
+def test_cut_keeps_gaps_and_says_them(t):
+    bag(t)
+    names = segments(t)
+    t.path(names[1]).unlink()
+    whole = pictures(t, "-i", "bag.mp4")
+    for ending, exact in ((".mp4", ()), (".mkv", ()), (".mp4", ("--exact",))):
+        # By their names the third file begins 9 s after the first: the names tell whole seconds.
+        t.vvr("cut", "day", "--from", "3.2s", "--to", "10s", "-o", "piece" + ending, *exact).expect(
+            0, "warning: 'day' has nothing from 4.800 s to 9.000 s")
+        shown = times(t, "piece" + ending)
+        gap = max(b - a for a, b in zip(shown, shown[1:]))
+        check(abs(gap - 4.2 - 1 / RATE) < 0.002, f"the gap lasts {gap}")
+        if not exact:
+            made = pictures(t, "-i", "piece" + ending)
+            wanted = whole[80:120] + whole[240:]
+            check(65 <= len(made) <= 68 and made == wanted[:len(made)], f"{len(made)} other pictures")
+
+
+def test_cut_of_files_that_overlap(t):
+    bag(t)
+    names = segments(t)
+    # The third file is the second one as well: it begins before that has ended.
+    t.ffmpeg("-i", "bag.mp4", "-ss", "4.8", "-t", "9.5", "-c", "copy", "long.mp4")
+    t.path("long.mp4").rename(t.path(names[1]))
+    t.vvr("cut", "day", "--from", "6s", "--to", "14s", "-o", "x.mp4").expect(
+        1, f"'{names[2]}' begins before the file before it ends, so a copy would show some time twice", "--exact")
+    t.vvr("cut", "day", "--from", "6s", "--to", "14s", "--exact", "-o", "x.mp4").expect(0, "6.000 s to 13.960 s of 'day'")
+    shown = times(t, "x.mp4")
+    check(all(b - a < 0.08 for a, b in zip(shown, shown[1:])), "there is a gap")
+
+
+def test_cut_refuses_to_join_what_differs(t):
+    bag(t)
+    names = segments(t)
+    t.ffmpeg("-i", names[1], "-vf", "scale=96:72", *H264, "-c:a", "copy", "small.mp4")
+    t.path("small.mp4").rename(t.path(names[1]))
+    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "-o", "x.mp4").expect(
+        1, f"'{names[1]}' can't be joined to the file before it as it is: it has h264 96x72, and that has h264 192x144", "--exact")
+    check(not t.path("x.mp4").exists(), "something was written")
+    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "--exact", "-o", "x.mp4").expect(0, "175 frames encoded")
+    check(t.picture_size("x.mp4") == (192, 144), f"{t.picture_size('x.mp4')}")
+    t.ffmpeg("-i", "bag.mp4", "-ss", "4.8", "-t", "4.8", "-c:v", "libx264", "-crf", "40", "-bf", "0", "-c:a", "copy", "other.mp4")
+    t.path("other.mp4").rename(t.path(names[1]))
+    t.vvr("cut", "day", "--from", "1s", "--to", "8s", "-o", "y.mp4").expect(1, "and that has h264 192x144 of other settings", "--exact")
+    t.vvr("cut", "day", "--from", "5f", "--to", "9s", "-o", "y.mp4").expect(
+        1, "--from 5 is a frame, and the frames of a recording of several files are not counted without decoding it")
+
+
+def test_cut_takes_an_event_of_a_recordings_report(t):
+    bag(t)
+    names = segments(t)
+    events = report(t, "day")["events"]
+    whole = pictures(t, "-i", "bag.mp4")
+    long = max(events, key=lambda event: event["seconds"])
+    number, first, last = str(long["number"]), long["first"]["frame"], long["last"]["frame"]
+    needed = names[names.index(long["first"]["file"]):names.index(long["last"]["file"]) + 1]
+    check(len(needed) > 1, f"the event lies in {needed}")
+    t.vvr("cut", "day", "--event", number, "--report", "r.json", "-o", "a.mp4").expect(0, "frames copied")
+    made = pictures(t, "-i", "a.mp4")
+    begin = first // KEYS * KEYS
+    check(made == whole[begin:begin + len(made)] and last + 1 <= begin + len(made) <= last + 5, f"{len(made)} frames for {first}..{last}")
+    # Found anew, or out of those files alone, whatever they are called: the same pictures.
+    t.vvr("cut", "day", "--event", number, "-o", "b.mp4").expect(0, "frames copied")
+    check(pictures(t, "-i", "b.mp4") == made, "a search finds another piece")
+    t.path("other").mkdir()
+    for i, name in enumerate(needed):
+        shutil.copy(t.path(name), t.path(f"other/{i}.mp4"))
+    t.vvr("cut", "other", "--event", number, "--report", "r.json", "-o", "c.mp4").expect(0, "frames copied")
+    check(pictures(t, "-i", "c.mp4") == made, "files of other names make another piece")
+    # One of them is not enough, and the right ones are named.
+    quoted = "', '".join(needed)
+    t.vvr("cut", needed[0], "--event", number, "--report", "r.json", "-o", "d.mp4").expect(
+        1, f"event {number} of report 'r.json' lies in '{quoted}'; by size and digest '", f"not among what was given, '{needed[0]}'",
+        "give all of these files, or a report of what was given")
+    check(not t.path("d.mp4").exists(), "something was written")
+
+
+def test_cut_of_one_file_by_a_recordings_report_is_at_the_right_place(t):
+    """Times of a report are those of the recording; of a file they are others."""
+    bag(t)
+    names = segments(t)
+    told = report(t, "day")
+    inside = [event for event in told["events"] if event["first"]["file"] == event["last"]["file"] != names[0]]
+    if not inside:  # an event that ends in the file in which it began
+        event = told["events"][-1]
+        last = event["last"]
+        event["first"] = last | {"seconds": last["seconds"] - 0.2, "frame": last["frame"] - RATE // 5, "offset": last["offset"] - 0.2}
+        t.write("r.json", json.dumps(told))
+        inside = [event]
+    event = inside[0]
+    place = names.index(event["first"]["file"])
+    whole = pictures(t, "-i", "bag.mp4")
+    first, last = event["first"]["frame"], event["last"]["frame"]
+    t.vvr("cut", names[place], "--event", str(event["number"]), "--report", "r.json", "-o", "a.mp4").expect(0, "frames copied")
+    made = pictures(t, "-i", "a.mp4")
+    begin = first // KEYS * KEYS
+    check(made == whole[begin:begin + len(made)] and last < begin + len(made), f"other pictures than {first}..{last}")
+    t.vvr("cut", names[place - 1], "--event", str(event["number"]), "--report", "r.json", "-o", "b.mp4").expect(
+        1, f"lies in '{names[place]}'; by size and digest that file is not among what was given, '{names[place - 1]}': give that file, or")
+    check(not t.path("b.mp4").exists(), "something was written")
+
+
+def test_cut_refuses_a_report_of_another_file(t):
+    bag(t)
+    t.ffmpeg("-i", "bag.mp4", "-c:v", "libx264", "-crf", "30", "-c:a", "copy", "other.mp4")
+    report(t, "bag.mp4")
+    cut = lambda name: t.vvr("cut", name, "--event", "1", "--report", "r.json", "-o", "x.mp4")
+    cut("other.mp4").expect(
+        1, "vvr: event 1 of report 'r.json' lies in 'bag.mp4'; by size and digest that file is not among what was given, 'other.mp4'")
+    t.path("moved").mkdir()
+    # The name is the same, and a byte of the middle is not: so is the size. Its ends are.
+    shutil.copy(t.path("bag.mp4"), t.path("moved/bag.mp4"))
+    with open(t.path("moved/bag.mp4"), "r+b") as file:
+        file.seek(1000)
+        file.write(b"\x5a\xa5")
+    cut("moved/bag.mp4").expect(1, "by size and digest that file is not among what was given")
+    check(not t.path("x.mp4").exists(), "something was written")
+    shutil.copy(t.path("bag.mp4"), t.path("moved/renamed.mp4"))
+    cut("moved/renamed.mp4").expect(0, "frames copied")
+    old = json.loads(t.path("r.json").read_text())
+    del old["input"]["digest"]
+    t.write("r.json", json.dumps(old))
+    cut("bag.mp4").expect(1, "does not tell its files' sizes and digests: an older vvr made it, or it is about no file")
+
+
+def test_report_has_the_digests_that_the_docs_describe(t):
+    import hashlib
+    bag(t)
+    names = segments(t)
+    end = 64 * 1024
+    for reported, name in [(report(t, "bag.mp4")["input"], "bag.mp4")] + list(zip(report(t, "day")["segments"], names)):
+        data = t.path(name).read_bytes()
+        sampled = data if len(data) <= 2 * end else data[:end] + data[-end:]
+        check(reported["bytes"] == len(data) and reported["digest"] == hashlib.sha256(sampled).hexdigest(), f"{name}: {reported}")
+    check(report(t, "day")["input"]["digest"] is None, "a folder has a digest")
+
+
+def test_cut_keeps_camera_date_and_time(t):
+    bag(t)
+    names = segments(t)
+    zone = {"env": os.environ | {"TZ": "Europe/Berlin"}}  # Frigate's names are in UTC
+    for ending in (".mp4", ".mkv", ".mov"):
+        t.vvr("cut", "day", "--from", "8s", "--to", "12s", "-o", "a" + ending, **zone).expect(
+            0, "frames copied, 8.000 s to ", "of 'day', which is 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0")
+        told = tags(t, "a" + ending)
+        check(told["creation_time"].startswith("2026-11-21T07:59:58"), f"{ending}: {told}")
+        check(told["title"] == "gate" and told["comment"].startswith("gate; 2026-11-21T08:59:58+01:00 to 2026-11-21T09:00:0"), f"{ending}: {told}")
+        check("cut by vvr from 59.54.mp4, 59.59.mp4" in told["comment"], f"{ending}: {told}")
+    t.vvr("cut", names[1], "--from", "1.6s", "--to", "2s", "--exact", "-o", "b.mp4", **zone).expect(0, "which is 2026-11-21T08:59:55+01:00 to")
+    check(tags(t, "b.mp4")["creation_time"].startswith("2026-11-21T07:59:55"), f"{tags(t, 'b.mp4')}")
+    # Who knows better says so.
+    t.vvr("cut", "bag.mp4", "--from", "8s", "--start-time", "2026-06-01 12:00:00", "-o", "c.mkv", **zone).expect(
+        0, "which is 2026-06-01T12:00:08 to ")
+    check(tags(t, "c.mkv")["creation_time"].startswith("2026-06-01T10:00:08"), f"{tags(t, 'c.mkv')}")
+    t.vvr("cut", "day", "--from", "8s", "--start-time", "none", "-o", "d.mkv").expect(0)
+    check("creation_time" not in tags(t, "d.mkv") and tags(t, "d.mkv")["title"] == "gate", f"{tags(t, 'd.mkv')}")
+    shutil.copy(t.path("bag.mp4"), t.path("till__20261121_0930.mp4"))
+    t.vvr("cut", "till__20261121_0930.mp4", "--names", "{camera}__%Y%m%d_%H%M", "--from", "8s", "-o", "e.mp4", **zone).expect(
+        0, "which is 2026-11-21T09:30:08+01:00")
+    check(tags(t, "e.mp4")["title"] == "till" and tags(t, "e.mp4")["creation_time"].startswith("2026-11-21T08:30:08"), f"{tags(t, 'e.mp4')}")
+    t.vvr("cut", "bag.mp4", "--from", "8s", "-o", "f.mp4").expect(0)
+    check("creation_time" not in tags(t, "f.mp4") and "title" not in tags(t, "f.mp4"), "a time or a camera that nobody told")
+
+
+def test_cut_of_an_avi_keeps_the_day(t):
+    t.clip("gate_2026-11-21_07-12-00.avi", seconds=4)
+    t.vvr("cut", "gate_2026-11-21_07-12-00.avi", "--names", "{camera}_%Y-%m-%d_%H-%M-%S", "--from", "2s", "-o", "x.avi",
+          env=os.environ | {"TZ": "UTC"}).expect(0, "which is 2026-11-21T07:12:02+00:00")
+    check("2026-11-21T07:12:02" in json.dumps(tags(t, "x.avi")), f"{tags(t, 'x.avi')}")
+
+
+def test_cut_chooses_the_ending(t):
+    bag(t)
+    t.clip("old.avi", codec=("-c:v", "msmpeg4"))
+    cut = lambda name, to, *more: t.vvr("cut", name, "--from", "1s", "-o", to, *more)
+    cut("old.avi", "x.mp4").expect(1, ".mp4 can't hold video (msmpeg4v3); choose ", ".avi")
+    cut("old.avi", "x").expect(0, "'x.avi': ")
+    cut("old.avi", "y", "--exact").expect(0, "'y.mp4': ")
+    cut("bag.mp4", "x").expect(0, "'x.mp4': ")
+    t.path("to").mkdir()
+    cut("old.avi", "to").expect(0, "'to/old-1.000s.avi': ")
+    t.vvr("cut", "bag.mp4", "--event", "1", "-o", "to/").expect(0, "'to/bag-event-1.mp4': ")
+    cut("old.avi", "none/").expect(2, "there is no folder 'none'")
+    t.expect_files("bag.mp4", "old.avi", "to", "to/bag-event-1.mp4", "to/old-1.000s.avi", "x.avi", "x.mp4", "y.mp4")
+
+
+def test_cut_never_writes_what_shows_something_else(t):
+    """What a container can't tell of a codec is found out before the piece has its name."""
+    t.clip("anim.mov", codec=("-c:v", "qtrle"))
+    t.clip("alpha.mov", codec=("-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuva444p10le"))
+    t.clip("flags.avi", size="176x144", codec=("-c:v", "h263", "-g", "8"))
+    for clip in ("anim.mov", "alpha.mov", "flags.avi"):
+        whole = pictures(t, "-i", clip)
+        for ending in (".mov", ".mkv", ".avi"):
+            done = t.vvr("cut", clip, "--from", "0.7s", "--to", "1.6s", "-o", "x" + ending)
+            if done.status == 0:
+                made = pictures(t, "-i", "x" + ending)
+                begin = whole.index(made[0])
+                check(begin <= 7 and begin + len(made) >= 16 and made == whole[begin:begin + len(made)], f"{done}\n{clip} {ending}: other pictures")
+                t.path("x" + ending).unlink()
+            else:
+                check(done.status in (1, 3) and "exactly" in done.err and not t.path("x" + ending).exists(), str(done))
+        t.vvr("cut", clip, "--from", "0.7s", "--to", "1.6s", "--exact", "-o", "exact.mp4").expect(0, "9 frames encoded")
+
+
+def test_cut_exactly_where_each_packet_says_that_it_is_a_key_frame(t):
+    t.clip("flags.avi", seconds=6, size="176x144", codec=("-c:v", "h263", "-g", "60"))
+    check({packet[1] for packet in packets(t, "flags.avi")} == {"K"}, "the flags are right, so this shows nothing")
+    t.vvr("cut", "flags.avi", "--from", "4s", "--to", "5s", "-o", "x.avi").expect(
+        3, "'x.avi' would not show what 'flags.avi' does: from 4.000 s on, where a key frame should be, other pictures come out", "--exact")
+    t.vvr("cut", "flags.avi", "--from", "4s", "--to", "5s", "--exact", "-o", "x.mp4").expect(0, "10 frames encoded")
+    worst = max(apart(a, b) for a, b in zip(grey_frames(t, "x.mp4"), grey_frames(t, "flags.avi")[40:50]))
+    check(worst <= 6, f"a frame is off by {worst} grey levels")
+
+
+def test_cut_by_the_clock_on_the_wall(t):
+    bag(t)
+    segments(t)
+    zone = {"env": os.environ | {"TZ": "UTC"}}
+    whole = pictures(t, "-i", "bag.mp4")
+    for first, last in (("2026-11-21 07:59:58", "2026-11-21 08:00:02"), ("@07:59:58", "@08:00:02")):
+        t.vvr("cut", "day", "--from", first, "--to", last, "-o", "a.mkv", **zone).expect(
+            0, "100 frames copied, 8.000 s to 11.960 s of 'day', which is 2026-11-21T07:59:58+00:00 to 2026-11-21T08:00:01+00:00")
+        check(pictures(t, "-i", "a.mkv") == whole[200:300], "other pictures")
+    t.vvr("cut", "bag.mp4", "--from", "@08:00", "-o", "b.mkv").expect(
+        1, "from @08:00: nothing tells at which time of day 'bag.mp4' was recorded; say when it begins with --start-time")
+    t.vvr("cut", "bag.mp4", "--from", "@08:00:02", "--start-time", "2026-11-21 08:00:00", "--exact", "-o", "c.mp4").expect(
+        0, "350 frames encoded anew without sound, 2.000 s to 15.960 s")
+    t.vvr("cut", "day", "--from", "2026-11-21 07:00", "--to", "@08:00:02", "-o", "d.mkv", **zone).expect(
+        0, "warning: 'day' begins at 2026-11-21T07:59:50+00:00, after the piece was to begin", "0.000 s to ")
+    # An offset stays one, and the log says which time of day that is.
+    t.vvr("cut", "day", "--from", "00:00:08", "-o", "e.mkv", **zone).expect(0, "which is 2026-11-21T07:59:58+00:00 to ")

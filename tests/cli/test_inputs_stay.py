@@ -1,0 +1,94 @@
+"""What is read is never written: by each output, the log too, under whatever name."""
+
+import os
+import shutil
+
+from harness import check
+
+SMALL = ("--size", "160x100", "--backend", "software", "--quiet")
+
+
+class Kept:
+    """Refuses each command that would write over `name`, whose bytes stay."""
+
+    def __init__(self, t, name):
+        self.t, self.name = t, name
+        self.bytes = t.path(name).read_bytes()
+
+    def refuses(self, *command, read=None):
+        run = self.t.vvr(*command, stdin=None if read is None else open(self.t.path(read), "rb"))
+        run.expect(1, "would replace what is read")
+        check(self.t.path(self.name).read_bytes() == self.bytes, f"{self.name} has changed: {run}")
+
+
+def test_a_log_is_no_input(t):
+    """A log is opened before anything else, and only ever added to."""
+    t.clip("clip.avi", seconds=1)
+    os.link(t.path("clip.avi"), t.path("log.txt"))
+    os.symlink("clip.avi", t.path("link.txt"))
+    clip = Kept(t, "clip.avi")
+    for log in ("clip.avi", "log.txt", "link.txt"):
+        for command in (("render", "clip.avi", "-o", "out.png", *SMALL), ("info", "clip.avi"), ("extract", "clip.avi", "-o", "data"),
+                        ("cut", "clip.avi", "--from", "0s", "-o", "out.avi"), ("inspect", "clip.avi", "--frame", "1f", "-o", "out.png"),
+                        ("watch", "clip.avi", "-o", "out.png"), ("compare", "clip.avi", "clip.avi"), ("archive", ".", "-o", "out")):
+            clip.refuses(*command, "--log-file", log)
+    clip.refuses("render", "-", "-o", "out.png", "--log-file", "log.txt", read="clip.avi")
+    t.write("vvr.toml", "quiet = true\n")
+    Kept(t, "vvr.toml").refuses("info", "clip.avi", "--config", "vvr.toml", "--log-file", "vvr.toml")
+    t.expect_files("clip.avi", "link.txt", "log.txt", "vvr.toml")
+
+
+def test_a_file_of_a_recording_is_no_output(t):
+    """In a folder below, of a pattern, of a list, and by a link."""
+    t.path("day/sub").mkdir(parents=True)
+    t.clip("day/2026-11-21_10-00-03.avi", seconds=1)
+    shutil.copy(t.path("day/2026-11-21_10-00-03.avi"), t.path("day/sub/2026-11-21_10-00-00.avi"))
+    deep = "day/sub/2026-11-21_10-00-00.avi"
+    os.link(t.path(deep), t.path("hard.png"))
+    t.write("list.txt", deep + "\n")
+    segment = Kept(t, deep)
+    for given in ("day", "day/*/*.avi", "day/*", "list.txt"):
+        for outputs in (("--report", deep), ("-o", "hard.png"), ("-o", "out.png", "--thumbnail", "hard.png"),
+                        ("-o", "out.png", "--log-file", deep)):
+            segment.refuses("render", given, *outputs, *SMALL)
+    listed = Kept(t, "list.txt")
+    listed.refuses("render", "list.txt", "--report", "list.txt", *SMALL)
+    # What lies in the folder and is not read may be written, as often as one likes.
+    for _ in range(2):
+        t.vvr("render", "day/sub", "--report", "day/sub/report.json", *SMALL).expect(0)
+
+
+def test_a_picture_of_a_pattern_is_no_output(t):
+    t.path("f").mkdir()
+    t.ffmpeg("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=0.5", "f/%03d.png")
+    picture = Kept(t, "f/003.png")
+    for given in ("f/%03d.png", "f/*.png", "f"):
+        for output in ("f/003.png", "f/{brick:3}.png", "f/###.png", "f/%03d.png"):
+            picture.refuses("render", given, "-o", output, *SMALL)
+    picture.refuses("compare", "f/003.png", "f/001.png", "--diff", "f/003.png")
+
+
+def test_what_options_read_is_no_output(t):
+    """Seeds, one list or a folder of them, transfer functions, masks, fonts, golden pictures and data folders."""
+    t.clip("clip.avi", seconds=1)
+    t.vvr("extract", "clip.avi", "-o", "data", "--quiet").expect(0)
+    t.write("points.txt", "0 0 0 0 0\n255 1 1 1 1\n")
+    t.write("area.txt", "0,0 60,0 60,40\n")
+    seeds, scalar = "data/seeds/000002.txt", "data/scalar/000002.png"
+    for name, command in (
+            (seeds, ("render", "clip.avi", "--seeds", "data/seeds", "--report", seeds)),
+            (seeds, ("render", "clip.avi", "--seeds", seeds, "--log-file", seeds)),
+            ("points.txt", ("render", "clip.avi", "--transfer", "points.txt", "--report", "points.txt")),
+            ("area.txt", ("render", "clip.avi", "--mask", "area.txt", "--log-file", "area.txt")),
+            (scalar, ("render", "data", "-o", scalar)),
+            ("data/manifest.json", ("render", "data", "--report", "data/manifest.json")),
+            (seeds, ("seeds", "data", "-o", "lists", "--log-file", seeds)),
+            ("data/first.png", ("render", "clip.avi", "-o", "data/first.png", "--golden", "data/first.png")),
+            # An older extraction is replaced as a whole, so nothing of it can be what is extracted.
+            (scalar, ("extract", "data/scalar", "-o", "data"))):
+        Kept(t, name).refuses(*command)
+    # A picture is blessed as golden in the place of the old one.
+    t.vvr("render", "clip.avi", "--golden", "golden.png", "--bless", *SMALL).expect(0)
+    t.vvr("render", "clip.avi", "--golden", "golden.png", "--bless", *SMALL).expect(0)
+    os.link(t.path("clip.avi"), t.path("clip.png"))
+    Kept(t, "clip.avi").refuses("render", "clip.avi", "--golden", "clip.png", "--bless", *SMALL)

@@ -1,0 +1,111 @@
+"""Settings that files record are those that were used, and can be given back: the same picture, byte for byte."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+from harness import check
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts" / "manual"))
+from command_help import parse  # noqa: E402
+
+FILES = ("font",)  # are recorded without their folders
+
+
+def values_of(option):
+    """What `vvr render --help` lists for an option."""
+    text = subprocess.run([os.environ["VVR"], "render", "--help"], stdout=subprocess.PIPE, check=True, encoding="utf-8",
+                          env=os.environ | {"COLUMNS": "100"}).stdout
+    return [name for found in parse("render", text).options() if found.name == option for name, _ in found.values]
+
+
+def given_back(t, clip, *options):
+    """The settings of a report, once the picture that they give is found to be the same."""
+    t.render(clip, *options, "--report", "report.json", output="a.png").expect(0)
+    settings = json.loads(t.path("report.json").read_text())["settings"]
+    back = [f"--{name}={value}" for name, value in settings.items() if name not in FILES]
+    t.vvr("render", clip, "-o", "b.png", *back, "--report", "again.json").expect(0)
+    again = json.loads(t.path("again.json").read_text())["settings"]
+    check(again == settings, f"{settings}\nbecame\n{again}")
+    check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), f"{back} draws something else")
+    return settings
+
+
+def test_settings_of_each_filter_can_be_given_back(t):
+    t.clip()
+    names = values_of("filter")
+    check(len(names) >= 10, f"{names}")
+    for name in names:
+        settings = given_back(t, "clip.avi", "--filter", name)
+        check(settings["threshold"].isdigit(), f"{name}: {settings}")
+        check(settings["transfer"] in values_of("transfer"), f"{name}: {settings}")
+
+
+def test_settings_of_each_solver_can_be_given_back(t):
+    t.clip()
+    names = values_of("solver")
+    check(len(names) >= 3, f"{names}")
+    seen = set()
+    for name in names:
+        settings = given_back(t, "clip.avi", "--solver", name, "--show", "volume,arrows")
+        numbers = tuple(float(settings[one]) for one in ("alpha", "iterations", "pre-smooth"))
+        seen.add(numbers)
+    check(len(seen) == len(names), f"each solver has its own numbers: {seen}")
+
+
+@pytest.mark.parametrize("options", [
+    ("--brick", "5f"), ("--skip-idle", "1s"), ("--preset", "paper"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"),
+    ("--color", "signed", "--filter", "edges"), ("--transfer", "heat"), ("--flow", "none"), ("--field-size", "32x24", "--step", "2"),
+    ("--start", "3f", "--end", "1.5s"), ("--slices", "40", "--height", "0.4", "--slice-view", "0,46")])
+def test_settings_of_other_options_can_be_given_back(t, options):
+    t.clip()
+    given_back(t, "clip.avi", *options)
+
+
+def test_settings_of_extractions_are_numbers(t):
+    t.clip()
+    t.vvr("extract", "clip.avi", "-o", "data", "--filter", "temporal", "--solver", "jacobi").expect(0)
+    settings = json.loads(t.path("data/manifest.json").read_text())["settings"]
+    check((settings["threshold"], settings["alpha"], settings["iterations"]) == ("16", "10", "60"), f"{settings}")
+    # What was used may be said again, and nothing else.
+    t.render("data", "--threshold", "16", "--alpha", "10").expect(0)
+    t.render("data", "--threshold", "17").expect(1, "--threshold 17: 'data' was extracted with 16; leave it out, or run `vvr extract` with it")
+
+
+def test_presets_set_what_a_command_has(t):
+    t.clip()
+    t.vvr("extract", "clip.avi", "-o", "usual").expect(0)
+    t.vvr("extract", "clip.avi", "-o", "data", "--preset", "paper").expect(0)
+    settings = json.loads(t.path("data/manifest.json").read_text())["settings"]
+    check((settings["solver"], settings["illumination"]) == ("jacobi", "none") and "preset" not in settings, f"{settings}")
+    look = ("--preset", "paper", "--title", "Hall")
+    t.render("clip.avi", *look, output="clip.png").expect(0)
+    t.render("data", *look, output="data.png").expect(0)
+    check(t.rgb("clip.png") == t.rgb("data.png"), "data of the preset give another picture")
+    # One error, of all that is not so.
+    said = t.render("usual", *look).expect(1, "'usual' was extracted with other settings than are asked for: illumination none (not global)",
+                                           "solver jacobi (not pyramid)", "`vvr extract --preset paper` with them")
+    check("there is no option" not in said.err, str(said))
+    for command in (("inspect", "clip.avi", "-o", "frame.png"), ("cut", "clip.avi", "-o", "cut.avi", "--from", "0.5s")):
+        t.vvr(*command, "--preset", "paper").expect(0)
+    said = t.vvr("config", "render", "--preset", "paper").expect(0, out=None).out
+    for line in ("solver               jacobi (preset paper)", "preset               paper (preset paper)",
+                 "filter               difference (default)"):
+        check(line in said, said)
+    t.vvr("config", "--preset", "paper").expect(1, "--preset: name the COMMAND")
+
+
+def test_presets_of_config_files(t):
+    """The file wins over its preset, and the command line over both."""
+    t.clip()
+    t.write("vvr.toml", 'preset = "paper"\nfov = 20\nbackground = "none"\n')
+    t.render("clip.avi", "--config", "vvr.toml", "--report", "r.json").expect(0)
+    settings = json.loads(t.path("r.json").read_text())["settings"]
+    found = [settings[name] for name in ("preset", "solver", "fov", "background")]
+    check(found == ["paper", "jacobi", "20", "none"], f"{settings}")
+    t.render("clip.avi", "--config", "vvr.toml", "--solver", "pyramid", "--report", "r.json").expect(0)
+    settings = json.loads(t.path("r.json").read_text())["settings"]
+    check((settings["solver"], settings["shadows"]) == ("pyramid", "keep"), f"{settings}")

@@ -1,0 +1,48 @@
+"""Checks that a name has one meaning: meanings.py [ROOT] prints what breaks the rule.
+
+No two types have one qualified name. Two such types make two programs of one: the linker keeps the inline functions of one
+of them and drops the other's, and nobody is told. What is in an unnamed namespace belongs to its file alone.
+"""
+
+import collections
+import pathlib
+import re
+import sys
+
+NAMESPACE = re.compile(r"^(?:inline )?namespace ([\w:]+) \{")
+TYPE = re.compile(r"^(?:struct|class|enum class|union) (\w+)(?: final)?(?: ?:(?!:)[^;{]*)?(?: \{|$)")
+
+
+def sources(root):
+    for floor in ("core", "gl", "cli"):
+        for file in sorted((root / floor).rglob("*")):
+            if file.suffix in (".h", ".cpp"):
+                yield file.relative_to(root)
+
+
+def types_of(root, file):
+    """The qualified names of the types that a file declares at its first column, each with its line."""
+    spaces = []  # None = unnamed
+    for number, line in enumerate((root / file).read_text(encoding="utf-8").splitlines(), 1):
+        if found := NAMESPACE.match(line):
+            spaces.append(found[1])
+        elif line.startswith("namespace {"):
+            spaces.append(None)
+        elif line.startswith("}  // namespace") and spaces:
+            spaces.pop()
+        elif spaces and None not in spaces and (found := TYPE.match(line)):
+            yield f"{'::'.join(spaces)}::{found[1]}", number
+
+
+def complaints(root):
+    root = pathlib.Path(root)
+    places = collections.defaultdict(list)
+    for file in sources(root):
+        for name, line in types_of(root, file):
+            places[name].append(f"{file}:{line}")
+    return [f"{name} is {len(found)} types: {', '.join(found)}" for name, found in sorted(places.items()) if len(found) > 1]
+
+
+if __name__ == "__main__":
+    said = complaints(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2])
+    sys.exit("\n".join(said) if said else 0)

@@ -1,0 +1,42 @@
+"""Each type of the sources has a name of its own, and a second one of that name is found."""
+
+import pathlib
+
+import pytest
+from meanings import complaints
+
+TREE = {
+    "core/plane.h": "namespace vvr {\nstruct Size {\n};\n}  // namespace vvr\n",
+    "core/video/clock.h": "namespace vvr::video {\nclass Clock {\n};\n}  // namespace vvr::video\n",
+    "core/scene/clock.cpp": "namespace vvr::scene {\nclass Clock {\n};\nnamespace {\nstruct Size {\n};\n}  // namespace\n}  // namespace vvr::scene\n",
+    "gl/size.cpp": "namespace vvr {\nnamespace {\nstruct Size {\n};\n}  // namespace\nstruct Owner::Size {\n};\n}  // namespace vvr\n",
+    "gl/context.h": "namespace vvr::gl {\nclass Size;\nclass Context final : public Owner {\n};\n}  // namespace vvr::gl\n",
+}
+
+
+def tree(folder, changed):
+    for name, text in {**TREE, **changed}.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    return complaints(folder)
+
+
+def test_the_sources():
+    assert complaints(pathlib.Path(__file__).parents[2]) == []
+
+
+def test_a_tree_in_which_each_name_has_one_meaning(tmp_path):
+    assert tree(tmp_path, {}) == []
+
+
+@pytest.mark.parametrize(("file", "text", "said"), [
+    ("core/video/time.h", "namespace vvr::video {\nstruct Clock {\n};\n}  // namespace vvr::video\n",
+     "vvr::video::Clock is 2 types: core/video/clock.h:2, core/video/time.h:2"),
+    ("gl/state.cpp", "namespace vvr::gl {\n\nenum class Context {\n};\n}  // namespace vvr::gl\n",
+     "vvr::gl::Context is 2 types: gl/context.h:3, gl/state.cpp:3"),
+    ("core/video/frame.cpp", "namespace vvr {\nnamespace {\n}  // namespace\n\nclass Size final : public Base {\n};\n}  // namespace vvr\n",
+     "vvr::Size is 2 types: core/plane.h:2, core/video/frame.cpp:5"),
+])
+def test_a_second_meaning(tmp_path, file, text, said):
+    assert tree(tmp_path, {file: text}) == [said]

@@ -1,0 +1,73 @@
+#include "core/events/way.h"
+
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace vvr {
+namespace {
+
+/// Where a simplified way has an object at a time.
+std::pair<double, double> place_at(const std::vector<WayPoint>& way, int time) {
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const WayPoint& a = way[k - 1];
+        const WayPoint& b = way[k];
+        if (time > b.time) continue;
+        const double share = static_cast<double>(time - a.time) / (b.time - a.time);
+        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    }
+    return {way.back().x, way.back().y};
+}
+
+TEST(Way, KeepsEveryMomentsPlaceWithinTheTolerance) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> step(0, 9);
+    for (int round = 0; round < 50; ++round) {
+        std::vector<WayPoint> way;
+        double x = 500;
+        double y = 500;
+        for (int time = 0; time < 300; time += 5) {
+            way.push_back({time, static_cast<int>(x), static_cast<int>(y)});
+            x += step(random);
+            y += step(random);
+        }
+        const std::vector<WayPoint> few = simplified(way, 12);
+        EXPECT_LT(few.size(), way.size());
+        EXPECT_EQ(few.front(), way.front());
+        EXPECT_EQ(few.back(), way.back());
+        for (const WayPoint& point : way) {
+            const auto [there, down] = place_at(few, point.time);
+            EXPECT_LE(std::hypot(there - point.x, down - point.y), 12 + 1e-9);
+        }
+    }
+}
+
+TEST(Way, KeepsAStayAndAStraightWayInFewPoints) {
+    std::vector<WayPoint> way;
+    for (int k = 0; k <= 100; ++k) way.push_back({k, k < 50 ? 10 * k : 500, 100});
+    const std::vector<WayPoint> few = simplified(way, 2);
+    EXPECT_EQ(few, (std::vector<WayPoint>{{0, 0, 100}, {50, 500, 100}, {100, 500, 100}}));
+    EXPECT_EQ(simplified({}, 2).size(), 0U);
+    EXPECT_EQ(simplified(std::vector<WayPoint>{{1, 2, 3}}, 2).size(), 1U);
+    const std::vector<WayPoint> one_time{{5, 0, 0}, {5, 900, 0}, {5, 0, 0}};
+    EXPECT_EQ(simplified(one_time, 2).size(), 3U);
+}
+
+TEST(Way, IsAsExactAsAReport) {
+    // Pages know more digits than reports, and have the same ways.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(0, 1000);
+    const auto told = [](double value) { return std::round(value * 1000) / 1000; };
+    for (int k = 0; k < 10'000; ++k) {
+        const glm::dvec2 place(anywhere(random), anywhere(random));
+        const double seconds = anywhere(random);
+        EXPECT_EQ(way_point(seconds, place, {768, 576}),
+                  way_point(told(seconds), {told(place.x), told(place.y)}, {768, 576}));
+    }
+    EXPECT_EQ(way_point(1.25, {191.5, 287.5}, {768, 576}), (WayPoint{13, 250, 500}));
+}
+
+}  // namespace
+}  // namespace vvr
