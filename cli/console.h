@@ -7,7 +7,7 @@
 
 #include "cli/environment.h"
 #include "cli/progress.h"
-#include "cli/render/observer.h"
+#include "cli/app/observer.h"
 
 namespace vvr {
 

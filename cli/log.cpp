@@ -9,8 +9,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 
 #include "cli/log_file.h"
-#include "core/json_text.h"
-#include "core/shown_text.h"
+#include "core/base/json_text.h"
+#include "core/base/shown_text.h"
 
 namespace vvr {
 

@@ -8,7 +8,7 @@
 #include "cli/report_errors.h"
 #include "cli/signals.h"
 #include "cli/workers/worker_begin.h"
-#include "core/machine_memory.h"
+#include "core/base/machine_memory.h"
 #include "gl/shader_cache.h"
 
 int main(int argc, char** argv) {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/standard_output.h"
+#include "core/base/standard_output.h"
 
 namespace vvr {
 

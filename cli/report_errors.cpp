@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "core/out_of_memory.h"
+#include "core/base/out_of_memory.h"
 
 namespace vvr {
 

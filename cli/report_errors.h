@@ -6,7 +6,7 @@
 #include <spdlog/logger.h>
 
 #include "cli/exit_status.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -8,7 +8,7 @@ extern "C" {
 #include <libavutil/ffversion.h>
 }
 
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace vvr {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/bricks/brick_layers.h"
-#include "core/pixel_box.h"
+#include "core/base/pixel_box.h"
 #include "gl/objects.h"
 
 namespace vvr {

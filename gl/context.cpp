@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/choice.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
 #include "gl/backend.h"
 #include "gl/memory.h"
 

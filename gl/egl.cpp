@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.h"
-#include "core/loading.h"
+#include "core/base/error.h"
+#include "core/base/loading.h"
 #include "gl/backend.h"
 #include "gl/library.h"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "gl/check.h"
 #include "gl/memory.h"
 #include "gl/program_sources.h"

@@ -6,8 +6,8 @@
 
 #include <glm/glm.hpp>
 
-#include "core/pixel_box.h"
-#include "core/plane.h"
+#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 

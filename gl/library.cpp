@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.h"
-#include "core/loading.h"
+#include "core/base/error.h"
+#include "core/base/loading.h"
 
 namespace vvr {
 

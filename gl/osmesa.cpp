@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/error.h"
-#include "core/loading.h"
+#include "core/base/error.h"
+#include "core/base/loading.h"
 #include "gl/backend.h"
 #include "gl/library.h"
 

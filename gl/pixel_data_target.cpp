@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "gl/check.h"
 #include "gl/framebuffer.h"
 #include "gl/memory.h"

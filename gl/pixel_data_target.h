@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "gl/program.h"
 
 namespace vvr {

@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "core/space/camera.h"
 #include "gl/volume_look.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "gl/objects.h"
 
 namespace vvr {

@@ -11,11 +11,11 @@
 
 #include "cli/commands/command.h"
 #include "cli/options/job_options.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/settings.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
 #include "core/archive/names.h"
-#include "core/read_file.h"
-#include "core/sha256.h"
+#include "core/base/read_file.h"
+#include "core/base/sha256.h"
 #include "gl/context.h"
 
 namespace vvr {

@@ -11,8 +11,8 @@
 #include "cli/options/talk.h"
 #include "cli/print.h"
 #include "cli/versions.h"
-#include "core/error.h"
-#include "core/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 
 namespace vvr {
 

@@ -7,11 +7,11 @@
 #include "cli/console.h"
 #include "cli/options/output.h"
 #include "cli/print.h"
-#include "cli/render/show_comparison.h"
-#include "core/error.h"
+#include "cli/app/show_comparison.h"
+#include "core/base/error.h"
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
-#include "core/json_text.h"
+#include "core/base/json_text.h"
 
 namespace vvr {
 

@@ -6,8 +6,8 @@
 #include "cli/options/presets.h"
 #include "cli/options/talk.h"
 #include "cli/print.h"
-#include "core/error.h"
-#include "core/shown_text.h"
+#include "core/base/error.h"
+#include "core/base/shown_text.h"
 
 namespace vvr {
 

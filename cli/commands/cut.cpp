@@ -1,4 +1,4 @@
-#include "cli/render/cut.h"
+#include "cli/app/cut.h"
 
 #include <chrono>
 #include <optional>
@@ -14,10 +14,10 @@
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/settings.h"
-#include "core/choice.h"
-#include "core/error.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
 #include "core/video/container.h"
 
 namespace vvr {

@@ -8,8 +8,8 @@
 #include "cli/print.h"
 #include "cli/versions.h"
 #include "core/image/text.h"
-#include "core/json_text.h"
-#include "core/version.h"
+#include "core/base/json_text.h"
+#include "core/base/version.h"
 #include "gl/context.h"
 
 namespace vvr {

@@ -1,12 +1,12 @@
-#include "cli/render/extract.h"
+#include "cli/app/extract.h"
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/settings.h"
-#include "core/error.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -4,14 +4,14 @@
 #include "cli/commands/command.h"
 #include "cli/options/job_options.h"
 #include "cli/print.h"
-#include "cli/render/clip_list.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/plan.h"
-#include "core/clock_source.h"
-#include "core/json_text.h"
+#include "cli/app/clip_list.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/plan.h"
+#include "core/base/clock_source.h"
+#include "core/base/json_text.h"
 #include "core/labels/time_ticks.h"
-#include "core/shown_text.h"
-#include "core/words.h"
+#include "core/base/shown_text.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

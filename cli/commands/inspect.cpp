@@ -1,4 +1,4 @@
-#include "cli/render/inspect.h"
+#include "cli/app/inspect.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/settings.h"
-#include "core/error.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
+#include "core/base/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
 

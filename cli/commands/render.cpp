@@ -1,4 +1,4 @@
-#include "cli/render/render.h"
+#include "cli/app/render.h"
 
 #include <filesystem>
 #include <string>
@@ -11,9 +11,9 @@
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
-#include "cli/render/open_fields.h"
-#include "cli/render/tell_problems.h"
-#include "core/error.h"
+#include "cli/app/open_fields.h"
+#include "cli/app/tell_problems.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

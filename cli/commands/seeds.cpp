@@ -1,8 +1,8 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/render/stored_flow_seeds.h"
-#include "core/error.h"
+#include "cli/app/stored_flow_seeds.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

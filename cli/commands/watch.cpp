@@ -7,8 +7,8 @@
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/render/open_fields.h"
-#include "core/error.h"
+#include "cli/app/open_fields.h"
+#include "core/base/error.h"
 #include "core/fields/reference.h"
 
 namespace vvr {

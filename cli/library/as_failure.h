@@ -5,8 +5,8 @@
 
 #include <vvr/failure.h>
 
-#include "core/error.h"
-#include "core/out_of_memory.h"
+#include "core/base/error.h"
+#include "core/base/out_of_memory.h"
 
 namespace vvr {
 

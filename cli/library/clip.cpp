@@ -4,7 +4,7 @@
 #include <vvr/clip.h>
 
 #include "cli/library/as_failure.h"
-#include "cli/render/open_fields.h"
+#include "cli/app/open_fields.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {

@@ -1,6 +1,6 @@
 #include <vvr/library_version.h>
 
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace vvr {
 

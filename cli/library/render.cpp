@@ -1,4 +1,4 @@
-#include "cli/render/render.h"
+#include "cli/app/render.h"
 
 #include <mutex>
 #include <span>
@@ -12,7 +12,7 @@
 #include "cli/library/as_failure.h"
 #include "cli/library/image_of.h"
 #include "cli/options/job_options.h"
-#include "cli/render/open_fields.h"
+#include "cli/app/open_fields.h"
 
 namespace vvr {
 

@@ -5,7 +5,7 @@
 
 #include "cli/options/parse_value.h"
 #include "core/archive/names.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/video_files.h"
 
 namespace vvr {

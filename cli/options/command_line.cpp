@@ -12,10 +12,10 @@
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
 #include "cli/print.h"
-#include "core/error.h"
-#include "core/read_file.h"
-#include "core/shown_text.h"
-#include "core/suggest.h"
+#include "core/base/error.h"
+#include "core/base/read_file.h"
+#include "core/base/shown_text.h"
+#include "core/base/suggest.h"
 
 namespace vvr {
 

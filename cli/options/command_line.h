@@ -20,8 +20,8 @@
 #include "cli/options/find_config.h"
 #include "cli/options/group.h"
 #include "cli/options/help.h"
-#include "core/choice.h"
-#include "core/setting.h"
+#include "core/base/choice.h"
+#include "core/base/setting.h"
 
 namespace CLI {
 class App;

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "cli/options/presets.h"
-#include "core/error.h"
-#include "core/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 
 namespace vvr {
 

@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/render/golden.h"
-#include "core/error.h"
+#include "cli/app/golden.h"
+#include "core/base/error.h"
 #include "core/image/name_pattern.h"
 #include "core/video/input_files.h"
 

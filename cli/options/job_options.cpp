@@ -4,8 +4,8 @@
 
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "cli/render/settings.h"
-#include "core/error.h"
+#include "cli/app/settings.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"

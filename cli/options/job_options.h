@@ -3,7 +3,7 @@
 #include <array>
 
 #include "cli/options/command_line.h"
-#include "cli/render/job.h"
+#include "cli/app/job.h"
 
 // The groups of options that a RenderJob is made of.
 namespace vvr {

@@ -3,9 +3,9 @@
 
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/settings.h"
-#include "cli/render/volume_paint.h"
-#include "core/error.h"
+#include "cli/app/settings.h"
+#include "cli/app/volume_paint.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/scene/transfer_file.h"
 

@@ -16,15 +16,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/render/settings.h"
-#include "core/choice.h"
-#include "core/ending.h"
-#include "core/error.h"
+#include "cli/app/settings.h"
+#include "core/base/choice.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
-#include "core/standard_output.h"
-#include "core/suggest.h"
+#include "core/base/standard_output.h"
+#include "core/base/suggest.h"
 
 namespace vvr {
 

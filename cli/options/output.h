@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "cli/render/job.h"
+#include "cli/app/job.h"
 
 namespace vvr {
 

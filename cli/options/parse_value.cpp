@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/render/settings.h"
-#include "core/error.h"
+#include "cli/app/settings.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <variant>
 
-#include "cli/render/time.h"
-#include "core/plane.h"
-#include "core/setting.h"
+#include "cli/app/time.h"
+#include "core/base/plane.h"
+#include "core/base/setting.h"
 #include "core/video/asked_time.h"
 
 /// Texts of the command line to values. Each function throws Error usage with what it was given and what it takes.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/setting.h"
+#include "core/base/setting.h"
 
 namespace vvr {
 

@@ -2,7 +2,7 @@
 
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/settings.h"
+#include "cli/app/settings.h"
 
 namespace vvr {
 

@@ -9,12 +9,12 @@
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
-#include "cli/render/settings.h"
-#include "core/error.h"
+#include "cli/app/settings.h"
+#include "core/base/error.h"
 #include "core/fields/reference.h"
 #include "core/image/animation_file.h"
 #include "core/image/picture_file.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 
 namespace vvr {
 

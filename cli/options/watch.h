@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/command_line.h"
-#include "cli/render/watch.h"
+#include "cli/app/watch.h"
 
 namespace vvr {
 

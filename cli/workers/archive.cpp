@@ -13,12 +13,12 @@
 #include "cli/workers/told_by_name.h"
 #include "core/archive/names.h"
 #include "core/archive/own_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/atomic_file.h"
-#include "core/machine_memory.h"
-#include "core/shown_text.h"
-#include "core/version.h"
-#include "core/words.h"
+#include "core/base/machine_memory.h"
+#include "core/base/shown_text.h"
+#include "core/base/version.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

@@ -23,7 +23,7 @@
 #include "core/archive/own_file.h"
 #include "core/archive/prune.h"
 #include "core/image/atomic_file.h"
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace vvr {
 

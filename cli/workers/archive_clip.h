@@ -12,7 +12,7 @@
 #include "core/archive/claim.h"
 #include "core/archive/days.h"
 #include "core/archive/verdict.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr {

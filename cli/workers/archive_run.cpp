@@ -16,7 +16,7 @@
 #include "core/archive/own_file.h"
 #include "core/archive/prune.h"
 #include "core/image/atomic_file.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

@@ -22,7 +22,7 @@
 #include <fmt/format.h>
 
 #include "cli/workers/allowed_calls.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "core/archive/names.h"
-#include "core/clock_source.h"
+#include "core/base/clock_source.h"
 #include "core/labels/time_ticks.h"
-#include "core/local_time.h"
-#include "core/shown_text.h"
+#include "core/base/local_time.h"
+#include "core/base/shown_text.h"
 
 namespace vvr {
 

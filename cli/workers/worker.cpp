@@ -20,7 +20,7 @@
 #include <fmt/format.h>
 
 #include "cli/workers/worker_begin.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

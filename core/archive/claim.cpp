@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/file_lock.h"
-#include "core/fnv.h"
-#include "core/plain_name.h"
+#include "core/base/error.h"
+#include "core/base/file_lock.h"
+#include "core/base/fnv.h"
+#include "core/base/plain_name.h"
 
 namespace vvr {
 

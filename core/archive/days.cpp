@@ -11,8 +11,8 @@
 
 #include "core/archive/limits.h"
 #include "core/archive/names.h"
-#include "core/local_time.h"
-#include "core/plain_name.h"
+#include "core/base/local_time.h"
+#include "core/base/plain_name.h"
 
 namespace vvr {
 

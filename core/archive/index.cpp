@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/limits.h"
-#include "core/json_text.h"
-#include "core/local_time.h"
+#include "core/base/json_text.h"
+#include "core/base/local_time.h"
 #include "core/page/text.h"
 #include "index_files.h"
 #include "index_script.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/shown_text.h"
+#include "core/base/shown_text.h"
 
 namespace vvr {
 

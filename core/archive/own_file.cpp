@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/file_lock.h"
+#include "core/base/error.h"
+#include "core/base/file_lock.h"
 
 namespace vvr {
 

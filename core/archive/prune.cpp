@@ -15,8 +15,8 @@
 
 #include "core/archive/claim.h"
 #include "core/archive/days.h"
-#include "core/error.h"
-#include "core/fnv.h"
+#include "core/base/error.h"
+#include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr {

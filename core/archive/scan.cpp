@@ -17,8 +17,8 @@
 
 #include "core/archive/limits.h"
 #include "core/archive/names.h"
-#include "core/error.h"
-#include "core/plain_name.h"
+#include "core/base/error.h"
+#include "core/base/plain_name.h"
 #include "core/video/playlist.h"
 
 namespace vvr {

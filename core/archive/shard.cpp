@@ -1,6 +1,6 @@
 #include "core/archive/shard.h"
 
-#include "core/fnv.h"
+#include "core/base/fnv.h"
 
 namespace vvr {
 

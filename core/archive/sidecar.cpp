@@ -13,10 +13,10 @@
 
 #include "core/archive/limits.h"
 #include "core/archive/own_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/atomic_file.h"
-#include "core/json_text.h"
-#include "core/plain_name.h"
+#include "core/base/json_text.h"
+#include "core/base/plain_name.h"
 
 namespace vvr {
 

@@ -9,7 +9,7 @@
 #include "core/archive/found_event.h"
 #include "core/archive/names.h"
 #include "core/archive/scan.h"
-#include "core/clock_source.h"
+#include "core/base/clock_source.h"
 
 namespace vvr {
 

@@ -8,8 +8,8 @@
 #include "core/bricks/brick.h"
 #include "core/bricks/identity.h"
 #include "core/bricks/volume.h"
-#include "core/pixel_box.h"
-#include "core/plane.h"
+#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "core/fields/field.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

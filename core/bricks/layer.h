@@ -4,7 +4,7 @@
 
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/values.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

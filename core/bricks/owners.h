@@ -8,7 +8,7 @@
 
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/label_run.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/fields/tiles.h"
-#include "core/pixel_box.h"
-#include "core/plane.h"
+#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -16,7 +16,7 @@
 #include "core/fields/field.h"
 #include "core/fields/label_run.h"
 #include "core/fields/values.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

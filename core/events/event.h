@@ -8,9 +8,9 @@
 
 #include <glm/glm.hpp>
 
-#include "core/moment.h"
-#include "core/pixel_box.h"
-#include "core/plane.h"
+#include "core/base/moment.h"
+#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

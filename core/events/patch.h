@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/events/event.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

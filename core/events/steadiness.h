@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/events/event.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

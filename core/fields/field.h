@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/fields/seed_flags.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 #include "core/fields/changes.h"
 #include "core/fields/clean.h"
 #include "core/fields/seeds.h"

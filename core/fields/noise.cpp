@@ -7,7 +7,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/fields/rank.h"
 
 namespace vvr {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
 
-#include "core/choice.h"
-#include "core/cv_view.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/cv_view.h"
+#include "core/base/error.h"
 #include "core/fields/settings.h"
 
 namespace vvr {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 #include "core/fields/blobs.h"
 #include "core/fields/settings.h"
 #include "core/fields/shadows.h"

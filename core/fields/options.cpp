@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/choice.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/illumination.h"

@@ -14,12 +14,12 @@
 #include <oneapi/tbb/task_arena.h>
 #include <opencv2/core/utility.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/clip_reader.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 namespace {

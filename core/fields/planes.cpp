@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/kernels/byte_blur.h"
 
 namespace vvr {

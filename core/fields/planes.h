@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

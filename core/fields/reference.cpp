@@ -13,15 +13,15 @@
 #include <oneapi/tbb/parallel_for_each.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/choice.h"
-#include "core/cv_view.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/cv_view.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/noise.h"
 #include "core/fields/rank.h"
 #include "core/fields/settings.h"
 #include "core/fields/stabilizer.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 #include "core/video/scaler.h"
 
 namespace vvr {

@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/cv_view.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/fields/settings.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/fields/options.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

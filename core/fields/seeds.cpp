@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "core/choice.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
 #include "core/fields/settings.h"
 
 namespace vvr {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/setting.h"
+#include "core/base/setting.h"
 #include "core/video/settings.h"
 
 /// The settings of FieldOptions.

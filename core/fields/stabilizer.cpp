@@ -11,7 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 
 namespace vvr {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

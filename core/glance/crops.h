@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/events/event.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "core/video/frame.h"
 
 namespace vvr {

@@ -2,7 +2,7 @@
 
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

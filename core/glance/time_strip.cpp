@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

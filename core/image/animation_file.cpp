@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr {

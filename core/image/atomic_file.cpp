@@ -18,9 +18,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/file_lock.h"
-#include "core/fnv.h"
+#include "core/base/error.h"
+#include "core/base/file_lock.h"
+#include "core/base/fnv.h"
 
 namespace vvr {
 

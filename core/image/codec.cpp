@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/loading.h"
-#include "core/machine_memory.h"
+#include "core/base/error.h"
+#include "core/base/loading.h"
+#include "core/base/machine_memory.h"
 
 namespace vvr {
 namespace {

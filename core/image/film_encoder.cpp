@@ -16,7 +16,7 @@ extern "C" {
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/palette.h"
 
 namespace vvr {

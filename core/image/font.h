@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/image/picture.h"
-#include "core/pixel_box.h"
+#include "core/base/pixel_box.h"
 
 namespace vvr {
 

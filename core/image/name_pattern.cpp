@@ -7,8 +7,8 @@
 #include <climits>
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/suggest.h"
+#include "core/base/error.h"
+#include "core/base/suggest.h"
 
 namespace vvr {
 

@@ -5,7 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/codec.h"
 
 namespace vvr {

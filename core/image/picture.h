@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

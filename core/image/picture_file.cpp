@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/codec.h"
 #include "core/image/pixel_data_channels.h"
 #include "core/image/png_text.h"
-#include "core/suggest.h"
-#include "core/version.h"
+#include "core/base/suggest.h"
+#include "core/base/version.h"
 
 namespace vvr {
 

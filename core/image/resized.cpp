@@ -2,7 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/image/picture.h"
 
 namespace vvr {

@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/codec.h"
 #include "core/image/pixel_data_channels.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 
 namespace vvr {
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/font.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 
 namespace vvr {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/image/picture.h"
-#include "core/pixel_box.h"
+#include "core/base/pixel_box.h"
 
 namespace vvr {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 extern "C" {
 #include <libavutil/pixfmt.h>

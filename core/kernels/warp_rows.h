@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/image/text.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

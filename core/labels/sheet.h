@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/image/text.h"
-#include "core/pixel_box.h"
+#include "core/base/pixel_box.h"
 
 namespace vvr {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/wall_clock.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/wall_clock.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr {
 

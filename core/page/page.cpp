@@ -9,11 +9,11 @@
 
 #include "core/events/way.h"
 #include "core/image/picture_file.h"
-#include "core/json_text.h"
+#include "core/base/json_text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/heading.h"
 #include "core/page/text.h"
-#include "core/words.h"
+#include "core/base/words.h"
 #include "page_files.h"
 #include "page_script.h"
 #include "shared_files.h"

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/clock_source.h"
+#include "core/base/clock_source.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/watched_fields.h"
-#include "core/wall_clock.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/fit_into.h"
+#include "core/base/error.h"
+#include "core/base/fit_into.h"
 #include "core/image/resized.h"
 
 namespace vvr {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/fit_into.h"
+#include "core/base/fit_into.h"
 #include "core/image/resized.h"
 
 namespace vvr {

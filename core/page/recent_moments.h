@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/fields/field_source.h"
-#include "core/moment.h"
+#include "core/base/moment.h"
 #include "core/page/watched_fields.h"
 
 namespace vvr {

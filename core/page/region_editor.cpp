@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/image/picture_file.h"
-#include "core/json_text.h"
+#include "core/base/json_text.h"
 #include "core/page/text.h"
 #include "page_files.h"
 #include "shared_files.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/fit_into.h"
+#include "core/base/fit_into.h"
 
 namespace vvr {
 

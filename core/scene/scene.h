@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "core/bricks/identity.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "core/scene/glyph.h"
 #include "core/scene/theme.h"
 #include "core/scene/traceline.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/bricks/volume.h"
-#include "core/moment.h"
+#include "core/base/moment.h"
 
 namespace vvr {
 

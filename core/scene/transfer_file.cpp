@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "core/choice.h"
-#include "core/error.h"
-#include "core/read_file.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
+#include "core/base/read_file.h"
 
 namespace vvr {
 

@@ -1,6 +1,6 @@
 #include "core/space/layout.h"
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 
 namespace vvr {
 

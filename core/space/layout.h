@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
 #include "core/image/atomic_file.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/image/codec.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 
 namespace vvr {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/settings.h"
-#include "core/json_text.h"
-#include "core/read_file.h"
-#include "core/version.h"
+#include "core/base/json_text.h"
+#include "core/base/read_file.h"
+#include "core/base/version.h"
 
 namespace vvr {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 #include "core/video/frame_source.h"
 #include "core/video/frame_span.h"
 

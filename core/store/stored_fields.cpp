@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
 #include "core/fields/settings.h"
-#include "core/read_file.h"
+#include "core/base/read_file.h"
 #include "core/store/grey_file.h"
 
 namespace vvr {

@@ -10,7 +10,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/av.h"
 
 namespace vvr {

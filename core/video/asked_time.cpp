@@ -6,9 +6,9 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/frame_span.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/wall_clock.h"
+#include "core/base/wall_clock.h"
 
 // Stretches of a clip as people ask for them: by the clock on the wall that was there.
 namespace vvr {

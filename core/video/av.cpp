@@ -14,7 +14,7 @@ extern "C" {
 #include <libavutil/mem.h>
 }
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/choice.h"
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/video/demuxer.h"
 
 namespace vvr {

@@ -10,7 +10,7 @@ extern "C" {
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/demuxer.h"
 #include "core/video/file_source.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/kernels/colour_rows.h"
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 struct AVFrame;
 

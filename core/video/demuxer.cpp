@@ -13,7 +13,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/playlist.h"
 
 namespace vvr {

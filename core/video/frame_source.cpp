@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/fit_into.h"
+#include "core/base/error.h"
+#include "core/base/fit_into.h"
 #include "core/video/av.h"
 #include "core/video/file_source.h"
 #include "core/video/input.h"
@@ -23,7 +23,7 @@
 #include "core/video/settings.h"
 #include "core/video/time_sampler.h"
 #include "core/video/video_files.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

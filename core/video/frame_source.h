@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/clock_source.h"
+#include "core/base/clock_source.h"
 #include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 

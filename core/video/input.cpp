@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
-#include "core/shown_text.h"
+#include "core/base/error.h"
+#include "core/base/shown_text.h"
 #include "core/video/spool.h"
 
 namespace vvr {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 #include "core/video/matches.h"
 #include "core/video/picture_list.h"
 #include "core/video/video_files.h"

@@ -16,9 +16,9 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
-#include "core/error.h"
-#include "core/loading.h"
-#include "core/shown_text.h"
+#include "core/base/error.h"
+#include "core/base/loading.h"
+#include "core/base/shown_text.h"
 #include "core/video/settings.h"
 #include "core/video/watchdog.h"
 

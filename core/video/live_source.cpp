@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/live_input.h"
 #include "core/video/playlist.h"
 #include "core/video/stream_info.h"

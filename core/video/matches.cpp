@@ -7,7 +7,7 @@
 #include <climits>
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

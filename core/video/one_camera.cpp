@@ -14,11 +14,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.h"
-#include "core/shown_text.h"
+#include "core/base/error.h"
+#include "core/base/shown_text.h"
 #include "core/video/input.h"
 #include "core/video/stream_info.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

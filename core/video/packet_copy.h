@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/av_writer.h"
+#include "core/base/av_writer.h"
 #include "core/video/input.h"
 #include "core/video/piece.h"
 

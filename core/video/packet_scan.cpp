@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/clock.h"
 #include "core/video/time_sampler.h"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/input.h"
 #include "core/video/matches.h"
 #include "core/video/natural_order.h"

@@ -11,7 +11,7 @@ extern "C" {
 #include <libavutil/frame.h>
 }
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
 #include "core/video/input.h"

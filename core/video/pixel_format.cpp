@@ -13,7 +13,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace vvr {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/ending.h"
+#include "core/base/ending.h"
 
 namespace vvr {
 namespace {

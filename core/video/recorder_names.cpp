@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/local_time.h"
+#include "core/base/local_time.h"
 #include "core/video/camera_folders.h"
 
 namespace vvr {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/choice.h"
-#include "core/error.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "core/ending.h"
-#include "core/error.h"
-#include "core/plain_name.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
+#include "core/base/plain_name.h"
 #include "core/video/input.h"
 #include "core/video/matches.h"
 #include "core/video/natural_order.h"
@@ -23,7 +23,7 @@
 #include "core/video/picture_list.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/clock_source.h"
+#include "core/base/clock_source.h"
 #include "core/video/recorder_names.h"
 
 // A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.

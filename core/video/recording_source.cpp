@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/decoder.h"
 #include "core/video/scaler.h"
 #include "core/video/stream_info.h"
 #include "core/video/time_sampler.h"
-#include "core/words.h"
+#include "core/base/words.h"
 
 namespace vvr {
 

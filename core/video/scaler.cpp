@@ -11,7 +11,7 @@ extern "C" {
 #include <libavutil/pixdesc.h>
 }
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/kernels/colour_rows.h"
 #include "core/video/area_scaler.h"
 #include "core/video/frame_source.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/setting.h"
+#include "core/base/setting.h"
 
 /// The settings of SourceOptions, FrameSpan and LiveOptions.
 namespace vvr::setting {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/ending.h"
-#include "core/error.h"
+#include "core/base/ending.h"
+#include "core/base/error.h"
 
 namespace vvr {
 

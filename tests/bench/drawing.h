@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "cli/render/build_scene.h"
-#include "cli/render/drawing.h"
-#include "cli/render/job.h"
-#include "cli/render/layers.h"
+#include "cli/app/build_scene.h"
+#include "cli/app/drawing.h"
+#include "cli/app/job.h"
+#include "cli/app/layers.h"
 #include "core/bricks/volume.h"
 #include "gl/renderer.h"
 

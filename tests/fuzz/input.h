@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 // What the harnesses share. Each defines LLVMFuzzerTestOneInput, which libFuzzer calls, and drive.cpp where there is no
 // libFuzzer. A crash, an exception that is no Error, or something that does not hold ends the program.

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/render/render_clip.h"
+#include "cli/app/render_clip.h"
 #include "core/scene/slices.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"

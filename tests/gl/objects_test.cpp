@@ -1,4 +1,4 @@
-#include "cli/render/objects.h"
+#include "cli/app/objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/render/render_clip.h"
-#include "cli/render/render_series.h"
+#include "cli/app/render_clip.h"
+#include "cli/app/render_series.h"
 #include "core/scene/object_looks.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"

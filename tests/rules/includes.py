@@ -2,9 +2,9 @@
 
 - A file includes only headers of its own library and of those that this library links, directly or through others.
 - Libraries link only what comes before them: the rooms of core in the order of core/CMakeLists.txt (docs/design.md
-  lists them in that order too), then gl, then cli/render, then the rest of cli, then cli/library.
+  lists them in that order too), then gl, then cli/app, then the rest of cli, then cli/library.
 - Folders do not include each other in a cycle.
-- core, gl, cli/render and cli/library use neither the library for the command line nor the one for logs.
+- core, gl, cli/app and cli/library use neither the library for the command line nor the one for logs.
 - Headers that other programs include use the standard library and each other alone, and only cli/library uses them.
 """
 
@@ -16,7 +16,7 @@ import sys
 
 FLOORS = ("core", "gl", "cli")
 PROCESS_HEADERS = ("CLI/", "spdlog/")
-NO_PROCESS = ("core", "gl", "cli/render", "cli/library")
+NO_PROCESS = ("core", "gl", "cli/app", "cli/library")
 PUBLIC = "cli/library/vvr"
 
 
@@ -40,7 +40,7 @@ class House:
                 self._read(file)
         rooms = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
         self.rooms = [f"core/{room}" for room in itertools.chain(*rooms)]
-        self.order = ["core", *self.rooms, "gl", "cli/render", "cli", "cli/library"]
+        self.order = ["core", *self.rooms, "gl", "cli/app", "cli", "cli/library"]
         self.includes = list(self._includes())
 
     def _read(self, file):

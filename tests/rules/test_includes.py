@@ -8,22 +8,22 @@ from includes import complaints
 HOUSE = {
     "docs/design.md": "| `core/video/` | frames |\n| `core/fields/` | fields |\n",
     "core/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\nforeach(room video fields)\nendforeach()\n",
-    "core/version.cpp": "#include <string>\n",
+    "core/base/version.cpp": "#include <string>\n",
     "core/video/CMakeLists.txt": "vvr_room(video frame.cpp ROOMS base LIBRARIES fmt::fmt)\n",
-    "core/video/frame.cpp": '#include "core/version.h"\n',
+    "core/video/frame.cpp": '#include "core/base/version.h"\n',
     "core/fields/CMakeLists.txt": "vvr_room(fields flow.cpp ROOMS video)\n",
-    "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/version.h"\n',
+    "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
-    "cli/CMakeLists.txt": """add_library(vvr_render STATIC render/job.cpp)
-target_link_libraries(vvr_render PUBLIC vvr_gl vvr_fields)
+    "cli/CMakeLists.txt": """add_library(vvr_app STATIC render/job.cpp)
+target_link_libraries(vvr_app PUBLIC vvr_gl vvr_fields)
 add_library(vvr_cli STATIC log.cpp commands/render.cpp)
-target_link_libraries(vvr_cli PUBLIC vvr_render CLI11::CLI11)
+target_link_libraries(vvr_cli PUBLIC vvr_app CLI11::CLI11)
 add_executable(vvr main.cpp)
 target_link_libraries(vvr PRIVATE vvr_cli)
 """,
-    "cli/render/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
-    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/render/job.h"\n',
+    "cli/app/job.cpp": '#include "core/fields/flow.h"\n#include "gl/context.h"\n',
+    "cli/commands/render.cpp": '#include <CLI/CLI.hpp>\n#include "cli/log.h"\n#include "cli/app/job.h"\n',
     "cli/main.cpp": '#include "cli/commands/render.h"\n',
     "cli/log.cpp": "#include <spdlog/spdlog.h>\n",
     "cli/library/CMakeLists.txt": "add_library(vvr_library SHARED clip.cpp)\ntarget_link_libraries(vvr_library PRIVATE vvr_cli)\n",
@@ -54,11 +54,11 @@ def test_a_house_in_order_passes(tmp_path):
     ("core/fields/late.cpp", '#include "gl/context.h"\n', "includes gl/context.h of vvr_gl, which vvr_fields doesn't link"),
     ("gl/late.cpp", '#include "core/fields/flow.h"\n', "of vvr_fields, which vvr_gl doesn't link"),
     ("gl/late.cpp", '\n#include "cli/log.h"\n', "gl/late.cpp:2: includes cli/log.h of vvr_cli"),
-    ("cli/render/late.h", "#include <CLI/CLI.hpp>\n", "cli/render/late.h:1: includes CLI/CLI.hpp, which only the rest of cli"),
-    ("cli/render/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
-    ("cli/render/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_render doesn't link"),
+    ("cli/app/late.h", "#include <CLI/CLI.hpp>\n", "cli/app/late.h:1: includes CLI/CLI.hpp, which only the rest of cli"),
+    ("cli/app/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
+    ("cli/app/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_app doesn't link"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
-    ("cli/library/vvr/late.h", '#include "core/version.h"\n', "vvr/late.h:1: includes core/version.h, which other programs don't have"),
+    ("cli/library/vvr/late.h", '#include "core/base/version.h"\n', "vvr/late.h:1: includes core/base/version.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <fmt/format.h>\n", "includes fmt/format.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <vvr/none.h>\n", "includes vvr/none.h, which is not in cli/library/vvr"),
     ("cli/log.cpp", "#include <vvr/clip.h>\n", "cli/log.cpp:1: includes vvr/clip.h, which is for other programs"),

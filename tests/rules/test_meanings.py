@@ -6,7 +6,7 @@ import pytest
 from meanings import complaints
 
 TREE = {
-    "core/plane.h": "namespace vvr {\nstruct Size {\n};\n}  // namespace vvr\n",
+    "core/base/plane.h": "namespace vvr {\nstruct Size {\n};\n}  // namespace vvr\n",
     "core/video/clock.h": "namespace vvr::video {\nclass Clock {\n};\n}  // namespace vvr::video\n",
     "core/scene/clock.cpp": "namespace vvr::scene {\nclass Clock {\n};\nnamespace {\nstruct Size {\n};\n}  // namespace\n}  // namespace vvr::scene\n",
     "gl/size.cpp": "namespace vvr {\nnamespace {\nstruct Size {\n};\n}  // namespace\nstruct Owner::Size {\n};\n}  // namespace vvr\n",
@@ -36,7 +36,7 @@ def test_a_tree_in_which_each_name_has_one_meaning(tmp_path):
     ("gl/state.cpp", "namespace vvr::gl {\n\nenum class Context {\n};\n}  // namespace vvr::gl\n",
      "vvr::gl::Context is 2 types: gl/context.h:3, gl/state.cpp:3"),
     ("core/video/frame.cpp", "namespace vvr {\nnamespace {\n}  // namespace\n\nclass Size final : public Base {\n};\n}  // namespace vvr\n",
-     "vvr::Size is 2 types: core/plane.h:2, core/video/frame.cpp:5"),
+     "vvr::Size is 2 types: core/base/plane.h:2, core/video/frame.cpp:5"),
 ])
 def test_a_second_meaning(tmp_path, file, text, said):
     assert tree(tmp_path, {file: text}) == [said]

@@ -5,7 +5,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr::scene {
 

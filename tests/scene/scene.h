@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 // Synthetic surveillance scenes of which everything is known: what moves, where, how fast. The same options give the
 // same pixels on every machine.

@@ -4,7 +4,7 @@
 
 #include <opencv2/video/background_segm.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/fields/filter.h"
 
 namespace vvr {

@@ -1,6 +1,6 @@
 #include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/fields/filter.h"
 
 namespace vvr {

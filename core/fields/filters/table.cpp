@@ -1,6 +1,6 @@
 #include <array>
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/settings.h"
 

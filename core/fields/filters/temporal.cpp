@@ -1,7 +1,7 @@
 #include <optional>
 #include <string>
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
 #include "core/fields/norm.h"

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/fields/flow.h"
 
 namespace vvr {

@@ -7,7 +7,7 @@
 
 #include <hwy/aligned_allocator.h>
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 namespace vvr {
 

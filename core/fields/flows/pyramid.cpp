@@ -8,7 +8,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"

@@ -2,7 +2,7 @@
 #include <array>
 #include <limits>
 
-#include "core/choice.h"
+#include "core/base/choice.h"
 #include "core/fields/flow.h"
 #include "core/fields/settings.h"
 

@@ -1,7 +1,7 @@
 // JSON of anybody: however deep, it is read or none.
 #include <string>
 
-#include "core/json_text.h"
+#include "core/base/json_text.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/found_event.h"
-#include "core/json_text.h"
+#include "core/base/json_text.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

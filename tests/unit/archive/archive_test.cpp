@@ -22,10 +22,10 @@
 #include "core/archive/shard.h"
 #include "core/archive/sidecar.h"
 #include "core/archive/verdict.h"
-#include "core/error.h"
-#include "core/fnv.h"
+#include "core/base/error.h"
+#include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
-#include "core/plain_name.h"
+#include "core/base/plain_name.h"
 
 namespace vvr {
 namespace {

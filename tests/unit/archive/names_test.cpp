@@ -11,9 +11,9 @@
 #include "core/archive/clip_names.h"
 #include "core/archive/scan.h"
 #include "core/archive/shard.h"
-#include "core/error.h"
-#include "core/fnv.h"
-#include "core/plain_name.h"
+#include "core/base/error.h"
+#include "core/base/fnv.h"
+#include "core/base/plain_name.h"
 #include "core/video/recorder_names.h"
 #include "core/video/video_files.h"
 

@@ -1,4 +1,4 @@
-#include "core/local_time.h"
+#include "core/base/local_time.h"
 
 #include <cstdlib>
 #include <ctime>

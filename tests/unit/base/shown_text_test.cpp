@@ -1,4 +1,4 @@
-#include "core/shown_text.h"
+#include "core/base/shown_text.h"
 
 #include <gtest/gtest.h>
 

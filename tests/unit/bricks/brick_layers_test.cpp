@@ -6,7 +6,7 @@
 
 #include "core/bricks/cells.h"
 #include "core/bricks/volume.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {

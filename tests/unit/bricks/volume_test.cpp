@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/bricks/used_seeds.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {

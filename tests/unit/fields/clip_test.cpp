@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/pipeline.h"
 #include "tests/unit/fields/pictures.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/norm.h"
 #include "core/fields/pipeline.h"

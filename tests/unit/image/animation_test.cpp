@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/image/animation_file.h"
 #include "core/image/palette.h"
 #include "core/video/frame_source.h"

@@ -18,8 +18,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
-#include "core/fnv.h"
+#include "core/base/error.h"
+#include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
 #include "core/image/film_encoder.h"
 #include "core/image/picture_file.h"

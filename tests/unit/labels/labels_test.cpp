@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/render/annotate.h"
-#include "cli/render/shown_name.h"
-#include "core/error.h"
+#include "cli/app/annotate.h"
+#include "cli/app/shown_name.h"
+#include "core/base/error.h"
 #include "core/labels/legend.h"
 #include "core/labels/lettering.h"
 #include "core/labels/ruler.h"

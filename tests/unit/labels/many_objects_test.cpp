@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/render/annotate.h"
+#include "cli/app/annotate.h"
 
 namespace vvr {
 namespace {

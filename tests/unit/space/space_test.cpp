@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 #include "tests/support/layouts.h"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/fields/listed_seeds.h"
 #include "core/store/data_folder.h"
 #include "core/store/stored_fields.h"

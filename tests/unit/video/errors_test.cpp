@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {

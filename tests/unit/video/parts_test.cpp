@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/kernels/colour_rows.h"
 #include "core/video/clock.h"
 #include "core/video/frame_source.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/video/recorder_names.h"
 #include "tests/unit/video/clips.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "core/cv_view.h"
+#include "core/base/cv_view.h"
 #include "core/video/area_scaler.h"
 #include "tests/unit/video/clips.h"
 

@@ -1,0 +1,36 @@
+#include "cli/app/clip_list.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/clock_source.h"
+#include "core/labels/time_ticks.h"
+#include "core/base/shown_text.h"
+#include "core/store/manifest.h"
+#include "core/video/recorder_names.h"
+
+namespace vvr {
+
+std::vector<Segment> list_clips(const InputOptions& options) {
+    if (std::ranges::all_of(options.names, is_data_folder)) return {};
+    const RecorderNames layouts(options.layouts);
+    if (auto recording = find_recording(options.names, layouts, options.join)) return std::move(recording->segments);
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(options.names.front(), none)) return {};
+    return {look_at_name(options.names.front(), layouts)};
+}
+
+std::string text_of(const Segment& clip) {
+    const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
+    const std::string_view by = row_of(clip.begin_by).words;
+    if (!clip.begin) return fmt::format("{}, {}", camera, by);
+    const bool named = clip.begin_by == ClockSource::file_name;
+    return fmt::format("{}, {} UTC {}{}", camera, format_clock(*clip.begin), by,
+                       named ? fmt::format(" ({})", clip.layout) : "");
+}
+
+}  // namespace vvr

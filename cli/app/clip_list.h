@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/app/job.h"
+#include "core/video/recording.h"
+
+namespace vvr {
+
+/// The files of an input in order, with camera, begin and what told it; empty for what has none, as a stream or
+/// pictures.
+std::vector<Segment> list_clips(const InputOptions& options);
+
+/// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
+std::string text_of(const Segment& clip);
+
+}  // namespace vvr

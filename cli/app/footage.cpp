@@ -1,0 +1,155 @@
+#include "cli/app/footage.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/app/open_fields.h"
+#include "cli/app/tell_problems.h"
+#include "core/base/error.h"
+#include "core/base/file_digest.h"
+#include "core/store/manifest.h"
+#include "core/video/input.h"
+#include "core/video/picture_list.h"
+#include "core/video/piece.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double slack = 0.0005;  // seconds; times are rounded
+
+/// Only a file with times can be cut.
+void check_single(const std::string& name) {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
+    };
+    std::error_code none;
+    if (name == "-") refuse("stdin, which can't be cut");
+    if (is_data_folder(name)) refuse("what `vvr extract` wrote, and has no video in it");
+    if (fs::is_regular_file(name, none)) return;
+    const auto is_picture = [](const auto& entry) { return is_picture_name(entry.path().filename().string()); };
+    const fs::directory_iterator folder(name, none);
+    if (!none && std::ranges::none_of(folder, is_picture)) refuse("a folder without video files");
+    if (list_pictures(name)) refuse("a sequence of pictures, not a clip");
+    if (is_url(name)) refuse("an address; save it to a file first");
+    if (fs::exists(name, none)) refuse("not a regular file");
+    open_file(name);  // says why not
+}
+
+bool lies_in(const SegmentPlace& file, double first, double last) {
+    return file.begin < last + slack && file.end > first + slack;
+}
+
+/// The name of the given file that has the bytes of a reported one.
+std::optional<std::string> find_by_digest(const Footage& footage, const ReportedFile& reported) {
+    std::vector<std::string> candidates;
+    for (const Segment& file : footage.recording.segments) {
+        std::error_code none;
+        const std::uintmax_t size = fs::file_size(file.path, none);
+        if (!none && std::cmp_equal(size, reported.digest.bytes)) candidates.push_back(file.path);
+    }
+    const fs::path name = fs::path(reported.place.path).filename();
+    std::ranges::stable_partition(candidates, [&](const fs::path& path) { return path.filename() == name; });
+    const auto found =
+        std::ranges::find_if(candidates, [&](const std::string& path) { return digest_of(path) == reported.digest; });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
+}
+
+[[noreturn]] void refuse_report(const std::string& report, std::size_t event, const std::vector<std::string>& needed,
+                                const std::vector<std::string>& missing, const Footage& footage) {
+    const bool is_one = needed.size() == 1;
+    throw Error(ErrorKind::usage,
+                fmt::format("event {} of report '{}' lies in '{}'; by size and digest {} not among what was given, "
+                            "'{}': give {}, or a report of what was given",
+                            event, report, fmt::join(needed, "', '"),
+                            is_one ? "that file is" : fmt::format("'{}' is", fmt::join(missing, "', '")),
+                            footage.recording.name, is_one ? "that file" : "all of these files"),
+                {"report"});
+}
+
+}  // namespace
+
+Footage find_footage(const InputOptions& options) {
+    require_input(options);
+    const RecorderNames layouts(options.layouts);
+    if (options.names.size() == 1 && is_data_folder(options.names.front())) check_single(options.names.front());
+    if (auto recording = find_recording(options.names, layouts, options.join)) return {std::move(*recording), false};
+    const std::string& name = options.names.front();
+    check_single(name);
+    const Segment file = look_at_name(name, layouts);
+    return {{name, file.camera, {file}}, true};
+}
+
+std::vector<SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
+                                           Observer& observer) {
+    const std::vector<Segment>& files = footage.recording.segments;
+    if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
+    std::vector<SegmentPlace> places;
+    std::vector<std::string> problems;
+    std::optional<std::int64_t> origin;
+    std::optional<double> end;
+    for (const Segment& file : files) {
+        try {
+            if (!end) origin = file.begin;
+            const double begin = begin_of(file, origin, end).time;
+            if (until && begin > *until) break;
+            end = std::max(end.value_or(0), begin + length_of(open_input(file.path), rate));
+            places.push_back({file.path, begin, *end, 0});
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
+            problems.emplace_back(error.what());
+        }
+    }
+    if (places.empty()) throw Error(ErrorKind::not_video, problems.front());
+    tell_problems(footage.recording.warnings, problems, observer);
+    return places;
+}
+
+std::vector<SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report, std::size_t event,
+                                          double margin, const std::string& report_name) {
+    const EventTimes& times = report.times[event];
+    std::vector<SegmentPlace> places;
+    std::vector<std::string> needed;
+    std::vector<std::string> missing;
+    for (const ReportedFile& file : report.files) {
+        const bool is_needed = lies_in(file.place, times.first, times.last);
+        if (is_needed) needed.push_back(file.place.path);
+        if (!is_needed && !lies_in(file.place, times.first - margin, times.last + margin)) continue;
+        if (const auto found = find_by_digest(footage, file)) {
+            places.push_back(file.place);
+            places.back().path = *found;
+        } else if (is_needed) {
+            missing.push_back(file.place.path);
+        }
+    }
+    if (!missing.empty()) refuse_report(report_name, event + 1, needed, missing, footage);
+    return places;
+}
+
+std::vector<FootagePart> parts_in(const std::vector<SegmentPlace>& places, const FrameSpan& span) {
+    std::vector<FootagePart> parts;
+    double shown = 0;  // until when the files before show the recording
+    for (const SegmentPlace& file : places) {
+        const double from = std::max(span.start, shown);
+        const bool overlaps = shown > std::max(file.begin, span.start) + slack;
+        shown = std::max(shown, file.end);
+        if (file.end <= from + slack) continue;
+        if (span.end && file.begin >= *span.end - slack) break;
+        FootagePart part{file, span, overlaps};
+        part.span.start = std::max(0.0, from - file.begin);
+        part.span.end.reset();
+        if (span.end && *span.end < file.end) part.span.end = *span.end - file.begin;
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+}  // namespace vvr

@@ -1,0 +1,118 @@
+#include "cli/app/golden.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/app/record.h"
+#include "cli/app/show_comparison.h"
+#include "cli/app/used_settings.h"
+#include "core/base/error.h"
+#include "core/image/atomic_file.h"
+#include "core/image/difference_view.h"
+#include "core/image/picture_file.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::byte>;
+
+void remove_candidate(const fs::path& golden) {
+    std::error_code none;
+    fs::remove(candidate_of(golden), none);
+}
+
+/// Leaves the candidate. A folder that can't be written must not hide the news that pictures differ.
+/// \throws Error differs that says so, where the candidate is and what to do, or why it could not be left
+[[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
+    const fs::path candidate = candidate_of(golden);
+    try {
+        replace_file(candidate, bytes);
+    } catch (const Error& error) {
+        throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
+    }
+    throw Error(ErrorKind::differs,
+                fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
+}
+
+/// Settings that both record with other values, as words; empty where there are none.
+std::string settings_that_differ(const Metadata& before, const Metadata& now) {
+    constexpr std::size_t most = 5;
+    std::vector<std::string> differ;
+    for (const auto& [name, value] : now) {
+        const std::string was = value_of(before, name);
+        if (was.empty() || was == value || name == "renderer" || name == "font") continue;
+        differ.push_back(fmt::format("{} was {}, is {}", name, was, value));
+    }
+    const std::size_t shown = std::min(most, differ.size());
+    std::string text = fmt::format("{}", fmt::join(std::span(differ).first(shown), "; "));
+    if (differ.size() > shown) text += fmt::format("; and {} more", differ.size() - shown);
+    return text;
+}
+
+/// Another renderer, another font and another setting are the first things to suspect.
+void show_what_else_differs(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
+                            Observer& observer) {
+    constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
+                                                                          {"font", "lettered in"}};
+    for (const auto& [name, how] : suspects) {
+        const std::string before = value_of(golden_settings, name);
+        const std::string now = value_of(metadata, name);
+        if (before.empty() || before == now) continue;
+        observer.info(fmt::format("'{}' was {} {}, this {}", golden.string(), how, before,
+                                  now.empty() ? "is not" : fmt::format("{} {}", how.substr(how.find(' ') + 1), now)));
+    }
+    const std::string settings = settings_that_differ(golden_settings, metadata);
+    if (!settings.empty()) observer.info(fmt::format("'{}' has other settings: {}", golden.string(), settings));
+}
+
+}  // namespace
+
+fs::path candidate_of(const fs::path& golden) {
+    return fs::path(golden).replace_extension(".candidate" + golden.extension().string());
+}
+
+void check_golden_picture(const GoldenOptions& options) {
+    std::error_code none;
+    if (options.path.empty() || options.bless || !fs::exists(options.path, none)) return;
+    static_cast<void>(read_samples(options.path));
+}
+
+void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
+    const fs::path& golden = options.path;
+    const ComparisonOptions& how = options.comparison;
+    const Bytes bytes = encode_picture(golden, picture, metadata);
+    const auto held = observer.guard();
+    if (options.bless) {
+        replace_file(golden, bytes);
+        remove_candidate(golden);
+        observer.info(fmt::format("'{}': blessed", golden.string()));
+        return;
+    }
+    if (!fs::exists(golden)) {
+        fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
+    }
+    const Samples expected = without_pixel_data(read_samples(golden));
+    const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
+    if (comparison.has_numbers() && !how.diff.empty())
+        write_picture(how.diff, difference_picture(expected, comparison));
+    show_what_else_differs(golden, used_settings(settings_of(expected)), metadata, observer);
+    if (comparison.verdict == Verdict::same) {
+        remove_candidate(golden);
+        observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
+                                  golden.string(), comparison.percent, comparison.patch));
+        return;
+    }
+    show_difference(comparison, how.tolerance, "golden", "now", observer);
+    fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
+}
+
+}  // namespace vvr

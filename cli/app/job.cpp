@@ -1,0 +1,232 @@
+#include "cli/app/job.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/app/record.h"
+#include "cli/app/settings.h"
+#include "cli/app/volume_paint.h"
+#include "core/base/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/pipeline.h"
+#include "core/fields/reference.h"
+#include "core/image/animation_file.h"
+#include "core/image/picture_file.h"
+#include "core/image/text.h"
+#include "core/scene/transfer_file.h"
+#include "core/base/standard_output.h"
+
+namespace vvr {
+
+namespace {
+
+void validate(const BrickOptions& bricks, const LookOptions& look) {
+    check(setting::step, bricks.step);
+    check(setting::window, bricks.window);
+    check(setting::layers, bricks.max_layers);
+    check(setting::keyframes, look.keyframes);
+    check(setting::opacity, look.opacity);
+    check(setting::glyph_scale, look.glyph_scale);
+    check(setting::glyph_cap, look.glyph_cap);
+    check(setting::trace_steps, look.traces.steps);
+    check(setting::trace_dt, look.traces.dt);
+    check(setting::trace_rest, look.traces.rest);
+    check(setting::time_velocity, look.traces.time_velocity);
+}
+
+void validate(const RenderOptions& picture) {
+    check(setting::fov, picture.view.fov);
+    check(setting::slices, picture.slices);
+    check(setting::samples, picture.samples);
+}
+
+}  // namespace
+
+void validate(const LayoutOptions& shape) {
+    if (shape.height != 0) check(setting::height, shape.height);
+    check(setting::radius, shape.r_min);
+    check(setting::radius, shape.r_max);
+    if (shape.r_min < shape.r_max) return;
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min, shape.r_max),
+        {setting::radius.name});
+}
+
+void validate_series(const RenderJob& job) {
+    if (job.bricks.time == TimeScale::busy) {
+        throw Error(ErrorKind::usage,
+                    "time busy is for one picture of a clip; the pictures of a series share one scale of time",
+                    {setting::time.name});
+    }
+}
+
+void validate(const RenderJob& job) {
+    if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
+    validate(job.fields);
+    validate(job.bricks, job.look);
+    if (products_of(job).series) validate_series(job);
+    validate(job.picture);
+    validate(job.shape);
+    if (!job.look.font.empty()) check_font(job.look.font);
+}
+
+Products products_of(const RenderJob& job) {
+    const OutputOptions& output = job.output;
+    const bool page = !page_of(output).empty();
+    Products products;
+    products.pictures = pictures_of(output);
+    products.series = is_series(output);
+    products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
+                                   !is_animation(output.path) && holds_pixel_data(output.path));
+    // Only what a filter that marks objects shows has events.
+    products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
+    products.portraits = page && products.events;
+    return products;
+}
+
+RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
+    for (const auto& [name, value] : extracted) {
+        if (name == setting::filter.name) job.fields.filter = value;
+        put(job.settings, name, value);
+    }
+    return job;
+}
+
+RenderJob with_possible_parts(RenderJob job) {
+    Parts& show = job.look.show;
+    // Who names seeds wants to see them.
+    if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
+    if (find_filter(job.fields.filter).traits.shows_object) return job;
+    if (show.has(Part::directions)) show.add(Part::arrows);
+    for (const PartRow& row : parts()) {
+        if (row.needs_events) show.remove(row.part);
+    }
+    return job;
+}
+
+RenderJob with_fields_of_colour(RenderJob job) {
+    job.fields.second = find_colour(job.look.colour).filter;
+    return job;
+}
+
+RenderJob with_transfer(RenderJob job) {
+    const std::string_view own = find_filter(job.fields.filter).transfer;
+    if (!job.look.transfer && !own.empty()) job.look.transfer = find_transfer(std::string(own));
+    return job;
+}
+
+RenderJob with_colour(RenderJob job) {
+    const bool marks_objects = find_filter(job.fields.filter).traits.shows_object;
+    const LookOptions& look = job.look;
+    const ColourRow& asked = find_colour(look.colour);
+    if (asked.drawn == VolumeColour::object && !marks_objects) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
+                        job.fields.filter),
+            {setting::colour.name, setting::filter.name});
+    }
+    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
+    const bool objects = tells_objects && marks_objects && !look.transfer;
+    const bool second_flow = !asked.filter.empty() && find_filter(asked.filter).traits.flow;
+    if ((asked.needs_flow || second_flow) && !has_flow(job.fields.flow)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
+                                asked.name, job.fields.flow.method),
+                    {setting::colour.name, setting::flow.name});
+    }
+    if (&asked == &colour_rows().front()) job.look.colour = objects ? "object" : "transfer";
+    job.picture.colour = find_colour(job.look.colour).drawn;
+    put(job.settings, setting::colour.name, job.look.colour);
+    return job;
+}
+
+bool finds_objects(const RenderJob& job, const Products& products) {
+    return products.events || job.picture.colour == VolumeColour::object || job.look.show.any(&PartRow::needs_events);
+}
+
+bool wants_colour(const RenderJob& job) {
+    // Objects are found by colour too, not only if the picture happens to show some.
+    return find_filter(job.fields.filter).traits.colour || needs_reference(job.fields) ||
+           job.look.show.any(&PartRow::needs_pictures) || find_colour(job.look.colour).needs_pictures ||
+           (!job.fields.second.empty() && find_filter(job.fields.second).traits.colour);
+}
+
+TransferFunction transfer_of(const LookOptions& look) {
+    return look.transfer ? *look.transfer : find_transfer(std::string(look.theme.transfer));
+}
+
+TransferFunction drawn_transfer_of(const LookOptions& look) {
+    return transfer_of(look).scaled(look.opacity);
+}
+
+glm::vec4 background_of(const LookOptions& look) {
+    return look.background.value_or(glm::vec4(look.theme.background, 1));
+}
+
+GlyphOptions glyph_options_of(const LookOptions& look) {
+    GlyphOptions options;
+    options.time_velocity = look.traces.time_velocity;
+    options.frames *= look.glyph_scale;
+    options.cap = look.glyph_cap * look.glyph_scale;
+    return options;
+}
+
+GlyphStyle glyph_style_of(const RenderJob& job) {
+    GlyphStyle style = job.picture.glyphs;
+    style.slow_colour = job.look.theme.slow;
+    style.fast_colour = job.look.theme.fast;
+    style.thickness *= static_cast<float>(job.look.glyph_scale);
+    // Between objects in colours an arrow says which way, and its colour nothing.
+    if (job.picture.colour == VolumeColour::object) {
+        style.slow_colour = style.fast_colour = job.look.theme.ink;
+        style.thickness *= 1.3F;
+    }
+    return style;
+}
+
+WallClock clock_of(const StartTime& start, const VideoInfo& info) {
+    using From = StartTime::From;
+    if (start.from == From::given) return start.clock;
+    if (start.from == From::nobody) return std::nullopt;
+    const bool told = info.began && tells_recording(info.began_by);
+    struct Row {
+        From from;
+        std::optional<std::int64_t> begin;
+        ClockSource source;
+        std::string_view word;
+        std::string_view missing;
+    };
+    const auto told_by = [&](ClockSource source) {
+        return info.began_by == source ? info.began : std::optional<std::int64_t>();
+    };
+    const auto or_else = [](std::optional<std::int64_t> first, std::optional<std::int64_t> second) {
+        return first ? first : second;
+    };
+    const Row rows[] = {
+        {From::automatic, told ? info.began : std::nullopt, info.began_by, "", ""},
+        {From::recorded, told ? info.began : std::nullopt, info.began_by, "recorded",
+         "the name of '{}' does not say when it was recorded; give the date and time, or say with --names how it does"},
+        {From::container, or_else(told_by(ClockSource::container), info.created), ClockSource::container, "container",
+         "the container of '{}' does not say when it was written; give the date and time"},
+        {From::modified, or_else(told_by(ClockSource::modified), info.modified), ClockSource::modified, "modified",
+         "'{}' is no file that was written at some time; give the date and time"},
+    };
+    const Row& row = *std::ranges::find(rows, start.from, &Row::from);
+    if (row.begin) return local_clock(*row.begin, info.duration, row.source);
+    if (row.missing.empty()) return std::nullopt;
+    throw Error(ErrorKind::usage,
+                fmt::format("start-time {}: {}", row.word, fmt::format(fmt::runtime(row.missing), info.name)),
+                {setting::start_time.name});
+}
+
+EventOptions event_options(const RenderJob& job) {
+    EventOptions options;
+    options.scene_is_learnt = find_reference(job.fields.reference) != nullptr;
+    return options;
+}
+
+}  // namespace vvr

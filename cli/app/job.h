@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/app/output.h"
+#include "cli/app/part.h"
+#include "cli/app/time.h"
+#include "cli/app/time_scale.h"
+#include "core/events/event_options.h"
+#include "core/fields/options.h"
+#include "core/image/picture.h"
+#include "core/labels/time_ticks.h"
+#include "core/scene/glyph.h"
+#include "core/scene/theme.h"
+#include "core/scene/traceline.h"
+#include "core/scene/transfer_function.h"
+#include "core/space/layout.h"
+#include "core/video/frame_source.h"
+#include "gl/render_options.h"
+
+namespace vvr {
+
+/// What is read. Which frames of it FieldOptions::span says.
+struct InputOptions {
+    std::vector<std::string> names;    ///< a clip, the files of a recording, or the folders of an extraction in parts
+    std::vector<std::string> layouts;  ///< of files' names, before those of known recorders
+    bool join = false;                 ///< files that seem to be unrelated are one recording all the same
+    Size field_size{0, 0};             ///< as in SourceOptions
+    double rate = 25;                  ///< frames per second, where the input does not say
+};
+
+/// How time becomes layers and bricks.
+struct BrickOptions {
+    std::int64_t max_layers = 800;  ///< of the window; frames of a longer clip share layers
+    int step = 0;                   ///< frames per layer; 0 = as few as max_layers allows
+    int window = 8;                 ///< bricks of the window; without `length`, a clip is cut into as many
+    std::optional<Time> length{};   ///< of a brick
+    TimeScale time = TimeScale::automatic;
+};
+
+/// When a clip began.
+struct StartTime {
+    enum class From {
+        automatic,  ///< its name, where it tells
+        recorded,   ///< the same, and it is an error where it doesn't
+        container,  ///< when the container says it was written
+        modified,   ///< when the file was last written, less its length
+        given,
+        nobody,
+    };
+    From from = From::automatic;
+    WallClock clock{};  ///< that was given
+};
+
+/// What the picture shows of the volume and the flow. How it draws that RenderOptions says.
+struct LookOptions {
+    Parts show = Parts::by_default();
+    int keyframes = 0;  ///< frames shown between the first and the last
+    Theme theme = themes().front();
+    std::optional<glm::vec4> background{};       ///< multiplied by its opacity; none = the theme's
+    std::optional<TransferFunction> transfer{};  ///< none = the theme's
+    std::string colour = "auto";                 ///< a name in the table of colours (cli/app/volume_paint.h)
+    std::string title;                           ///< empty = the clip's name
+    std::filesystem::path font;                  ///< of all text; empty = fontconfig's sans
+    StartTime start_time;
+    double opacity = 1;                     ///< factor on the extinction
+    double glyph_scale = 1;                 ///< factor on the arrows' size
+    double glyph_cap = GlyphOptions{}.cap;  ///< of arrows at factor 1
+    TraceOptions traces;
+    std::optional<View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
+};
+
+/// Which OpenGL draws.
+struct BackendOptions {
+    std::string name = "auto";
+    int device = -1;     ///< EGL's number; -1 = the first that works
+    bool debug = false;  ///< what the driver says is a warning
+};
+
+/// A whole run: what is read, what is computed, how it is drawn, and where it goes.
+struct RenderJob {
+    InputOptions input;
+    FieldOptions fields;
+    std::string seeds;                      ///< lists that replace the computed seeds, as ListedSeeds; empty = none
+    std::optional<SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
+    BrickOptions bricks;
+    std::string layout = layouts().front().name;
+    LayoutOptions shape;
+    LookOptions look;
+    RenderOptions picture;  ///< camera, background and glyphs are made of the rest
+    BackendOptions backend;
+    OutputOptions output;
+    Metadata settings;  ///< all settings as texts, in the order in which files and reports record them
+    Metadata given;     ///< those that were asked for; they must not contradict an extraction
+};
+
+/// \throws Error usage for a value that is out of its range, or values that contradict each other
+void validate(const RenderJob& job);
+void validate(const LayoutOptions& shape);
+
+/// \throws Error usage for what only one picture of a whole clip can have
+void validate_series(const RenderJob& job);
+
+/// What a run has to make, beside files: `products_of` for a RenderJob's output.
+struct Products {
+    int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe
+    bool series = false;      ///< a picture for each brick, while the window moves over the clip
+    bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
+    bool events = false;      ///< a report or a page tells of them
+    bool portraits = false;   ///< a page shows a still of each event
+};
+
+Products products_of(const RenderJob& job);
+
+/// What counts as an event in the fields of a job.
+EventOptions event_options(const RenderJob& job);
+
+/// The same job for fields that were extracted, which have a filter of their own.
+/// \param extracted the settings of the extraction; empty = none
+RenderJob with_extracted(RenderJob job, const Metadata& extracted);
+
+/// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
+/// arrows along trails would.
+RenderJob with_possible_parts(RenderJob job);
+/// The same job, in whose fields is what its colours need.
+/// \throws Error usage for a colour that is in no table
+RenderJob with_fields_of_colour(RenderJob job);
+
+/// The same job with the transfer function that its filter's values are seen with, where none was asked for.
+RenderJob with_transfer(RenderJob job);
+
+/// The same job with the colour in which its volume is drawn. Where none was asked for, objects have their own if there
+/// is a part that tells of them, the filter marks objects, and no transfer function was asked for.
+/// \throws Error usage where objects are to have colours, and the filter marks none; where colours need flow, and there
+///         is none
+RenderJob with_colour(RenderJob job);
+
+/// Whether the run follows objects.
+bool finds_objects(const RenderJob& job, const Products& products);
+
+/// The fields need the frames in colour, or the picture shows them.
+bool wants_colour(const RenderJob& job);
+
+// What the look makes of the picture.
+TransferFunction transfer_of(const LookOptions& look);
+TransferFunction drawn_transfer_of(const LookOptions& look);  ///< with the opacity
+glm::vec4 background_of(const LookOptions& look);
+GlyphOptions glyph_options_of(const LookOptions& look);
+GlyphStyle glyph_style_of(const RenderJob& job);
+
+/// The clock that a clip's ruler shows.
+/// \throws Error usage where what is to say when it was recorded does not
+WallClock clock_of(const StartTime& start, const VideoInfo& info);
+
+}  // namespace vvr

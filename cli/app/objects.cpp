@@ -1,0 +1,102 @@
+#include "cli/app/objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/events/event_options.h"
+#include "core/scene/object_looks.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr std::size_t most_numbers = 65'535;  // an Identity's
+constexpr double stripes = 60;                // in a window, dark and light
+
+/// An event as its voxels need it.
+struct Object {
+    int colour = 0;
+    std::uint16_t number = 0;
+    std::pair<double, double> seen;  ///< seconds
+    std::vector<std::pair<double, double>> stays;
+};
+
+Object object_of(const Event& event, int colour, std::size_t place) {
+    Object object;
+    object.colour = colour;
+    object.number = static_cast<std::uint16_t>(place < most_numbers ? place + 1 : 0);
+    object.seen = {event.first.seconds, event.last.seconds};
+    for (const Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
+    return object;
+}
+
+}  // namespace
+
+Identify objects_of(std::span<const Event> events, const Volume& volume) {
+    const std::vector<int> colours = colours_of(events);
+    std::vector<Object> objects;
+    for (std::size_t k = 0; k < events.size(); ++k) objects.push_back(object_of(events[k], colours[k], k));
+    const std::int64_t stripe =
+        std::max<std::int64_t>(volume.step(), std::llround(static_cast<double>(volume.frames()) / (2 * stripes)));
+    return [objects = std::move(objects), events_of = events_of_tracks(events), stripe](std::size_t track,
+                                                                                        const Layer& layer) {
+        if (track >= events_of.size() || !events_of[track]) return Identity{};
+        const Object& object = objects[*events_of[track]];
+        const auto is_in = [&](const std::pair<double, double>& span) {
+            return layer.last_pts >= span.first && layer.pts <= span.second;
+        };
+        // A thing that was left may be known by what the scene lacked before it came: that is not the thing.
+        if (!is_in(object.seen)) return Identity{};
+        const bool stays = std::ranges::any_of(object.stays, is_in);
+        const bool dark = layer.first_frame / stripe % 2 == 0;
+        const Posture posture = !stays ? Posture::moving : dark ? Posture::marked : Posture::still;
+        return Identity{look_of(object.colour, posture), object.number};
+    };
+}
+
+void LiveObjects::see(const FrameLabels& labels) {
+    last_ = labels.at;
+    for (const LabelRun& run : labels.runs) {
+        const auto [at, is_new] = tracks_.try_emplace(run.track);
+        Seen& seen = at->second;
+        if (is_new) seen = {labels.at, labels.at, next_colour(), labels.at.frame, false};
+        seen.last = labels.at;
+        last_seen_[static_cast<std::size_t>(seen.colour)] = labels.at.frame + 1;
+    }
+}
+
+int LiveObjects::next_colour() const {
+    return static_cast<int>(std::ranges::min_element(last_seen_) - last_seen_.begin());
+}
+
+void LiveObjects::decide(std::int64_t oldest) {
+    std::erase_if(tracks_, [&](const auto& known) { return known.second.last.frame < oldest; });
+    std::erase_if(numbers_, [&](const auto& known) { return !tracks_.contains(known.first); });
+    for (auto& [track, seen] : tracks_) {
+        if (seen.decided) continue;
+        seen.decided = seen.last.seconds - seen.first.seconds >= EventOptions{}.least;
+        if (!seen.decided) seen.undecided = last_.frame + 1;
+    }
+}
+
+std::optional<int> LiveObjects::colour_of(std::size_t track) const {
+    const auto known = tracks_.find(track);
+    return known == tracks_.end() ? std::nullopt : std::optional(known->second.colour);
+}
+
+Identify LiveObjects::identify() const {
+    return [this](std::size_t track, const Layer& layer) {
+        const auto known = tracks_.find(track);
+        if (known == tracks_.end()) return Identity{};
+        const Seen& seen = known->second;
+        if (!seen.decided || layer.last_frame < seen.undecided) return Identity{};
+        const auto number = numbers_.find(track);
+        const bool fits = number != numbers_.end() && number->second <= most_numbers;
+        return Identity{look_of(seen.colour, Posture::moving),
+                        fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
+    };
+}
+
+}  // namespace vvr

@@ -1,0 +1,88 @@
+#include "cli/app/page_output.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "cli/app/shown_name.h"
+#include "core/base/error.h"
+#include "core/page/text.h"
+#include "core/video/container.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
+#include "core/base/words.h"
+
+namespace vvr {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where the page belongs in an archive whose index lies above it: archives name a page after its clip.
+PageIndex index_of(const fs::path& page, const fs::path& index) {
+    const std::string below = relative_url(index, page);
+    return {relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
+}
+
+/// The camera that an archive knows, or the clip's name tells; empty = nothing tells it.
+std::string camera_of(const RenderJob& job, const VideoInfo& info) {
+    if (!job.output.page_camera.empty()) return job.output.page_camera;
+    if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
+    return look_at_name(job.input.names.front(), RecorderNames(job.input.layouts)).camera;
+}
+
+/// What the page calls its clip in small letters: nothing that stands over it already.
+std::string file_name_of(const RenderJob& job, const PageContent& content) {
+    if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
+    const std::string file = shown_name(job.input.names.front());
+    return content.camera.empty() && content.name == file ? "" : file;
+}
+
+/// The ending of a file that can hold pieces of a clip; empty where that is not known.
+std::string ending_of_pieces(const std::string& file, double rate) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return {};
+    try {
+        return std::string(ending_for(open_input(file), rate));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+std::string page_text(const RenderJob& job, const RenderReport& report, Picture picture, const Metadata& settings,
+                      Moments moments, const std::optional<LiveState>& live) {
+    std::error_code none;
+    const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
+    const std::string& input = job.input.names.front();
+    PageContent content;
+    content.name = title_of(job.look.title, report.info);
+    content.camera = camera_of(job, report.info);
+    content.file = file_name_of(job, content);
+    for (const SegmentPlace& segment : report.info.segments) {
+        if (segment.end <= segment.begin) continue;  // another file shows the same time
+        content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+    }
+    const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
+    if (is_file) content.clip_url = relative_url(path, input);
+    const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
+    if (!live) content.cut_ending = ending_of_pieces(first_file, job.input.rate);
+    content.names = job.input.layouts;
+    content.shown = report.info.size;
+    content.field = report.field_size;
+    content.picture = std::move(picture);
+    content.settings = settings;
+    content.moments = std::move(moments);
+    content.clock = report.clock;
+    content.events = report.events;
+    content.numbers = report.event_numbers;
+    content.colours = report.event_colours;
+    content.portraits = report.portraits;
+    content.live = live;
+    if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
+    for (const Region& region : report.lettering.regions) content.regions.push_back({region.box, region.number});
+    return make_page(content);
+}
+
+}  // namespace vvr

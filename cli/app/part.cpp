@@ -1,0 +1,100 @@
+#include "cli/app/part.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vvr {
+
+namespace {
+
+constexpr std::array table{
+    PartRow{.part = Part::volume, .name = "volume", .help = "what moved or is new, over time", .by_default = true},
+    PartRow{.part = Part::portraits,
+            .name = "portraits",
+            .help = "stills of the objects that tell most, each at its best moment",
+            .by_default = true,
+            .needs_pictures = true,
+            .needs_events = true},
+    PartRow{.part = Part::map,
+            .name = "map",
+            .help = "the empty scene, and the way of each object through it",
+            .by_default = true,
+            .needs_pictures = true,
+            .needs_events = true},
+    PartRow{.part = Part::strip,
+            .name = "strip",
+            .help = "when each object was there, as bars over an even axis of time",
+            .by_default = true,
+            .needs_events = true},
+    PartRow{.part = Part::numbers,
+            .name = "numbers",
+            .help = "the number of each object, where its trail begins",
+            .by_default = true,
+            .needs_events = true},
+    PartRow{.part = Part::directions,
+            .name = "directions",
+            .help = "arrows along the trails: which way each object went, and how fast",
+            .by_default = true,
+            .needs_events = true},
+    PartRow{.part = Part::arrows,
+            .name = "arrows",
+            .help = "the optical flow at single places: which way things go, and how fast",
+            .needs_seeds = true},
+    PartRow{.part = Part::tracelines,
+            .name = "tracelines",
+            .help = "the paths that the flow carries points along",
+            .needs_seeds = true,
+            .needs_flow = true},
+    PartRow{.part = Part::outline, .name = "outline", .help = "the edges of the volume", .by_default = true},
+    PartRow{.part = Part::ribs,
+            .name = "ribs",
+            .help = "cuts through the volume at the times of the ruler",
+            .by_default = true},
+    PartRow{.part = Part::frames,
+            .name = "frames",
+            .help = "the first and the last frame where they stand in the volume, and key frames between them",
+            .by_default = true,
+            .needs_pictures = true},
+    PartRow{.part = Part::ends,
+            .name = "ends",
+            .help = "the first and the last frame, flat, beside the volume",
+            .by_default = true,
+            .needs_pictures = true},
+    PartRow{.part = Part::floor, .name = "floor", .help = "the shadow of the volume on the floor", .by_default = true},
+    PartRow{.part = Part::ruler, .name = "ruler", .help = "times along the outer edge", .by_default = true},
+    PartRow{.part = Part::legend, .name = "legend", .help = "what the colours mean", .by_default = true},
+    PartRow{.part = Part::title, .name = "title", .help = "name and length of the clip", .by_default = true},
+    PartRow{.part = Part::explanation,
+            .name = "explanation",
+            .help = "a line that says how to read the picture",
+            .by_default = true},
+    PartRow{.part = Part::bricks, .name = "bricks", .help = "the borders between bricks"},
+    PartRow{.part = Part::boxes,
+            .name = "boxes",
+            .help = "the boxes around the volume and around what is visible of it (Fig. 5)",
+            .around_volume = true},
+    PartRow{.part = Part::slices,
+            .name = "slices",
+            .help = "some of the slices that draw the volume (Fig. 5)",
+            .around_volume = true},
+};
+
+}  // namespace
+
+std::span<const PartRow> parts() {
+    return table;
+}
+
+Parts Parts::by_default() {
+    Parts parts;
+    for (const PartRow& row : table) {
+        if (row.by_default) parts.add(row.part);
+    }
+    return parts;
+}
+
+bool Parts::any(bool PartRow::*trait) const {
+    return std::ranges::any_of(table, [&](const PartRow& row) { return row.*trait && has(row.part); });
+}
+
+}  // namespace vvr

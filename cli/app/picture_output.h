@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/app/observer.h"
+#include "cli/app/output.h"
+#include "core/image/animation_file.h"
+#include "core/image/name_pattern.h"
+#include "core/image/picture_file.h"
+#include "core/page/stills.h"
+
+namespace vvr {
+
+/// Writes the pictures of a render: to one file, to a file each, to one that is animated, to a page, or nowhere.
+class PictureOutput {
+  public:
+    /// What can fail without a picture fails here.
+    /// \throws Error usage or io
+    PictureOutput(const OutputOptions& options, Observer& observer);
+
+    void add(int number, Picture picture, const Metadata& metadata);
+
+    /// The picture once more, small, where that is asked for.
+    void add_thumbnail(const Picture& picture);
+
+    /// A frame of the clip, where that is asked for and there is one.
+    void add_still(const std::optional<Still>& still);
+
+    /// Instead of the picture, or beside it.
+    void add_page(const std::string& text);
+
+    /// After the last picture.
+    void close();
+
+  private:
+    Observer& observer_;
+    NamePattern name_;
+    std::filesystem::path page_;
+    std::filesystem::path thumbnail_;
+    std::filesystem::path still_;
+    std::optional<AnimationFile> animation_;
+};
+
+}  // namespace vvr

@@ -1,0 +1,156 @@
+#include "cli/app/stored_flow_seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/choice.h"
+#include "core/base/error.h"
+#include "core/fields/filter.h"
+#include "core/fields/flo_file.h"
+#include "core/fields/seed_file.h"
+#include "core/fields/seeds.h"
+#include "core/fields/settings.h"
+#include "core/image/atomic_file.h"
+#include "core/store/stored_fields.h"
+#include "core/base/words.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The lists of a run. Without `keep` they go again, and with them the folder if it is new.
+class SeedFolder {
+  public:
+    explicit SeedFolder(fs::path folder) : folder_(std::move(folder)) {
+        std::error_code error;
+        made_ = fs::create_directory(folder_, error);
+        if (!error && fs::is_directory(folder_) && fs::is_empty(folder_, error) && !error) return;
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot write seeds to '{}': {}; choose a new or an empty folder", folder_.string(),
+                                error ? error.message() : "it holds files"),
+                    {"output"});
+    }
+    ~SeedFolder() {
+        if (kept_) return;
+        std::error_code none;
+        for (const fs::path& file : files_) fs::remove(file, none);
+        if (made_) fs::remove(folder_, none);
+    }
+    SeedFolder(const SeedFolder&) = delete;
+    SeedFolder& operator=(const SeedFolder&) = delete;
+
+    void add(const SeedList& list) {
+        files_.push_back(folder_ / stored::seed_file(list.frame).filename());
+        const std::string text = format_seeds(list);
+        replace_file(files_.back(), std::as_bytes(std::span(text)));
+        seeds_ += std::ssize(list.seeds);
+    }
+
+    void keep() { kept_ = true; }
+    std::int64_t lists() const { return std::ssize(files_); }
+    std::int64_t seeds() const { return seeds_; }
+
+  private:
+    fs::path folder_;
+    std::vector<fs::path> files_;
+    std::int64_t seeds_ = 0;
+    bool made_ = false;
+    bool kept_ = false;
+};
+
+/// The number at the end of a name.
+std::int64_t frame_of(const fs::path& file) {
+    const std::string name = file.stem().string();
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    std::int64_t frame = 0;
+    const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), frame);
+    if (error == std::errc() && digits < name.size()) return frame;
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}': the name of a flow ends in the number of its frame, such as frame000012.flo",
+                            file.string()));
+}
+
+/// Flow alone: where objects are isn't known.
+void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
+    std::map<std::int64_t, fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(job.flow, error)) {
+        if (entry.path().extension() != ".flo") continue;
+        const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
+        if (is_new) continue;
+        throw Error(ErrorKind::io, fmt::format("'{}': frame {} has a flow already, '{}'", entry.path().string(),
+                                               known->first, known->second.string()));
+    }
+    if (files.empty()) {
+        const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
+                                       : std::string("is no extraction and holds no .flo file");
+        throw Error(ErrorKind::io,
+                    fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
+                                job.flow.string(), what));
+    }
+    const bool magnitude = job.seeds.order == seed_orders().front().name;
+    if (choose(setting::seed_area.name, job.seeds.area, seed_areas()).object_alone || !magnitude) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
+                                "seed-order magnitude, or name an extraction",
+                                job.flow.string()),
+                    {setting::seed_area.name, setting::seed_order.name});
+    }
+    for (const auto& [frame, file] : files) {
+        const Flow flow = read_flo(file.string());
+        const Plane<std::uint8_t> object(flow.u.size());
+        folder.add({frame, flow.u.size(), make_seeds({frame, flow, object, {}}, job.seeds)});
+    }
+}
+
+void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
+    StoredFields fields(std::array{job.flow.string()});
+    const auto filter =
+        std::ranges::find(fields.settings(), setting::filter.name, [](const auto& s) { return s.first; });
+    const bool marks = filter != fields.settings().end() && find_filter(filter->second).traits.shows_object;
+    if (!marks && choose(setting::seed_area.name, job.seeds.area, seed_areas()).object_alone) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
+                                "choose seed-area field",
+                                job.flow.string()),
+                    {setting::seed_area.name});
+    }
+    Plane<std::uint16_t> age;
+    const FieldNeeds needs{.seeds = false, .flow = true, .colour = false, .every = fields.interval(1)};
+    fields.read(needs, [&](const SharedFrame&, const Field& field) {
+        age = aged(age, field.scalar);
+        if (field.flow.u.empty()) return;
+        folder.add(
+            {field.index, field.flow.u.size(), make_seeds({field.index, field.flow, field.scalar, age}, job.seeds)});
+    });
+}
+
+}  // namespace
+
+void write_seeds(const StoredFlowSeedsJob& job, Observer& observer) {
+    FieldOptions options;
+    options.seeds = job.seeds;
+    validate(options);
+    SeedFolder folder(job.folder);
+    if (is_data_folder(job.flow)) {
+        seeds_of_extraction(job, folder);
+    } else {
+        seeds_of_files(job, folder);
+    }
+    folder.keep();
+    observer.info(fmt::format("'{}': {} with {}", job.folder.string(), counted(folder.lists(), "list"),
+                              counted(folder.seeds(), "seed")));
+}
+
+}  // namespace vvr

@@ -1,0 +1,101 @@
+#include "cli/app/volume_paint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/app/settings.h"
+#include "core/base/choice.h"
+#include "core/fields/filter.h"
+#include "core/scene/hues.h"
+#include "core/scene/transfer_file.h"
+
+namespace vvr {
+
+namespace {
+
+constexpr const char* by_direction = "direction";
+
+// Pixels per frame: up to the first nothing moves, from the second on it does.
+constexpr float resting = 0.2F;
+constexpr float moving = 0.6F;
+
+Bgr bgr_of(const glm::vec3& colour) {
+    const glm::vec3 level = glm::clamp(colour, 0.F, 1.F) * 255.F + 0.5F;
+    return {static_cast<std::uint8_t>(level.b), static_cast<std::uint8_t>(level.g), static_cast<std::uint8_t>(level.r)};
+}
+
+std::vector<ColourRow> make_rows() {
+    std::vector<ColourRow> rows{
+        {"auto",
+         "object where the legend is shown, the filter marks objects, and no transfer function is given; else "
+         "transfer"},
+        {"object", "each object its own; what is no object's is grey and faint", VolumeColour::object},
+        {"transfer", "the transfer function's, of the filter's values"},
+        {"video", "the video's own", VolumeColour::own, true},
+        {by_direction, "which way it moves, as a wheel of colours; grey where it rests", VolumeColour::own, false,
+         true},
+        {"speed", "how fast it moves, as arrows have it", VolumeColour::own, false, true},
+        {"time", "the moment, from the first to the last", VolumeColour::time},
+    };
+    for (const FilterRow& filter : filters()) {
+        const std::string name(filter.name);
+        rows.push_back(
+            {name, "a second filter's values: " + std::string(filter.help), VolumeColour::own, false, false, name});
+    }
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<ColourRow>& colour_rows() {
+    static const std::vector<ColourRow> rows = make_rows();
+    return rows;
+}
+
+const ColourRow& find_colour(const std::string& name) {
+    return choose(setting::colour.name, name, colour_rows());
+}
+
+TransferFunction second_transfer_of(const RenderJob& job) {
+    if (job.look.transfer) return *job.look.transfer;
+    const std::string_view own = find_filter(job.fields.second).transfer;
+    return find_transfer(own.empty() ? "viridis" : std::string(own));
+}
+
+VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job.look.colour)) {
+    if (row_.filter.empty()) return;
+    const TransferFunction transfer = second_transfer_of(job);
+    for (std::size_t value = 0; value < of_value_.size(); ++value) {
+        of_value_[value] = bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
+    }
+}
+
+Bgr VolumePaint::colour_of_flow(float u, float v) const {
+    const Theme& theme = job_.look.theme;
+    const float speed = std::hypot(u, v);
+    if (row_.name == by_direction) {
+        const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
+        if (share == 0) return bgr_of(theme.nobody);
+        return bgr_of(glm::mix(theme.nobody, direction_colour({u, v}), share));
+    }
+    const glm::vec2 range = job_.picture.glyphs.speed_range;
+    return bgr_of(glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
+}
+
+const Plane<Bgr>& VolumePaint::operator()(const Frame& frame, const Field& field) {
+    if (row_.drawn != VolumeColour::own) return painted_;
+    if (row_.needs_pictures) return frame.colour;
+    if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
+    const auto into = painted_.pixels().begin();
+    if (!row_.filter.empty()) {
+        std::ranges::transform(field.second.pixels(), into, [this](std::uint8_t value) { return of_value_[value]; });
+    } else if (field.flow.u.empty()) {
+        std::ranges::fill(painted_.pixels(), colour_of_flow(0, 0));
+    } else {
+        std::ranges::transform(field.flow.u.pixels(), field.flow.v.pixels(), into,
+                               [this](float u, float v) { return colour_of_flow(u, v); });
+    }
+    return painted_;
+}
+
+}  // namespace vvr

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cli/app/job.h"
+#include "cli/app/observer.h"
+#include "core/fields/field_source.h"
+#include "core/page/recent_moments.h"
+#include "core/video/live_source.h"
+
+namespace vvr {
+
+/// How long a stream is watched, and how patiently.
+struct StreamOptions {
+    std::optional<double> duration{};  ///< seconds; none = for ever
+    double lag = LiveOptions{}.lag;    ///< as in LiveOptions
+    double patience = LiveOptions{}.patience;
+};
+
+/// A stream whose picture is drawn again after each brick.
+class StreamWatch {
+  public:
+    /// Connects.
+    /// \throws Error usage, not_video, io
+    StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer);
+
+    /// Draws until the stream ends or is stopped.
+    /// \returns the number of pictures
+    /// \throws Error of every kind
+    std::int64_t run();
+
+    /// Ends the stream soon; the last brick is drawn. From any thread.
+    void stop() { stream_->stop(); }
+
+    const std::string& name() const { return stream_->info().name; }
+
+  private:
+    RenderJob job_;
+    Observer& observer_;
+    std::unique_ptr<RecentMoments> fields_;
+    LiveSource* stream_;  ///< of the fields
+};
+
+}  // namespace vvr

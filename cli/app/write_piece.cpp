@@ -1,0 +1,331 @@
+#include "cli/app/write_piece.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/base/error.h"
+#include "core/image/atomic_file.h"
+#include "core/image/film_encoder.h"
+#include "core/base/shown_text.h"
+#include "core/video/container.h"
+#include "core/video/copy_check.h"
+#include "core/video/frame_source.h"
+#include "core/video/packet_copy.h"
+#include "core/video/recorder_names.h"
+#include "core/video/scaler.h"
+#include "core/base/words.h"
+
+namespace vvr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Thrown by the function that writes the file, so that nothing of it stays.
+struct Stopped {};
+
+/// How the frames of an exact piece are encoded. Frames do not refer to later ones, so that times begin at 0.
+struct Encoding {
+    std::string_view muxer;
+    const char* encoder;
+    const char* options;
+};
+
+/// The first of a container whose encoder is installed is taken.
+constexpr const char* h264 = "crf=18,preset=veryfast,bf=0,x264-params=log=-1,colorspace=smpte170m,color_range=tv";
+constexpr std::array encodings{
+    Encoding{"mp4", "libx264", h264},
+    Encoding{"mov", "libx264", h264},
+    Encoding{"matroska", "libx264", h264},
+    Encoding{"mp4", "mpeg4", "b=12000000"},
+    Encoding{"mov", "mpeg4", "b=12000000"},
+    Encoding{"matroska", "mpeg4", "b=12000000"},
+    Encoding{"webm", "libvpx-vp9", "crf=28,b=0,cpu-used=5,deadline=realtime"},
+    Encoding{"webm", "libvpx", "crf=10,b=20000000,cpu-used=5,deadline=realtime"},
+};
+
+const Encoding& encoding_for(const fs::path& path) {
+    const ContainerRow& container = container_of(path);
+    const auto fits = [&](const Encoding& e) { return e.muxer == container.muxer && has_encoder(e.encoder); };
+    if (const auto found = std::ranges::find_if(encodings, fits); found != encodings.end()) return *found;
+    std::vector<std::string_view> others;
+    for (const ContainerRow& row : containers()) {
+        if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
+    }
+    throw Error(ErrorKind::usage,
+                fmt::format("cannot write '{}': an exact piece can't be a {}, or its encoder is not installed; choose "
+                            "{}",
+                            path.string(), container.name, fmt::join(others, ", ")),
+                {"exact"});
+}
+
+/// "2026-11-22T02:12:10+01:00 to 2026-11-22T02:13:40+01:00"; empty where nobody knows.
+std::string time_of_day(const PieceJob& job, double begin, double end) {
+    return job.clock ? fmt::format("{} to {}", job.clock->iso(begin), job.clock->iso(end)) : "";
+}
+
+/// When a second of the recording was, in seconds since 1970 (UTC); none = nobody knows.
+std::optional<double> utc_at(const PieceJob& job, double seconds) {
+    if (job.clock) return static_cast<double>(utc_of({job.clock->begin, job.clock->ahead})) + seconds;
+    return job.created ? std::optional(static_cast<double>(*job.created) + seconds) : std::nullopt;
+}
+
+std::string files_of(const PieceJob& job) {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> names;
+    for (const FootagePart& part : job.parts) names.push_back(shown_text(fs::path(part.file.path).filename().string()));
+    const std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// What the piece says of itself: camera, day, time, and the files that it is of.
+/// \param begin of the piece, seconds of the recording
+Tags tags_of(const PieceJob& job, double begin, double end) {
+    Tags tags;
+    if (!job.camera.empty()) tags.emplace_back("title", shown_text(job.camera));
+    std::string comment = shown_text(job.camera);
+    const std::string day = time_of_day(job, begin, end);
+    for (const std::string& words : {day, fmt::format("cut by vvr from {}", files_of(job))}) {
+        if (!words.empty()) comment += (comment.empty() ? "" : "; ") + words;
+    }
+    tags.emplace_back("comment", comment);
+    const std::optional<double> made = utc_at(job, begin);
+    if (!made) return tags;
+    const auto milliseconds = static_cast<std::int64_t>(std::floor(*made * 1000 + 1e-3));
+    const std::int64_t rest = ((milliseconds % 1000) + 1000) % 1000;
+    const std::string time =
+        fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime((milliseconds - rest) / 1000), rest);
+    tags.emplace_back("creation_time", time);
+    if (container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // it has no place for the other
+    return tags;
+}
+
+/// ", which is 2026-11-22T02:12:10+01:00 to ..."
+std::string day_in_words(const PieceJob& job, double begin, double end) {
+    const std::string day = time_of_day(job, begin, end);
+    return day.empty() ? day : fmt::format(", which is {}", day);
+}
+
+/// Where the footage ends before the piece was to.
+/// \param last time of the piece's last frame
+/// \param length of that frame
+void warn_of_end(const PieceJob& job, double last, double length, Observer& observer) {
+    if (!job.tells_early_end || (job.span.end && last + length + 0.002 >= *job.span.end)) return;
+    if (!job.span.end && !job.span.stop) return;
+    observer.warn(fmt::format("'{}' ends at {:.3f} s, before the piece was to end", job.name, last));
+}
+
+// ---- A copy
+
+std::vector<CopyPart> parts_to_copy(const PieceJob& job) {
+    std::vector<CopyPart> copied;
+    std::optional<double> over;
+    for (const FootagePart& part : job.parts) {
+        if (part.overlaps) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' begins before the file before it ends, so a copy would show some time twice; "
+                                    "cut it exactly, which encodes the video anew",
+                                    part.file.path),
+                        {"exact"});
+        }
+        Input input = open_input(part.file.path);
+        const Piece piece = find_piece(input, job.input.rate, part.span);
+        if (piece.frames == 0) over = piece.over;
+        if (piece.frames > 0) copied.push_back({std::move(input), piece, part.file.begin});
+    }
+    if (copied.empty()) throw_empty(job.name, job.span, over);
+    return copied;
+}
+
+}  // namespace
+
+std::string_view ending_of_exact() {
+    const auto installed = std::ranges::find_if(encodings, [](const auto& e) { return has_encoder(e.encoder); });
+    const auto& found = installed == encodings.end() ? encodings.front() : *installed;
+    return std::ranges::find(containers(), found.muxer, &ContainerRow::muxer)->name;
+}
+
+void check_exact(const fs::path& path) {
+    encoding_for(path);
+}
+
+bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
+    const std::vector<CopyPart> parts = parts_to_copy(job);
+    const CopyPart& first = parts.front();
+    const CopyPart& last = parts.back();
+    const double begin = first.begin + first.piece.begin;
+    const double end = last.begin + last.piece.end;
+    const Tags tags = tags_of(job, begin, end);
+    Copied copied;
+    try {
+        const auto held = observer.guard();
+        const auto write = [&](const WriteAt& write_at) {
+            copied =
+                copy_pieces(parts, job.input.rate, job.path, tags, write_at, [&] { return stop.stop_requested(); });
+            if (copied.stopped) throw Stopped();
+        };
+        replace_file(job.path, write,
+                     [&](const fs::path& written) { check_copy(written, parts, copied, job.input.rate, job.path); });
+    } catch (const Stopped&) {
+        return false;
+    }
+    if (last.piece.ends_early) warn_of_end(job, end, 0, observer);
+    std::int64_t damaged = 0;
+    for (const CopyPart& part : parts) damaged += part.piece.damaged;
+    if (damaged > 0) {
+        observer.warn(
+            fmt::format("'{}': {} of the piece copied as they are", job.name, counted(damaged, "damaged packet")));
+    }
+    if (!copied.left_out.empty()) {
+        observer.info(fmt::format("'{}': left out, as it is neither picture, sound nor text: {}", job.path.string(),
+                                  fmt::join(copied.left_out, ", ")));
+    }
+    const double before = first.piece.wanted - first.piece.begin;
+    const std::string lead = before < 0.0005 ? "a key frame, where the piece does"
+                                             : fmt::format("the key frame {:.3f} s before the piece", before);
+    observer.info(fmt::format("'{}': {} copied, {:.3f} s to {:.3f} s of '{}'{}; it begins with {}", job.path.string(),
+                              counted(copied.packets, "frame"), begin, end, job.name, day_in_words(job, begin, end),
+                              lead));
+    return true;
+}
+
+// ---- An exact piece
+
+namespace {
+
+/// Frames of a file from a span's first on.
+std::unique_ptr<DecodedFrame> first_of(FrameSource& clip, const FrameSpan& span) {
+    if (span.start > 0) clip.seek(span.start - 1);
+    auto frame = clip.next();
+    while (frame && is_before(span, frame->index, frame->pts)) frame = clip.next();
+    return frame;
+}
+
+struct Encoded {
+    std::int64_t frames = 0;
+    std::int64_t damaged = 0;
+    double begin = 0;
+    double end = 0;
+};
+
+/// The frames of a piece, file by file.
+class PieceFrames {
+  public:
+    explicit PieceFrames(const PieceJob& job) : job_(job) {
+        options_.field_size = {-1, -1};
+        options_.colour = true;
+        options_.threads = job.threads;
+        options_.rate = job.input.rate;
+    }
+
+    /// The next frame, its time in seconds of the recording; nothing at the end.
+    std::unique_ptr<DecodedFrame> next() {
+        for (;;) {
+            if (!file_ && !open()) return nullptr;
+            auto frame = ahead_ ? std::move(ahead_) : file_->next();
+            const FootagePart& part = *std::prev(part_);
+            if (frame && !is_past(part.span, frame->index, frame->pts)) {
+                frame->pts += part.file.begin;
+                return frame;
+            }
+            damaged_ += file_->damaged();
+            file_.reset();
+        }
+    }
+
+    /// Of the first file that has a frame of the piece.
+    const VideoInfo& info() const { return *info_; }
+    Size size() const { return size_; }
+    std::int64_t expected() const { return expected_; }
+    std::int64_t damaged() const { return damaged_; }
+
+  private:
+    bool open() {
+        if (part_ == job_.parts.end()) return false;
+        const FootagePart& part = *part_++;
+        file_ = open_source(part.file.path, options_);
+        expected_ += expected_frames(file_->info(), part.span);
+        ahead_ = first_of(*file_, part.span);
+        if (!info_ && ahead_) {
+            info_ = file_->info();
+            size_ = file_->field_size();
+        }
+        return true;
+    }
+
+    const PieceJob& job_;
+    SourceOptions options_;
+    std::vector<FootagePart>::const_iterator part_ = job_.parts.begin();
+    std::unique_ptr<FrameSource> file_;
+    std::unique_ptr<DecodedFrame> ahead_;
+    std::optional<VideoInfo> info_;
+    Size size_;
+    std::int64_t expected_ = 0;
+    std::int64_t damaged_ = 0;
+};
+
+Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<DecodedFrame> frame, const WriteAt& write_at,
+               Observer& observer, const std::stop_token& stop) {
+    constexpr int ticks = 90'000;
+    constexpr int default_rate = 25;
+    const Encoding& encoding = encoding_for(job.path);
+    const double given = frames.info().rate;
+    const int rate = given > 0 ? static_cast<int>(std::clamp(std::round(given), 1.0, 1000.0)) : default_rate;
+    const SegmentPlace& last = job.parts.back().file;
+    const double end = std::min(job.span.end.value_or(last.end), last.end);
+    const Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
+    FilmEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags}, job.path.string(),
+                     frames.info().size, ticks, rate, 2 * rate, write_at);
+    Scaler scale(frames.size(), true);
+    Encoded encoded{0, 0, frame->pts, frame->pts};
+    std::int64_t last_tick = -1;
+    for (; frame; frame = frames.next()) {
+        if (stop.stop_requested()) throw Stopped();
+        // Two frames of one time are shown one after the other.
+        last_tick = std::max(last_tick + 1, std::int64_t{std::llround((frame->pts - encoded.begin) * ticks)});
+        encoded.end = frame->pts;
+        film.add(scale(*frame).colour, last_tick);
+        observer.frames(++encoded.frames, frames.expected());
+    }
+    film.finish();
+    encoded.damaged = frames.damaged();
+    return encoded;
+}
+
+}  // namespace
+
+bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
+    PieceFrames frames(job);
+    auto frame = frames.next();
+    if (!frame) throw_empty(job.name, job.span, std::nullopt);
+    Encoded encoded;
+    try {
+        const auto held = observer.guard();
+        replace_file(job.path, [&](const WriteAt& write_at) {
+            encoded = encode(job, frames, std::move(frame), write_at, observer, stop);
+        });
+    } catch (const Stopped&) {
+        return false;
+    }
+    const double rate = frames.info().rate;
+    warn_of_end(job, encoded.end, rate > 0 ? 1 / rate : 0, observer);
+    if (encoded.damaged > 0) {
+        observer.warn(fmt::format("'{}': {}; the piece has the frames that decoded", job.name,
+                                  counted(encoded.damaged, "damaged packet")));
+    }
+    observer.info(fmt::format("'{}': {} encoded anew without sound, {:.3f} s to {:.3f} s of '{}'{}", job.path.string(),
+                              counted(encoded.frames, "frame"), encoded.begin, encoded.end, job.name,
+                              day_in_words(job, encoded.begin, encoded.end)));
+    return true;
+}
+
+}  // namespace vvr

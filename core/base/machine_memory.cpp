@@ -1,0 +1,34 @@
+#include "core/base/machine_memory.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace vvr {
+
+std::int64_t machine_memory() {
+    return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+}
+
+bool may_have(std::int64_t bytes) {
+    void* const room = ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) return false;
+    ::munmap(room, static_cast<std::size_t>(bytes));
+    return true;
+}
+
+void keep_freed_planes() {
+    constexpr int larger_than_a_plane = 2 << 20;
+    // One heap for all threads: planes are freed by other threads than those that took them, and each heap would keep
+    // its own.
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
+    mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
+}
+
+void give_back_freed() {
+    malloc_trim(0);
+}
+
+}  // namespace vvr

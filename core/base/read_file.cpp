@@ -1,0 +1,98 @@
+#include "core/base/read_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace vvr {
+
+namespace {
+
+/// An open file that closes itself.
+class Opened {
+  public:
+    // What became a pipe since it was looked at must not wait for who writes it.
+    explicit Opened(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+    ~Opened() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+
+    int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+bool is_of_a_shell(const std::string& path) {
+    return path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
+}
+
+[[noreturn]] void refuse_strange(const std::string& path) {
+    throw Error(ErrorKind::io, fmt::format("'{}' is no file but a device or a pipe; give a file", path));
+}
+
+[[noreturn]] void refuse_length(const std::string& path, std::uintmax_t most) {
+    throw Error(ErrorKind::limit, fmt::format("'{}' is longer than such a file can be: at most {} MB are read; check "
+                                              "what it is",
+                                              path, most >> 20U));
+}
+
+}  // namespace
+
+void check_is_file(const std::string& path, std::uintmax_t most) {
+    std::error_code none;
+    const auto type = std::filesystem::status(path, none).type();
+    const bool is_strange = type == std::filesystem::file_type::character ||
+                            type == std::filesystem::file_type::block || type == std::filesystem::file_type::socket ||
+                            type == std::filesystem::file_type::fifo;
+    if (is_strange && !(type == std::filesystem::file_type::fifo && is_of_a_shell(path))) refuse_strange(path);
+    const std::uintmax_t length = std::filesystem::file_size(path, none);
+    if (!none && length > most) refuse_length(path, most);
+}
+
+std::string read_file(const std::string& path, std::uintmax_t most) {
+    check_is_file(path);
+    const Opened file(path);
+    struct stat status {};
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
+        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
+    }
+    if (S_ISDIR(status.st_mode)) {
+        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(EISDIR)));
+    }
+    const bool piped = S_ISFIFO(status.st_mode) && is_of_a_shell(path);
+    if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
+    if (piped) ::fcntl(file.get(), F_SETFL, 0);  // its writer may take its time
+    if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > most) refuse_length(path, most);
+    std::string bytes;
+    constexpr std::size_t piece = 1U << 20U;
+    // One byte more than it says shows whether that was all.
+    std::size_t room = std::max<std::size_t>(static_cast<std::size_t>(status.st_size) + 1, 4096);
+    for (std::size_t filled = 0;;) {
+        bytes.resize(filled + room);
+        const ssize_t got = ::read(file.get(), bytes.data() + filled, room);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw Error(ErrorKind::io, fmt::format("{}: can't be read: {}", path, std::strerror(errno)));
+        filled += static_cast<std::size_t>(got);
+        if (filled > most) refuse_length(path, most);
+        if (got == 0) {
+            bytes.resize(filled);
+            return bytes;
+        }
+        room = piece;
+    }
+}
+
+}  // namespace vvr

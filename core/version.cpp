@@ -1,9 +1,0 @@
-#include "core/version.h"
-
-namespace vvr {
-
-std::string_view version() {
-    return VVR_VERSION;
-}
-
-}  // namespace vvr
