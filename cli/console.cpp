@@ -2,7 +2,7 @@
 
 #include "cli/report_errors.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 Console::Console(const Environment& environment, bool bar)
     : environment_(environment), bar_(bar && !environment.quiet && stderr_is_terminal()) {}
@@ -38,4 +38,4 @@ std::unique_lock<std::mutex> Console::guard() {
     return environment_.signals.hold();
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

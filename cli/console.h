@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "cli/app/observer.h"
 #include "cli/environment.h"
 #include "cli/progress.h"
-#include "cli/app/observer.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 /// Shows a run to people: a bar, and lines in the log. Signals wait for files that are being written.
-class Console final : public Observer {
+class Console final : public app::Observer {
   public:
     /// \param bar whether a bar shows how far the run is; only a terminal gets one, and only where others are not quiet
     Console(const Environment& environment, bool bar = true);
@@ -32,4 +32,4 @@ class Console final : public Observer {
     std::optional<Progress> progress_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -4,7 +4,7 @@
 
 #include "cli/signals.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 /// What main hands to every command.
 struct Environment {
@@ -13,4 +13,4 @@ struct Environment {
     bool quiet = false;  ///< nothing is said unless it fails
 };
 
-}  // namespace vvr
+}  // namespace vvr::cli

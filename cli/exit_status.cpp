@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace vvr {
+namespace vvr::cli {
 
 namespace {
 
@@ -26,4 +26,4 @@ ExitStatus exit_status(ErrorKind kind) {
     return row == table.end() ? ExitStatus::bug : row->status;
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

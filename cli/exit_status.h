@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 /// What the program says to the shell. A run that SIGINT, SIGTERM or SIGHUP ends dies of that signal, which a shell
 /// shows as 130, 143 or 129.
@@ -20,4 +20,4 @@ enum class ExitStatus {
 
 ExitStatus exit_status(ErrorKind kind);
 
-}  // namespace vvr
+}  // namespace vvr::cli

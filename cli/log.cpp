@@ -12,7 +12,7 @@
 #include "core/base/json_text.h"
 #include "core/base/shown_text.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 namespace {
 
@@ -108,4 +108,4 @@ void add_file(spdlog::logger& log, const std::string& path, const std::string& f
     log.sinks().push_back(std::move(file));
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -7,7 +7,7 @@
 
 #include <spdlog/logger.h>
 
-namespace vvr {
+namespace vvr::cli {
 
 /// A logger to stderr, each line `vvr: text`, or `vvr: warning: text`.
 std::shared_ptr<spdlog::logger> make_log();
@@ -35,4 +35,4 @@ void set_format(spdlog::logger& log, const std::string& name);
 /// \throws Error io when it can't be written
 void add_file(spdlog::logger& log, const std::string& path, const std::string& format);
 
-}  // namespace vvr
+}  // namespace vvr::cli

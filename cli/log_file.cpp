@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 namespace {
 
@@ -51,4 +51,4 @@ void LogFile::sink_it_(const spdlog::details::log_msg& message) {
     [[maybe_unused]] const auto written = fd_ < 0 ? 0 : ::write(fd_, line.data(), line.size());
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

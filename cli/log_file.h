@@ -5,7 +5,7 @@
 
 #include <spdlog/sinks/base_sink.h>
 
-namespace vvr {
+namespace vvr::cli {
 
 /// Appends lines to a file, each in one write, so that several programs can share it. When the file at its path is
 /// another than the one that is open, or there is none any more, it is opened anew.
@@ -28,4 +28,4 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
     int fd_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::cli

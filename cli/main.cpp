@@ -12,17 +12,17 @@
 #include "gl/shader_cache.h"
 
 int main(int argc, char** argv) {
-    vvr::begin_worker();
-    vvr::end_in_good_order();
+    vvr::workers::begin_worker();
+    vvr::cli::end_in_good_order();
     vvr::keep_freed_planes();
-    vvr::choose_shader_cache();
-    const auto log = vvr::make_log();
-    const vvr::ExitStatus status = vvr::report_errors(*log, [&] {
-        vvr::Signals signals;
+    vvr::gl::choose_shader_cache();
+    const auto log = vvr::cli::make_log();
+    const vvr::cli::ExitStatus status = vvr::cli::report_errors(*log, [&] {
+        vvr::cli::Signals signals;
         const std::vector<std::string> arguments(argv + 1, argv + argc);
-        return vvr::run_command(arguments, vvr::Environment{*log, signals});
+        return vvr::commands::run_command(arguments, vvr::cli::Environment{*log, signals});
     });
     // A library that could not be loaded for want of memory leaves the loader locked, for which its end would wait.
-    if (status == vvr::ExitStatus::limit) ::_exit(static_cast<int>(status));
+    if (status == vvr::cli::ExitStatus::limit) ::_exit(static_cast<int>(status));
     return static_cast<int>(status);
 }

@@ -4,10 +4,10 @@
 
 #include "core/base/standard_output.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 void print(std::string_view text) {
     write_standard_output(std::as_bytes(std::span(text)));
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::cli {
 
 namespace {
 
@@ -46,4 +46,4 @@ bool stderr_is_terminal() {
     return ::isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

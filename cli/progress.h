@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace vvr {
+namespace vvr::cli {
 
 /// A bar on stderr that shows how far a run is.
 class Progress {
@@ -29,4 +29,4 @@ class Progress {
 /// Whether stderr is a terminal on which a bar can be drawn.
 bool stderr_is_terminal();
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -11,7 +11,7 @@
 
 #include "core/base/out_of_memory.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 std::string with_flags(const std::string& text, const About& about) {
     std::string flagged = text;
@@ -74,4 +74,4 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -8,7 +8,7 @@
 #include "cli/exit_status.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 /// A text with the options of the settings that it is about: `threshold: 300 ...` becomes `--threshold: 300 ...`, and
 /// what the text does not begin with follows in brackets.
@@ -21,4 +21,4 @@ ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>&
 /// its line. What is half written then has a hidden name, and goes at the next run.
 void end_in_good_order();
 
-}  // namespace vvr
+}  // namespace vvr::cli

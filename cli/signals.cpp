@@ -5,7 +5,7 @@
 
 #include <pthread.h>
 
-namespace vvr {
+namespace vvr::cli {
 
 namespace {
 
@@ -67,8 +67,12 @@ void Signals::wait(const std::stop_token& stop) {
     }
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);
-    pthread_sigmask(SIG_UNBLOCK, &set_, nullptr);
+    // No other one of them: the destructor's signal may be pending.
+    sigset_t this_one{};
+    sigemptyset(&this_one);
+    sigaddset(&this_one, signal);
+    pthread_sigmask(SIG_UNBLOCK, &this_one, nullptr);
     std::raise(signal);
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

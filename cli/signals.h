@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace vvr {
+namespace vvr::cli {
 
 /// SIGINT, SIGTERM and SIGHUP end the program at once, except while a file is being written: then they wait for it.
 /// So a file is whole or not there. A signal that whoever started vvr ignores stays ignored.
@@ -63,4 +63,4 @@ class PoliteStop {
     std::atomic<bool> asked_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::cli

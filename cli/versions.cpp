@@ -10,7 +10,7 @@ extern "C" {
 
 #include "core/base/version.h"
 
-namespace vvr {
+namespace vvr::cli {
 
 std::vector<LibraryVersion> library_versions() {
     return {{"FFmpeg", FFMPEG_VERSION}, {"OpenImageIO", OIIO_VERSION_STRING}, {"OpenCV", CV_VERSION}};
@@ -23,4 +23,4 @@ std::string version_text() {
     return text;
 }
 
-}  // namespace vvr
+}  // namespace vvr::cli

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::cli {
 
 struct LibraryVersion {
     std::string name;
@@ -17,4 +17,4 @@ std::vector<LibraryVersion> library_versions();
 /// version could say, so that is left to `vvr doctor`.
 std::string version_text();
 
-}  // namespace vvr
+}  // namespace vvr::cli

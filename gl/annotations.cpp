@@ -9,7 +9,7 @@
 #include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -39,9 +39,9 @@ Annotations::Annotations(const GladGLContext& gl)
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
     set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
     gl.BindBuffer(GL_ARRAY_BUFFER, segments_.id());
-    set_attribute<LineSegment>(gl, 1, 3, offsetof(LineSegment, from), Per::instance);
-    set_attribute<LineSegment>(gl, 2, 3, offsetof(LineSegment, to), Per::instance);
-    set_attribute<LineSegment>(gl, 3, 4, offsetof(LineSegment, colour), Per::instance);
+    set_attribute<scene::LineSegment>(gl, 1, 3, offsetof(scene::LineSegment, from), Per::instance);
+    set_attribute<scene::LineSegment>(gl, 2, 3, offsetof(scene::LineSegment, to), Per::instance);
+    set_attribute<scene::LineSegment>(gl, 3, 4, offsetof(scene::LineSegment, colour), Per::instance);
 
     gl.BindVertexArray(picture_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, picture_vertices_.id());
@@ -51,14 +51,15 @@ Annotations::Annotations(const GladGLContext& gl)
     check_gl(gl, "setting up the annotations");
 }
 
-void Annotations::upload(const FloorShadow& floor, std::span<const StandingFrame> frames) {
+void Annotations::upload(const scene::FloorShadow& floor, std::span<const scene::StandingFrame> frames) {
     floor_texture_ = floor.darkness.empty() ? GlTexture() : smooth_texture(*gl_, floor.darkness);
     tint_texture_ = floor.tint.empty() ? GlTexture() : smooth_texture(*gl_, floor.tint);
     frame_textures_.clear();
-    for (const StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
+    for (const scene::StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
 }
 
-void Annotations::draw_lines(std::span<const LineSegment> lines, const Camera& camera, double width, Size picture) {
+void Annotations::draw_lines(std::span<const scene::LineSegment> lines, const space::Camera& camera, double width,
+                             Size picture) {
     if (lines.empty()) return;
     const GladGLContext& gl = *gl_;
     line_program_.use();
@@ -73,7 +74,7 @@ void Annotations::draw_lines(std::span<const LineSegment> lines, const Camera& c
     check_gl(gl, "drawing lines");
 }
 
-void Annotations::upload_frame(const StandingFrame& frame, const Layout& layout) {
+void Annotations::upload_frame(const scene::StandingFrame& frame, const space::Layout& layout) {
     std::array<PictureVertex, 4> vertices;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const double x = static_cast<double>(i & 1);
@@ -89,8 +90,8 @@ void Annotations::upload_vertices(std::span<const PictureVertex> vertices) {
     gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
 }
 
-void Annotations::draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,
-                                        const PixelDataTarget& target) {
+void Annotations::draw_frame_pixel_data(const scene::StandingFrame& frame, const space::Layout& layout,
+                                        const space::Camera& camera, const PixelDataTarget& target) {
     if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, frame_program(Channels::pixel_data));
     pixel_data_program_->use();
     pixel_data_program_->set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -102,8 +103,8 @@ void Annotations::draw_frame_pixel_data(const StandingFrame& frame, const Layout
     check_gl(*gl_, "drawing a standing frame's pixel data");
 }
 
-void Annotations::draw_frame(const StandingFrame& frame, std::size_t number, const Layout& layout,
-                             const Camera& camera) {
+void Annotations::draw_frame(const scene::StandingFrame& frame, std::size_t number, const space::Layout& layout,
+                             const space::Camera& camera) {
     const GladGLContext& gl = *gl_;
     picture_program_.use();
     picture_program_.set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -118,7 +119,8 @@ void Annotations::draw_frame(const StandingFrame& frame, std::size_t number, con
     check_gl(gl, "drawing a standing frame");
 }
 
-void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera) {
+void Annotations::draw_floor(const scene::FloorShadow& floor, const space::Layout& layout,
+                             const space::Camera& camera) {
     if (floor.darkness.empty()) return;
     constexpr int steps = 128;
     const GladGLContext& gl = *gl_;
@@ -149,4 +151,4 @@ void Annotations::draw_floor(const FloorShadow& floor, const Layout& layout, con
     check_gl(gl, "drawing the floor");
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

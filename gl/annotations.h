@@ -9,7 +9,7 @@
 #include "gl/pixel_data_target.h"
 #include "gl/program.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Draws what explains the volume: lines, frames that stand in it, and its shadow on the floor.
 class Annotations {
@@ -17,20 +17,21 @@ class Annotations {
     explicit Annotations(const GladGLContext& gl);
 
     /// Replaces the pictures that are drawn.
-    void upload(const FloorShadow& floor, std::span<const StandingFrame> frames);
+    void upload(const scene::FloorShadow& floor, std::span<const scene::StandingFrame> frames);
 
     /// \param width in pixels of a picture of size `picture`
-    void draw_lines(std::span<const LineSegment> lines, const Camera& camera, double width, Size picture);
+    void draw_lines(std::span<const scene::LineSegment> lines, const space::Camera& camera, double width, Size picture);
 
     /// One of the frames that were uploaded, standing at its time; an opaque one writes depth.
-    void draw_frame(const StandingFrame& frame, std::size_t number, const Layout& layout, const Camera& camera);
+    void draw_frame(const scene::StandingFrame& frame, std::size_t number, const space::Layout& layout,
+                    const space::Camera& camera);
 
     /// Draws one of the frames into a target of pixel data.
-    void draw_frame_pixel_data(const StandingFrame& frame, const Layout& layout, const Camera& camera,
-                               const PixelDataTarget& target);
+    void draw_frame_pixel_data(const scene::StandingFrame& frame, const space::Layout& layout,
+                               const space::Camera& camera, const PixelDataTarget& target);
 
     /// \param floor the one that was uploaded
-    void draw_floor(const FloorShadow& floor, const Layout& layout, const Camera& camera);
+    void draw_floor(const scene::FloorShadow& floor, const space::Layout& layout, const space::Camera& camera);
 
   private:
     struct PictureVertex {
@@ -38,7 +39,7 @@ class Annotations {
         glm::vec2 at;
     };
 
-    void upload_frame(const StandingFrame& frame, const Layout& layout);
+    void upload_frame(const scene::StandingFrame& frame, const space::Layout& layout);
     void upload_vertices(std::span<const PictureVertex> vertices);
 
     const GladGLContext* gl_;
@@ -56,4 +57,4 @@ class Annotations {
     GlBuffer picture_vertices_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -5,7 +5,7 @@
 
 #include <glad/gl.h>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// What an attribute of the vertex array in use advances with.
 enum class Per { vertex, instance };
@@ -20,4 +20,4 @@ void set_attribute(const GladGLContext& gl, GLuint attribute, GLint size, std::s
     if (per == Per::instance) gl.VertexAttribDivisor(attribute, 1);
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -6,7 +6,7 @@
 
 #include "gl/context.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// One way to get an OpenGL context; gl/context.cpp holds the table.
 struct Backend {
@@ -22,4 +22,4 @@ Backend egl_hardware_backend();
 Backend egl_software_backend();
 Backend osmesa_backend();
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "gl/check.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -19,7 +19,7 @@ struct Storage {
     GLenum format;
 };
 
-Storage storage_of(const BrickLayers& layers) {
+Storage storage_of(const bricks::BrickLayers& layers) {
     return layers.coloured() ? Storage{GL_RGBA8, GL_RGBA} : Storage{GL_R8, GL_RED};
 }
 
@@ -28,7 +28,7 @@ constexpr std::size_t slab_bytes = 512 * 1024;
 
 /// Lays out `count` layers from `first` on and puts them into the texture that is bound.
 template <class Texel>
-void upload_layers(const GladGLContext& gl, const BrickLayers& layers, std::int64_t first, std::int64_t count) {
+void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
     const auto slab = std::max<std::int64_t>(1, static_cast<std::int64_t>(slab_bytes / sizeof(Texel) / layers.area()));
     std::vector<Texel> texels;
     for (const std::int64_t end = first + count; first < end; first += slab) {
@@ -40,10 +40,10 @@ void upload_layers(const GladGLContext& gl, const BrickLayers& layers, std::int6
     }
 }
 
-void upload_part(const GladGLContext& gl, const BrickLayers& layers, std::int64_t first, std::int64_t count) {
+void upload_part(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (layers.coloured()) {
-        upload_layers<ColouredTexel>(gl, layers, first, count);
+        upload_layers<bricks::ColouredTexel>(gl, layers, first, count);
     } else {
         upload_layers<std::uint8_t>(gl, layers, first, count);
     }
@@ -53,7 +53,7 @@ void upload_part(const GladGLContext& gl, const BrickLayers& layers, std::int64_
 
 BrickTextures::BrickTextures(const GladGLContext& gl, int count) : gl_(&gl), slots_(static_cast<std::size_t>(count)) {}
 
-void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
+void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layers) {
     const GladGLContext& gl = *gl_;
     const int width = layers.box().width();
     const int height = layers.box().height();
@@ -93,7 +93,7 @@ void BrickTextures::upload(std::int64_t number, const BrickLayers& layers) {
     slot.coloured = layers.coloured();
 }
 
-void BrickTextures::renew_ends(std::int64_t number, const BrickLayers& layers) {
+void BrickTextures::renew_ends(std::int64_t number, const bricks::BrickLayers& layers) {
     const Slot* const slot = find(number);
     if (slot == nullptr) return;
     if (slot->box != layers.box()) return upload(number, layers);
@@ -113,9 +113,9 @@ BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
     return slot == slots_.end() ? nullptr : &*slot;
 }
 
-void BrickTextures::bind(std::int64_t number, const BrickLayers& layers) {
+void BrickTextures::bind(std::int64_t number, const bricks::BrickLayers& layers) {
     if (find(number) == nullptr) upload(number, layers);
     gl_->BindTexture(GL_TEXTURE_3D, find(number)->texture.id());
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bricks/brick_layers.h"
 #include "core/base/pixel_box.h"
+#include "core/bricks/brick_layers.h"
 #include "gl/objects.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// 3D textures that hold bricks. A brick that needs one takes a texture that no brick uses, else the one that was taken
 /// longest ago.
@@ -18,15 +18,15 @@ class BrickTextures {
 
     /// Binds the texture of brick `number` to the active texture unit. A brick without a texture is uploaded.
     /// \throws Error limit when the brick is larger than the driver's largest 3D texture, or memory is out
-    void bind(std::int64_t number, const BrickLayers& layers);
+    void bind(std::int64_t number, const bricks::BrickLayers& layers);
 
     /// Uploads a brick, also one that has a texture.
     /// \throws Error as `bind`
-    void upload(std::int64_t number, const BrickLayers& layers);
+    void upload(std::int64_t number, const bricks::BrickLayers& layers);
 
     /// Uploads the first and the last texel layer of a brick that has a texture: they repeat layers of its neighbours.
     /// All of the brick is uploaded if the box of its layers has changed.
-    void renew_ends(std::int64_t number, const BrickLayers& layers);
+    void renew_ends(std::int64_t number, const bricks::BrickLayers& layers);
 
     /// Takes their textures from all bricks but those from `first` to before `end`.
     void keep_only(std::int64_t first, std::int64_t end);
@@ -50,4 +50,4 @@ class BrickTextures {
     std::size_t next_ = 0;  ///< slot that is taken when none is free
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -4,17 +4,17 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-namespace vvr {
+namespace vvr::gl {
 
-BrickWindow::BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures,
+BrickWindow::BrickWindow(const GladGLContext& gl, const space::Layout& layout, std::int64_t layers, int textures,
                          double margin)
     : layout_(&layout), window_layers_(static_cast<double>(layers)), margin_(margin), textures_(gl, textures) {}
 
-void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
-                       const Identify& identify) {
+void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Brick> bricks, std::int64_t first,
+                       const bricks::Identify& identify) {
     std::vector<Shown> before = std::exchange(shown_, {});
-    for (const Brick& brick : bricks)
-        shown_.push_back({first + std::ssize(shown_), BrickLayers(volume, brick, identify), {}});
+    for (const bricks::Brick& brick : bricks)
+        shown_.push_back({first + std::ssize(shown_), bricks::BrickLayers(volume, brick, identify), {}});
 
     // The same brick as it was shown before, if it has the same neighbours as then.
     const auto unchanged = [&](std::size_t i) -> Shown* {
@@ -25,10 +25,10 @@ void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std:
         return same_before && same_after ? &before[static_cast<std::size_t>(was)] : nullptr;
     };
     oneapi::tbb::parallel_for(std::size_t{0}, shown_.size(), [&](std::size_t i) {
-        const BrickLayers& layers = shown_[i].layers;
+        const bricks::BrickLayers& layers = shown_[i].layers;
         Shown* const was = unchanged(i);
         shown_[i].cells =
-            was != nullptr ? std::move(was->cells) : brick_cells(layers, t_span(layers), *layout_, margin_);
+            was != nullptr ? std::move(was->cells) : bricks::brick_cells(layers, t_span(layers), *layout_, margin_);
     });
 
     textures_.keep_only(first, first + std::ssize(shown_));
@@ -43,12 +43,12 @@ void BrickWindow::show(const Volume& volume, std::span<const Brick> bricks, std:
     }
 }
 
-double BrickWindow::t_span(const BrickLayers& layers) const {
+double BrickWindow::t_span(const bricks::BrickLayers& layers) const {
     return static_cast<double>(layers.brick().count) / window_layers_;
 }
 
 TextureMap BrickWindow::texture_map(std::size_t i) const {
-    const BrickLayers& brick = layers(i);
+    const bricks::BrickLayers& brick = layers(i);
     const auto count = static_cast<double>(brick.brick().count);
     // The texture has a layer more at each end than the brick.
     const double t_scale = count / (count + 2) / (placed_[i].t_end - placed_[i].t_begin);
@@ -58,4 +58,4 @@ TextureMap BrickWindow::texture_map(std::size_t i) const {
             {-brick.box().left / width, -brick.box().top / height, 1 / (count + 2) - placed_[i].t_begin * t_scale}};
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

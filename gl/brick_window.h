@@ -10,7 +10,7 @@
 #include "core/space/layout.h"
 #include "gl/brick_textures.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Texture coordinates from C-space: scale and offset.
 struct TextureMap {
@@ -26,7 +26,8 @@ class BrickWindow {
     /// \param layers that fill all of t_C; fewer fill its beginning
     /// \param textures at least 1. With fewer textures than bricks, bricks take them in turn in each drawing.
     /// \param margin of the cells, see brick_cells
-    BrickWindow(const GladGLContext& gl, const Layout& layout, std::int64_t layers, int textures, double margin = 0);
+    BrickWindow(const GladGLContext& gl, const space::Layout& layout, std::int64_t layers, int textures,
+                double margin = 0);
 
     /// Replaces the bricks of the window.
     ///
@@ -37,14 +38,14 @@ class BrickWindow {
     /// \param first number of the first brick. A brick has the same number each time it is shown.
     /// \param identify stays as `volume` does. A brick that has a texture keeps the identities that it was laid out
     ///        with.
-    void show(const Volume& volume, std::span<const Brick> bricks, std::int64_t first = 0,
-              const Identify& identify = nobodys);
+    void show(const bricks::Volume& volume, std::span<const bricks::Brick> bricks, std::int64_t first = 0,
+              const bricks::Identify& identify = bricks::nobodys);
 
     /// Where the bricks lie in t_C, with their cells.
-    std::span<const PlacedCells> cells() const { return placed_; }
+    std::span<const bricks::PlacedCells> cells() const { return placed_; }
 
     /// The layers of brick `i` of the window.
-    const BrickLayers& layers(std::size_t i) const { return shown_[i].layers; }
+    const bricks::BrickLayers& layers(std::size_t i) const { return shown_[i].layers; }
 
     /// Where brick `i` lies in its texture.
     TextureMap texture_map(std::size_t i) const;
@@ -56,18 +57,18 @@ class BrickWindow {
   private:
     struct Shown {
         std::int64_t number;
-        BrickLayers layers;
-        BrickCells cells;
+        bricks::BrickLayers layers;
+        bricks::BrickCells cells;
     };
 
-    double t_span(const BrickLayers& layers) const;
+    double t_span(const bricks::BrickLayers& layers) const;
 
-    const Layout* layout_;
+    const space::Layout* layout_;
     double window_layers_;
     double margin_;
     BrickTextures textures_;
     std::vector<Shown> shown_;
-    std::vector<PlacedCells> placed_;  ///< of `shown_`
+    std::vector<bricks::PlacedCells> placed_;  ///< of `shown_`
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "gl/memory.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -56,4 +56,4 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     throw Error(ErrorKind::backend, failure);
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

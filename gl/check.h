@@ -4,11 +4,11 @@
 
 #include <glad/gl.h>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Asks OpenGL whether anything has gone wrong since the last check.
 /// \param doing what was tried, for the message
 /// \throws Error limit when OpenGL ran out of memory, backend for any other error
 void check_gl(const GladGLContext& gl, std::string_view doing);
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -10,7 +10,7 @@
 #include "gl/backend.h"
 #include "gl/memory.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<BackendReport> probe_backends() {
     return reports;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

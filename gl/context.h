@@ -9,7 +9,7 @@
 
 #include <glad/gl.h>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Hears one message of an OpenGL driver.
 using DriverMessages = std::function<void(const std::string&)>;
@@ -76,4 +76,4 @@ bool may_use_gpu(std::string_view backend);
 /// Tries each backend in turn.
 std::vector<BackendReport> probe_backends();
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <optional>
 
-namespace vvr {
+namespace vvr::gl {
 
-std::vector<DrawnPart> drawing_order(const Layout& layout, const glm::dvec3& from, std::span<const PlacedCells> bricks,
-                                     std::span<const double> standing) {
+std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
+                                     std::span<const bricks::PlacedCells> bricks, std::span<const double> standing) {
     std::vector<std::size_t> by_time(standing.size());
     std::iota(by_time.begin(), by_time.end(), std::size_t{0});
     std::ranges::sort(by_time, {}, [&](std::size_t i) { return standing[i]; });
@@ -38,4 +38,4 @@ std::vector<DrawnPart> drawing_order(const Layout& layout, const glm::dvec3& fro
     return order;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

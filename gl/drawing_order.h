@@ -7,7 +7,7 @@
 #include "core/bricks/cells.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// A brick, or a picture that stands in the volume.
 struct DrawnPart {
@@ -21,7 +21,7 @@ struct DrawnPart {
 /// neighbours, so that it hides what is behind it, and is hidden by what is before it.
 /// \param bricks in the order of time; may be none
 /// \param standing t_C of each picture, in any order; where it lies within a brick it is drawn at the nearer end
-std::vector<DrawnPart> drawing_order(const Layout& layout, const glm::dvec3& from, std::span<const PlacedCells> bricks,
-                                     std::span<const double> standing);
+std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
+                                     std::span<const bricks::PlacedCells> bricks, std::span<const double> standing);
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -13,7 +13,7 @@
 #include "gl/backend.h"
 #include "gl/library.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -201,4 +201,4 @@ Backend egl_software_backend() {
             "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri"};
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -5,7 +5,7 @@
 
 #include <glad/gl.h>
 
-namespace vvr {
+namespace vvr::gl {
 
 struct DeleteSync {
     const GladGLContext* gl = nullptr;
@@ -31,4 +31,4 @@ class Fence {
     std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteSync> sync_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

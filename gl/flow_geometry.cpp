@@ -7,7 +7,7 @@
 #include "gl/light.h"
 #include "gl/program_sources.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 FlowGeometry::FlowGeometry(const GladGLContext& gl)
     : gl_(&gl),
@@ -16,37 +16,37 @@ FlowGeometry::FlowGeometry(const GladGLContext& gl)
       mesh_(gl),
       indices_(gl),
       instances_(gl) {
-    const GlyphMesh mesh = arrow_mesh();
+    const scene::GlyphMesh mesh = scene::arrow_mesh();
     index_count_ = static_cast<GLsizei>(mesh.indices.size());
     gl.BindVertexArray(vertex_array_.id());
 
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh_.id());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(GlyphVertex)),
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(scene::GlyphVertex)),
                   mesh.vertices.data(), GL_STATIC_DRAW);
-    set_attribute<GlyphVertex>(gl, 0, 3, 0, Per::vertex);
-    set_attribute<GlyphVertex>(gl, 1, 3, offsetof(GlyphVertex, normal), Per::vertex);
+    set_attribute<scene::GlyphVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<scene::GlyphVertex>(gl, 1, 3, offsetof(scene::GlyphVertex, normal), Per::vertex);
 
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
     gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                   mesh.indices.data(), GL_STATIC_DRAW);
 
     gl.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
-    set_attribute<Glyph>(gl, 2, 3, offsetof(Glyph, from), Per::instance);
-    set_attribute<Glyph>(gl, 3, 3, offsetof(Glyph, vector), Per::instance);
-    set_attribute<Glyph>(gl, 4, 1, offsetof(Glyph, speed), Per::instance);
-    set_attribute<Glyph>(gl, 5, 1, offsetof(Glyph, frame), Per::instance);
+    set_attribute<scene::Glyph>(gl, 2, 3, offsetof(scene::Glyph, from), Per::instance);
+    set_attribute<scene::Glyph>(gl, 3, 3, offsetof(scene::Glyph, vector), Per::instance);
+    set_attribute<scene::Glyph>(gl, 4, 1, offsetof(scene::Glyph, speed), Per::instance);
+    set_attribute<scene::Glyph>(gl, 5, 1, offsetof(scene::Glyph, frame), Per::instance);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the flow geometry");
 }
 
-void FlowGeometry::upload(std::span<const Glyph> glyphs) {
+void FlowGeometry::upload(std::span<const scene::Glyph> glyphs) {
     glyph_count_ = static_cast<GLsizei>(glyphs.size());
     gl_->BindBuffer(GL_ARRAY_BUFFER, instances_.id());
     gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(glyphs.size_bytes()), glyphs.data(), GL_STATIC_DRAW);
     check_gl(*gl_, "uploading the arrows");
 }
 
-void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
+void FlowGeometry::draw(const space::Camera& camera, const GlyphStyle& style) const {
     program_.use();
     program_.set("slow_colour", style.slow_colour);
     program_.set("fast_colour", style.fast_colour);
@@ -54,13 +54,13 @@ void FlowGeometry::draw(const Camera& camera, const GlyphStyle& style) const {
     draw_glyphs(program_, camera, style);
 }
 
-void FlowGeometry::draw_pixel_data(const Camera& camera, const GlyphStyle& style) {
+void FlowGeometry::draw_pixel_data(const space::Camera& camera, const GlyphStyle& style) {
     if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, arrow_program(Channels::pixel_data));
     pixel_data_program_->use();
     draw_glyphs(*pixel_data_program_, camera, style);
 }
 
-void FlowGeometry::draw_glyphs(const Program& program, const Camera& camera, const GlyphStyle& style) const {
+void FlowGeometry::draw_glyphs(const Program& program, const space::Camera& camera, const GlyphStyle& style) const {
     if (glyph_count_ == 0) return;
     const GladGLContext& gl = *gl_;
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -76,4 +76,4 @@ void FlowGeometry::draw_glyphs(const Program& program, const Camera& camera, con
     check_gl(gl, "drawing the arrows");
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

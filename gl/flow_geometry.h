@@ -8,7 +8,7 @@
 #include "gl/program.h"
 #include "gl/render_options.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Draws one reference glyph at every seed, instanced, as opaque geometry (§5.2, §6.2).
 class FlowGeometry {
@@ -16,16 +16,16 @@ class FlowGeometry {
     explicit FlowGeometry(const GladGLContext& gl);
 
     /// Replaces the arrows that are drawn.
-    void upload(std::span<const Glyph> glyphs);
+    void upload(std::span<const scene::Glyph> glyphs);
 
-    void draw(const Camera& camera, const GlyphStyle& style) const;
+    void draw(const space::Camera& camera, const GlyphStyle& style) const;
 
     /// Draws into a PixelDataTarget.
-    void draw_pixel_data(const Camera& camera, const GlyphStyle& style);
+    void draw_pixel_data(const space::Camera& camera, const GlyphStyle& style);
 
   private:
     /// With the program in use.
-    void draw_glyphs(const Program& program, const Camera& camera, const GlyphStyle& style) const;
+    void draw_glyphs(const Program& program, const space::Camera& camera, const GlyphStyle& style) const;
 
     const GladGLContext* gl_;
     Program program_;
@@ -38,4 +38,4 @@ class FlowGeometry {
     GLsizei glyph_count_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -9,7 +9,7 @@
 #include "gl/memory.h"
 #include "gl/program_sources.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 void check_samples(const GladGLContext& gl, int samples) {
     GLint most_drawn = 0;
@@ -136,4 +136,4 @@ void read_pixels(const GladGLContext& gl, const PixelBox& tile, Plane<glm::vec4>
     for (int j = 0; j < tile.height() / 2; ++j) std::ranges::swap_ranges(row(j), row(tile.height() - 1 - j));
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

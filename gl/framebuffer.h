@@ -11,7 +11,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// \throws Error limit when the driver has no framebuffers with that many samples per pixel
 void check_samples(const GladGLContext& gl, int samples);
@@ -63,4 +63,4 @@ class Framebuffer {
     std::optional<Resolved> resolved_;  ///< only with more than one sample
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

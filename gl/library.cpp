@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/loading.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 Library::Library(const std::vector<std::string>& names) {
     std::string why;
@@ -31,4 +31,4 @@ void* Library::symbol(const char* name) const {
     return address;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

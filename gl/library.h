@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// A shared library opened at run time. It stays loaded until the program ends.
 class Library {
@@ -25,4 +25,4 @@ class Library {
     std::string name_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

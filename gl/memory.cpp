@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/machine_memory.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 void blame_memory(std::string_view failure) {
     constexpr std::int64_t taken = 256'000'000;  // by a driver, its compiler and a small picture
@@ -19,4 +19,4 @@ void blame_memory(std::string_view failure) {
                 {"size", "field-size"});
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Does nothing but where the process may not have what OpenGL takes to begin with. Then a driver says anything of what
 /// fails, and memory is to blame.
@@ -10,4 +10,4 @@ namespace vvr {
 /// \throws Error limit
 void blame_memory(std::string_view failure);
 
-}  // namespace vvr
+}  // namespace vvr::gl

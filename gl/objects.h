@@ -4,7 +4,7 @@
 
 #include <glad/gl.h>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Move-only owner of an OpenGL object. Its context must be current when it goes.
 template <class Traits>
@@ -69,4 +69,4 @@ using GlProgram = GlObject<ProgramTraits>;
 using GlVertexShader = GlObject<ShaderTraits<GL_VERTEX_SHADER>>;
 using GlFragmentShader = GlObject<ShaderTraits<GL_FRAGMENT_SHADER>>;
 
-}  // namespace vvr
+}  // namespace vvr::gl

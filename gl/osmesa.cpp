@@ -7,7 +7,7 @@
 #include "gl/backend.h"
 #include "gl/library.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -79,4 +79,4 @@ Backend osmesa_backend() {
             []() { return std::vector<std::string>{}; }, "apt-get install libosmesa6"};
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -7,7 +7,7 @@
 #include "gl/framebuffer.h"
 #include "gl/memory.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -110,4 +110,4 @@ Plane<glm::vec4> PixelDataTarget::read_attachment(GLenum attachment, Size size) 
     return data;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -8,7 +8,7 @@
 #include "core/base/plane.h"
 #include "gl/program.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Pixel data while a picture is drawn back to front, one sample per pixel: the weight of what contributes most so far,
 /// its frame and depth, and the opacity of all; and the event that it belongs to. Blending cannot select by weight, so
@@ -50,4 +50,4 @@ class PixelDataTarget {
     GlRenderbuffer depth_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -10,7 +10,7 @@
 #include "gl/memory.h"
 #include "shaders.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -80,4 +80,4 @@ GLint Program::at(std::string_view uniform) const {
     return found->second;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

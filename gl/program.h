@@ -11,7 +11,7 @@
 
 #include "gl/objects.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// A piece of a shader.
 struct ShaderPiece {
@@ -65,4 +65,4 @@ class Program {
     std::map<std::string, GLint, std::less<>> uniforms_;  ///< locations of those that the pieces declare
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

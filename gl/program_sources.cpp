@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -49,7 +49,8 @@ ProgramSource resolve_program() {
     return source("the joined samples", {"resolve.vert"}, {"resolve.frag"});
 }
 
-ProgramSource volume_program(const Layout& layout, VolumeColour colour, VolumeShading shading, Channels channels) {
+ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, VolumeShading shading,
+                             Channels channels) {
     const std::string_view map = layout.shader();
     const std::string_view optical = row_of(colour).shader;
     if (channels == Channels::pixel_data) {
@@ -60,8 +61,9 @@ ProgramSource volume_program(const Layout& layout, VolumeColour colour, VolumeSh
     return source("the volume", {map, "volume.vert"}, {map, "volume_sample.glsl", optical, shaded, "volume.frag"});
 }
 
-void set_layout(const Program& program, const Layout& layout) {
-    for (const LayoutUniform& uniform : layout.uniforms()) program.set(uniform.name, static_cast<float>(uniform.value));
+void set_layout(const Program& program, const space::Layout& layout) {
+    for (const space::LayoutUniform& uniform : layout.uniforms())
+        program.set(uniform.name, static_cast<float>(uniform.value));
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -5,7 +5,7 @@
 #include "gl/volume_look.h"
 
 // Every program that the renderer uses: which files in glsl/ its shaders are made of.
-namespace vvr {
+namespace vvr::gl {
 
 /// What a program draws: a picture's colours, or the data of each pixel (gl/pixel_data_target.h).
 enum class Channels { colour, pixel_data };
@@ -19,9 +19,10 @@ ProgramSource floor_program();
 /// Joins the samples of each pixel.
 ProgramSource resolve_program();
 
-ProgramSource volume_program(const Layout& layout, VolumeColour colour, VolumeShading shading, Channels channels);
+ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, VolumeShading shading,
+                             Channels channels);
 
 /// Sets the uniforms that the layout's shader declares, in the program in use.
-void set_layout(const Program& program, const Layout& layout);
+void set_layout(const Program& program, const space::Layout& layout);
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -9,7 +9,7 @@
 #include "core/space/camera.h"
 #include "gl/volume_look.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// How arrows look.
 struct GlyphStyle {
@@ -30,8 +30,8 @@ struct TraceStyle {
 /// How a picture is drawn.
 struct RenderOptions {
     Size size{1280, 800};
-    View view;
-    std::optional<Camera> camera;         ///< instead of the one that holds the volume from `view`
+    space::View view;
+    std::optional<space::Camera> camera;  ///< instead of the one that holds the volume from `view`
     int slices = 0;                       ///< 0 = one for every two voxels
     int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
     std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
@@ -42,4 +42,4 @@ struct RenderOptions {
     TraceStyle traces;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -7,7 +7,7 @@
 #include "core/scene/slices.h"
 #include "gl/check.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr float least_opacity = 1.0F / 255;
 
 /// The distance along the view direction of what has `depth`, 0..1, in the depth buffer.
-double distance_of(double depth, const Camera& camera) {
+double distance_of(double depth, const space::Camera& camera) {
     const double ndc = 2 * depth - 1;
     const double scale = camera.projection[2][2];
     const double offset = camera.projection[3][2];
@@ -24,11 +24,11 @@ double distance_of(double depth, const Camera& camera) {
 
 }  // namespace
 
-Renderer::Renderer(const Context& context, const Layout& layout, const RenderOptions& options)
+Renderer::Renderer(const Context& context, const space::Layout& layout, const RenderOptions& options)
     : gl_(&context.gl()),
       layout_(&layout),
       options_(options),
-      camera_(options.camera.value_or(fit_camera(options.view, outline_points(layout), options.size))),
+      camera_(options.camera.value_or(space::fit_camera(options.view, scene::outline_points(layout), options.size))),
       tiles_(cut_tiles(options.size, options.tile_samples / options.samples)),
       framebuffer_(context.gl(), tiles_.front().size(), options.samples),
       slicer_(context.gl(), layout, options.colour, options.shading),
@@ -36,17 +36,17 @@ Renderer::Renderer(const Context& context, const Layout& layout, const RenderOpt
       traceline_strips_(context.gl()),
       annotations_(context.gl()) {}
 
-void Renderer::set_scene(Scene scene) {
+void Renderer::set_scene(scene::Scene scene) {
     scene_ = std::move(scene);
     flow_geometry_.upload(scene_.arrows);
     traceline_strips_.upload(scene_.tracelines);
     annotations_.upload(scene_.floor, scene_.frames);
 }
 
-SliceStack Renderer::slices(const BrickWindow& window, const Camera& camera) const {
+scene::SliceStack Renderer::slices(const BrickWindow& window, const space::Camera& camera) const {
     // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
     const double spacing = window.cells().empty() ? 1 : 2 * layout_->shape().y_s / window.layers(0).size().height;
-    return stack_slices(camera, *layout_, options_.slices, spacing);
+    return scene::stack_slices(camera, *layout_, options_.slices, spacing);
 }
 
 Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
@@ -58,10 +58,10 @@ Plane<glm::vec4> Renderer::draw(BrickWindow& window, double phase) {
     return picture;
 }
 
-PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times) {
+image::PixelData Renderer::draw_pixel_data(BrickWindow& window, const scene::TimeTable& times) {
     if (!pixel_data_) pixel_data_.emplace(*gl_, tiles_.front().size());
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
-    PixelData shown{
+    image::PixelData shown{
         Plane<float>(options_.size, none), Plane<float>(options_.size, none), Plane<float>(options_.size, -1), {}};
     const bool tells_objects = options_.colour == VolumeColour::object;
     if (tells_objects) shown.object = Plane<float>(options_.size);
@@ -83,7 +83,7 @@ PixelData Renderer::draw_pixel_data(BrickWindow& window, const TimeTable& times)
 }
 
 Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer) {
-    const Camera camera = camera_.cropped(tile, options_.size);
+    const space::Camera camera = camera_.cropped(tile, options_.size);
     pixel_data_->begin(tile.size());
     flow_geometry_.draw_pixel_data(camera, options_.glyphs);
     traceline_strips_.draw_pixel_data(camera, tile.size(), options_.traces, options_.glyphs);
@@ -107,7 +107,7 @@ Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox&
 
 std::vector<double> Renderer::frame_times() const {
     std::vector<double> times;
-    for (const StandingFrame& frame : scene_.frames) times.push_back(frame.t);
+    for (const scene::StandingFrame& frame : scene_.frames) times.push_back(frame.t);
     return times;
 }
 
@@ -120,7 +120,7 @@ void Renderer::rehearse(BrickWindow& window) {
 
 void Renderer::draw_tile(BrickWindow& window, const PixelBox& tile, double phase) {
     const GladGLContext& gl = *gl_;
-    const Camera camera = camera_.cropped(tile, options_.size);
+    const space::Camera camera = camera_.cropped(tile, options_.size);
     framebuffer_.bind(tile.size());
     gl.ClearColor(options_.background.x, options_.background.y, options_.background.z, options_.background.w);
     gl.DepthMask(GL_TRUE);
@@ -137,4 +137,4 @@ void Renderer::draw_tile(BrickWindow& window, const PixelBox& tile, double phase
     check_gl(gl, "drawing the picture");
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -23,7 +23,7 @@
 #include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
 /// (§6.2), so that each hides the other. Frames that stand in the volume are drawn between its bricks: a brick should
@@ -31,15 +31,15 @@ namespace vvr {
 class Renderer {
   public:
     /// `context` and `layout` outlive the renderer.
-    Renderer(const Context& context, const Layout& layout, const RenderOptions& options);
+    Renderer(const Context& context, const space::Layout& layout, const RenderOptions& options);
 
-    void set_transfer(const TransferFunction& transfer) { slicer_.set_transfer(transfer); }
+    void set_transfer(const scene::TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
     /// As VolumeSlicer::set_looks.
     void set_looks(std::span<const glm::vec4> looks) { slicer_.set_looks(looks); }
 
     /// Replaces the geometry that is drawn with the bricks.
-    void set_scene(Scene scene);
+    void set_scene(scene::Scene scene);
 
     /// Draws the window's bricks and the scene.
     /// \param phase of the texture that moves along the tracelines, 0..1 (§6.2.1)
@@ -50,7 +50,7 @@ class Renderer {
     /// in front of it, else the sample of the volume, or the standing frame, that contributes most. Lines show no frame
     /// and hide none. This is a pass of its own; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
-    PixelData draw_pixel_data(BrickWindow& window, const TimeTable& times);
+    image::PixelData draw_pixel_data(BrickWindow& window, const scene::TimeTable& times);
 
     /// Draws a tile of the picture, no larger than `tile_samples` allows, and reads nothing back.
     void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);
@@ -59,10 +59,10 @@ class Renderer {
     /// when it first draws with it.
     void rehearse(BrickWindow& window);
 
-    const Camera& camera() const { return camera_; }
+    const space::Camera& camera() const { return camera_; }
 
     /// The slices that the window's bricks would be cut into for `camera`.
-    SliceStack slices(const BrickWindow& window, const Camera& camera) const;
+    scene::SliceStack slices(const BrickWindow& window, const space::Camera& camera) const;
 
   private:
     /// Of a tile: weight, frame, depth, opacity; and events.
@@ -75,9 +75,9 @@ class Renderer {
     TileData draw_tile_data(BrickWindow& window, const PixelBox& tile, std::int64_t frames_per_layer);
 
     const GladGLContext* gl_;
-    const Layout* layout_;
+    const space::Layout* layout_;
     RenderOptions options_;
-    Camera camera_;
+    space::Camera camera_;
     std::vector<PixelBox> tiles_;
     Framebuffer framebuffer_;
     std::optional<PixelDataTarget> pixel_data_;  ///< made when it is first drawn
@@ -85,7 +85,7 @@ class Renderer {
     FlowGeometry flow_geometry_;
     TracelineStrips traceline_strips_;
     Annotations annotations_;
-    Scene scene_;
+    scene::Scene scene_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

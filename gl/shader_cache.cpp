@@ -8,7 +8,7 @@
 #include <pwd.h>
 #include <unistd.h>
 
-namespace vvr {
+namespace vvr::gl {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,4 +41,4 @@ void choose_shader_cache() {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -3,7 +3,7 @@
 #include "core/image/mip_levels.h"
 #include "gl/check.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -43,7 +43,7 @@ GlTexture make_smooth(const GladGLContext& gl, GLenum target, GLint wrap, const 
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     upload_level(gl, target, 0, plane);
     GLint number = 0;
-    for (const Plane<T>& level : mip_levels(plane)) upload_level(gl, target, ++number, level);
+    for (const Plane<T>& level : image::mip_levels(plane)) upload_level(gl, target, ++number, level);
     check_gl(gl, "uploading a texture with its levels");
     return texture;
 }
@@ -62,4 +62,4 @@ GlTexture smooth_repeating_texture(const GladGLContext& gl, const Plane<std::uin
     return make_smooth(gl, GL_TEXTURE_1D, GL_REPEAT, row);
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -5,7 +5,7 @@
 #include "core/base/plane.h"
 #include "gl/objects.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// A texture with mip levels, of bytes as one channel or of a picture's colours. The levels are computed on the CPU:
 /// for glGenerateMipmap Mesa's software rasteriser compiles shaders of its own, which takes a quarter of a second in
@@ -18,4 +18,4 @@ GlTexture smooth_texture(const GladGLContext& gl, const Plane<Bgr>& picture);
 /// A one-dimensional one that repeats, of a row of bytes.
 GlTexture smooth_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row);
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -10,12 +10,12 @@
 #include "gl/program_sources.h"
 #include "gl/smooth_texture.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 TracelineStrips::TracelineStrips(const GladGLContext& gl)
     : gl_(&gl),
       program_(gl, traceline_program(Channels::colour)),
-      zebra_(smooth_repeating_texture(gl, zebra_texels())),
+      zebra_(smooth_repeating_texture(gl, scene::zebra_texels())),
       vertex_array_(gl),
       corners_(gl),
       points_(gl) {
@@ -29,25 +29,26 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
     // beside them for the direction at its ends.
     gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
     const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
-        set_attribute<TraceVertex>(gl, attribute, size, point * sizeof(TraceVertex) + offset, Per::instance);
+        set_attribute<scene::TraceVertex>(gl, attribute, size, point * sizeof(scene::TraceVertex) + offset,
+                                          Per::instance);
     };
-    static_assert(offsetof(TraceVertex, along) == offsetof(TraceVertex, p) + sizeof(glm::vec3));
-    static_assert(offsetof(TraceVertex, speed) == offsetof(TraceVertex, length) + sizeof(float));
-    static_assert(offsetof(TraceVertex, frame) == offsetof(TraceVertex, speed) + sizeof(float));
+    static_assert(offsetof(scene::TraceVertex, along) == offsetof(scene::TraceVertex, p) + sizeof(glm::vec3));
+    static_assert(offsetof(scene::TraceVertex, speed) == offsetof(scene::TraceVertex, length) + sizeof(float));
+    static_assert(offsetof(scene::TraceVertex, frame) == offsetof(scene::TraceVertex, speed) + sizeof(float));
     for (std::size_t point = 0; point < 4; ++point) {
-        instance(static_cast<GLuint>(1 + point), 4, point, offsetof(TraceVertex, p));
+        instance(static_cast<GLuint>(1 + point), 4, point, offsetof(scene::TraceVertex, p));
     }
-    instance(5, 3, 1, offsetof(TraceVertex, length));
-    instance(6, 3, 2, offsetof(TraceVertex, length));
+    instance(5, 3, 1, offsetof(scene::TraceVertex, length));
+    instance(6, 3, 2, offsetof(scene::TraceVertex, length));
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the tracelines");
 }
 
-void TracelineStrips::upload(const Tracelines& lines) {
+void TracelineStrips::upload(const scene::Tracelines& lines) {
     pieces_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
     if (pieces_ == 0) return;
     // The first and the last point come twice, so that the outermost pieces have points beside them.
-    const auto size = static_cast<GLsizeiptr>(sizeof(TraceVertex));
+    const auto size = static_cast<GLsizeiptr>(sizeof(scene::TraceVertex));
     const auto bytes = static_cast<GLsizeiptr>(lines.size()) * size;
     gl_->BindBuffer(GL_ARRAY_BUFFER, points_.id());
     gl_->BufferData(GL_ARRAY_BUFFER, bytes + 2 * size, nullptr, GL_STATIC_DRAW);
@@ -57,8 +58,8 @@ void TracelineStrips::upload(const Tracelines& lines) {
     check_gl(*gl_, "uploading the tracelines");
 }
 
-void TracelineStrips::draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
-                           double phase) const {
+void TracelineStrips::draw(const space::Camera& camera, Size picture, const TraceStyle& style,
+                           const GlyphStyle& colours, double phase) const {
     program_.use();
     program_.set("shade", style.shade);
     program_.set("phase", static_cast<float>(phase));
@@ -71,15 +72,15 @@ void TracelineStrips::draw(const Camera& camera, Size picture, const TraceStyle&
     draw_lines(program_, camera, picture, style, colours);
 }
 
-void TracelineStrips::draw_pixel_data(const Camera& camera, Size picture, const TraceStyle& style,
+void TracelineStrips::draw_pixel_data(const space::Camera& camera, Size picture, const TraceStyle& style,
                                       const GlyphStyle& colours) {
     if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, traceline_program(Channels::pixel_data));
     pixel_data_program_->use();
     draw_lines(*pixel_data_program_, camera, picture, style, colours);
 }
 
-void TracelineStrips::draw_lines(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
-                                 const GlyphStyle& colours) const {
+void TracelineStrips::draw_lines(const Program& program, const space::Camera& camera, Size picture,
+                                 const TraceStyle& style, const GlyphStyle& colours) const {
     if (pieces_ == 0) return;
     const GladGLContext& gl = *gl_;
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
@@ -101,4 +102,4 @@ void TracelineStrips::draw_lines(const Program& program, const Camera& camera, S
     check_gl(gl, "drawing the tracelines");
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

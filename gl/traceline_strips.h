@@ -7,7 +7,7 @@
 #include "gl/program.h"
 #include "gl/render_options.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Draws tracelines as strips of real width that face the camera, lit as tubes, with the zebra texture moving along
 /// them (§6.2.1). Stripes are of equal length on all lines, so long lines have more of them and not longer ones.
@@ -16,18 +16,18 @@ class TracelineStrips {
     explicit TracelineStrips(const GladGLContext& gl);
 
     /// Replaces the lines that are drawn.
-    void upload(const Tracelines& lines);
+    void upload(const scene::Tracelines& lines);
 
     /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
-    void draw(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+    void draw(const space::Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
               double phase) const;
 
     /// Draws into a PixelDataTarget.
-    void draw_pixel_data(const Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours);
+    void draw_pixel_data(const space::Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours);
 
   private:
     /// With the program in use.
-    void draw_lines(const Program& program, const Camera& camera, Size picture, const TraceStyle& style,
+    void draw_lines(const Program& program, const space::Camera& camera, Size picture, const TraceStyle& style,
                     const GlyphStyle& colours) const;
 
     const GladGLContext* gl_;
@@ -40,4 +40,4 @@ class TracelineStrips {
     GLsizei pieces_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::span<const VolumeShadingRow> volume_shadings() {
     return shadings;
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Where the volume's colour comes from; extinction is the transfer function's.
 enum class VolumeColour {
@@ -37,4 +37,4 @@ struct VolumeShadingRow {
 /// The ways there are; the first is the default.
 std::span<const VolumeShadingRow> volume_shadings();
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -13,7 +13,7 @@
 #include "gl/light.h"
 #include "gl/program_sources.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 namespace {
 
@@ -21,12 +21,13 @@ constexpr int looks_unit = 3;  // after those of a brick, the transfer function 
 
 }  // namespace
 
-VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading)
+VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const space::Layout& layout, VolumeColour colour,
+                           VolumeShading shading)
     : gl_(&gl),
       layout_(&layout),
       colour_(colour),
       program_(gl, volume_program(layout, colour, shading, Channels::colour)),
-      transfer_({TransferPoint{}}),
+      transfer_({scene::TransferPoint{}}),
       transfer_texture_(gl),
       looks_texture_(gl),
       vertex_array_(gl),
@@ -35,13 +36,13 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const Layout& layout, Volume
     gl.BindVertexArray(vertex_array_.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    set_attribute<SliceVertex>(gl, 0, 3, 0, Per::vertex);
-    set_attribute<SliceVertex>(gl, 1, 1, offsetof(SliceVertex, t_reference), Per::vertex);
+    set_attribute<scene::SliceVertex>(gl, 0, 3, 0, Per::vertex);
+    set_attribute<scene::SliceVertex>(gl, 1, 1, offsetof(scene::SliceVertex, t_reference), Per::vertex);
     gl.BindVertexArray(0);
     check_gl(gl, "setting up the volume slicer");
 }
 
-void VolumeSlicer::set_transfer(const TransferFunction& transfer) {
+void VolumeSlicer::set_transfer(const scene::TransferFunction& transfer) {
     transfer_ = transfer;
     // Fine enough to be read without interpolation, which would take the software rasteriser four fetches.
     std::array<glm::vec4, 1021> table;
@@ -66,9 +67,9 @@ void VolumeSlicer::set_looks(std::span<const glm::vec4> looks) {
     check_gl(*gl_, "uploading the looks of objects");
 }
 
-void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+void VolumeSlicer::draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
                         const StandingPictures& standing) {
-    for_each_brick(program_, window, camera, stack, standing, [&](std::size_t, const SliceMesh& mesh) {
+    for_each_brick(program_, window, camera, stack, standing, [&](std::size_t, const scene::SliceMesh& mesh) {
         gl_->Enable(GL_DEPTH_TEST);
         gl_->DepthMask(GL_FALSE);
         gl_->Enable(GL_BLEND);
@@ -77,7 +78,7 @@ void VolumeSlicer::draw(BrickWindow& window, const Camera& camera, const SliceSt
     });
 }
 
-void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+void VolumeSlicer::draw_pixel_data(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
                                    std::int64_t frames_per_layer, const PixelDataTarget& target,
                                    const StandingPictures& standing) {
     if (!pixel_data_program_) {
@@ -88,23 +89,24 @@ void VolumeSlicer::draw_pixel_data(BrickWindow& window, const Camera& camera, co
     for (std::size_t i = 0; i < window.cells().size(); ++i) {
         first_layers.push_back(first_layers.back() + window.layers(i).brick().count);
     }
-    for_each_brick(*pixel_data_program_, window, camera, stack, standing, [&](std::size_t i, const SliceMesh& mesh) {
-        pixel_data_program_->set("texel_layers", static_cast<float>(window.layers(i).count()));
-        pixel_data_program_->set("first_layer", static_cast<float>(first_layers[i]));
-        pixel_data_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
-        pixel_data_program_->set("frames_per_layer", static_cast<float>(frames_per_layer));
-        std::size_t begin = 0;
-        for (const std::size_t end : mesh.slice_ends) {
-            target.draw_over(*pixel_data_program_, [&] {
-                gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
-                                  std::bit_cast<const void*>(begin * sizeof(std::uint32_t)));
-            });
-            begin = end;
-        }
-    });
+    for_each_brick(*pixel_data_program_, window, camera, stack, standing,
+                   [&](std::size_t i, const scene::SliceMesh& mesh) {
+                       pixel_data_program_->set("texel_layers", static_cast<float>(window.layers(i).count()));
+                       pixel_data_program_->set("first_layer", static_cast<float>(first_layers[i]));
+                       pixel_data_program_->set("last_layer", static_cast<float>(first_layers.back() - 1));
+                       pixel_data_program_->set("frames_per_layer", static_cast<float>(frames_per_layer));
+                       std::size_t begin = 0;
+                       for (const std::size_t end : mesh.slice_ends) {
+                           target.draw_over(*pixel_data_program_, [&] {
+                               gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(end - begin), GL_UNSIGNED_INT,
+                                                 std::bit_cast<const void*>(begin * sizeof(std::uint32_t)));
+                           });
+                           begin = end;
+                       }
+                   });
 }
 
-void VolumeSlicer::use(const Program& program, const Camera& camera, const SliceStack& stack) const {
+void VolumeSlicer::use(const Program& program, const space::Camera& camera, const scene::SliceStack& stack) const {
     const GladGLContext& gl = *gl_;
     program.use();
     set_layout(program, *layout_);
@@ -129,10 +131,10 @@ void VolumeSlicer::use(const Program& program, const Camera& camera, const Slice
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
 }
 
-void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const Camera& camera,
-                                  const SliceStack& stack, const StandingPictures& standing,
-                                  const std::function<void(std::size_t, const SliceMesh&)>& draw) {
-    const std::span<const PlacedCells> bricks = window.cells();
+void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const space::Camera& camera,
+                                  const scene::SliceStack& stack, const StandingPictures& standing,
+                                  const std::function<void(std::size_t, const scene::SliceMesh&)>& draw) {
+    const std::span<const bricks::PlacedCells> bricks = window.cells();
     const GladGLContext& gl = *gl_;
     Fence last;
     Fence before_last;
@@ -146,7 +148,7 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
             continue;
         }
         const std::size_t i = part.number;
-        const SliceMesh mesh = cut_slices(bricks, i, *layout_, transfer_, camera, stack);
+        const scene::SliceMesh mesh = scene::cut_slices(bricks, i, *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
         if (!std::exchange(in_use, true)) use(program, camera, stack);
         const TextureMap map = window.texture_map(i);
@@ -156,7 +158,7 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
         // one brick wait while it draws another. Where two textures take turns the next one's is no longer read then.
         before_last.wait();
         window.bind(i);
-        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SliceVertex)),
+        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(scene::SliceVertex)),
                       mesh.vertices.data(), GL_STREAM_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                       mesh.indices.data(), GL_STREAM_DRAW);
@@ -167,4 +169,4 @@ void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, c
     check_gl(gl, "drawing the volume");
 }
 
-}  // namespace vvr
+}  // namespace vvr::gl

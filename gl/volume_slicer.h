@@ -15,7 +15,7 @@
 #include "gl/program.h"
 #include "gl/volume_look.h"
 
-namespace vvr {
+namespace vvr::gl {
 
 /// Pictures that stand in the volume, which are drawn between its bricks.
 struct StandingPictures {
@@ -28,39 +28,39 @@ struct StandingPictures {
 class VolumeSlicer {
   public:
     /// \param colour for VolumeColour::own the bricks have colours, for VolumeColour::object identities
-    VolumeSlicer(const GladGLContext& gl, const Layout& layout, VolumeColour colour, VolumeShading shading);
+    VolumeSlicer(const GladGLContext& gl, const space::Layout& layout, VolumeColour colour, VolumeShading shading);
 
-    void set_transfer(const TransferFunction& transfer);
+    void set_transfer(const scene::TransferFunction& transfer);
 
     /// What the identities' looks are: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
     /// sources of colour that take looks.
     void set_looks(std::span<const glm::vec4> looks);
 
-    void draw(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+    void draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
               const StandingPictures& standing = {});
 
     /// Draws into a target of pixel data. Frames are counted from the window's first.
     /// \param frames_per_layer of the volume
-    void draw_pixel_data(BrickWindow& window, const Camera& camera, const SliceStack& stack,
+    void draw_pixel_data(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
                          std::int64_t frames_per_layer, const PixelDataTarget& target,
                          const StandingPictures& standing);
 
   private:
     /// What all bricks are drawn with, but for the textures of their own.
-    void use(const Program& program, const Camera& camera, const SliceStack& stack) const;
+    void use(const Program& program, const space::Camera& camera, const scene::SliceStack& stack) const;
 
     /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh; between
     /// them the standing pictures.
-    void for_each_brick(const Program& program, BrickWindow& window, const Camera& camera, const SliceStack& stack,
-                        const StandingPictures& standing,
-                        const std::function<void(std::size_t, const SliceMesh&)>& draw);
+    void for_each_brick(const Program& program, BrickWindow& window, const space::Camera& camera,
+                        const scene::SliceStack& stack, const StandingPictures& standing,
+                        const std::function<void(std::size_t, const scene::SliceMesh&)>& draw);
 
     const GladGLContext* gl_;
-    const Layout* layout_;
+    const space::Layout* layout_;
     VolumeColour colour_;
     Program program_;
     std::optional<Program> pixel_data_program_;  ///< made when it is first used
-    TransferFunction transfer_;
+    scene::TransferFunction transfer_;
     GlTexture transfer_texture_;
     GlTexture looks_texture_;
     GlVertexArray vertex_array_;
@@ -68,4 +68,4 @@ class VolumeSlicer {
     GlBuffer indices_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::gl

@@ -7,15 +7,16 @@
 #include "core/events/scraps.h"
 #include "core/store/manifest.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
 /// Where the events are mostly pieces of one part of the scene.
 std::optional<std::string> advice_on_scraps(const RenderJob& job, const RenderReport& report) {
     // Who names a region knows the option; what was extracted takes none.
-    if (!report.events || !job.fields.roi.empty() || is_data_folder(job.input.names.front())) return std::nullopt;
-    const std::optional<Scraps> scraps = find_scraps(*report.events, report.field_size);
+    if (!report.events || !job.fields.roi.empty() || store::is_data_folder(job.input.names.front()))
+        return std::nullopt;
+    const std::optional<events::Scraps> scraps = events::find_scraps(*report.events, report.field_size);
     if (!scraps) return std::nullopt;
     const double x = static_cast<double>(report.info.size.width) / report.field_size.width;
     const double y = static_cast<double>(report.info.size.height) / report.field_size.height;
@@ -36,4 +37,4 @@ std::vector<std::string> advice_on(const RenderJob& job, const RenderReport& rep
     return advice;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

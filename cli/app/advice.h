@@ -6,9 +6,9 @@
 #include "cli/app/job.h"
 #include "cli/app/report.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// What would serve this clip better, each in a sentence for people.
 std::vector<std::string> advice_on(const RenderJob& job, const RenderReport& report);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/app/volume_paint.h"
+#include "core/base/words.h"
 #include "core/events/colouring.h"
 #include "core/fields/filter.h"
 #include "core/glance/portraits.h"
@@ -20,53 +21,54 @@
 #include "core/scene/overlay.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_file.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
-Rgba rgba(const glm::vec3& colour) {
+image::Rgba rgba(const glm::vec3& colour) {
     return {colour.x, colour.y, colour.z, 1};
 }
 
-std::vector<Rgba> gradient(const glm::vec3& from, const glm::vec3& to) {
+std::vector<image::Rgba> gradient(const glm::vec3& from, const glm::vec3& to) {
     constexpr int steps = 64;
-    std::vector<Rgba> colours;
+    std::vector<image::Rgba> colours;
     for (int i = 0; i < steps; ++i) colours.push_back(rgba(glm::mix(from, to, static_cast<float>(i) / (steps - 1))));
     return colours;
 }
 
 /// What a thing as thick as a person's track looks like, by its value.
-std::vector<Rgba> transfer_gradient(const TransferFunction& transfer, int low, const glm::vec4& background) {
-    std::vector<Rgba> colours;
+std::vector<image::Rgba> transfer_gradient(const scene::TransferFunction& transfer, int low,
+                                           const glm::vec4& background) {
+    std::vector<image::Rgba> colours;
     for (int value = low; value < 256; ++value) {
         const glm::dvec4 at = transfer.at(value);
-        const auto opacity = static_cast<float>(1 - std::exp(-at.w * opacity_length * 2));
+        const auto opacity = static_cast<float>(1 - std::exp(-at.w * scene::opacity_length * 2));
         const glm::vec4 colour = glm::vec4(glm::vec3(at) * opacity, opacity) + background * (1 - opacity);
         colours.push_back({colour.x, colour.y, colour.z, colour.w});
     }
     return colours;
 }
 
-int first_visible(const TransferFunction& transfer) {
+int first_visible(const scene::TransferFunction& transfer) {
     int value = 0;
     while (value < 255 && !transfer.visible({0, static_cast<std::uint8_t>(value)})) ++value;
     return value;
 }
 
-std::vector<Rgba> colours_of_objects(const Theme& theme) {
-    std::vector<Rgba> colours;
+std::vector<image::Rgba> colours_of_objects(const scene::Theme& theme) {
+    std::vector<image::Rgba> colours;
     for (const glm::vec3& colour : theme.objects) colours.push_back(rgba(colour));
     return colours;
 }
 
 /// Each band in its colour, and what that means.
-std::vector<LegendEntry> legend_of_bands(const TransferFunction& transfer) {
-    constexpr std::array<std::pair<Band, std::string_view>, 3> bands{{{Band::newly_covered, "newly covered"},
-                                                                      {Band::still_covered, "still covered"},
-                                                                      {Band::uncovered, "uncovered"}}};
-    std::vector<LegendEntry> entries;
+std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& transfer) {
+    constexpr std::array<std::pair<fields::Band, std::string_view>, 3> bands{
+        {{fields::Band::newly_covered, "newly covered"},
+         {fields::Band::still_covered, "still covered"},
+         {fields::Band::uncovered, "uncovered"}}};
+    std::vector<labels::LegendEntry> entries;
     for (const auto& [band, name] : bands) {
         const glm::dvec4 at = transfer.at(static_cast<int>(band));
         if (at.w > 0) entries.push_back({{rgba(glm::vec3(at))}, std::string(name), std::string(name)});
@@ -75,20 +77,20 @@ std::vector<LegendEntry> legend_of_bands(const TransferFunction& transfer) {
 }
 
 /// The colours of a volume that are not the transfer function's, and what they mean.
-std::vector<LegendEntry> legend_of_colour(const RenderJob& job) {
+std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
     const ColourRow& row = find_colour(job.look.colour);
     if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
-    if (row.drawn == VolumeColour::time) {
-        std::vector<Rgba> colours;
-        for (const glm::vec4& colour : time_colours()) colours.push_back(rgba(glm::vec3(colour)));
+    if (row.drawn == gl::VolumeColour::time) {
+        std::vector<image::Rgba> colours;
+        for (const glm::vec4& colour : scene::time_colours()) colours.push_back(rgba(glm::vec3(colour)));
         return {{std::move(colours), "time, from the first moment to the last", "time"}};
     }
     if (row.name == "direction") {
         constexpr int spokes = 48;
-        std::vector<Rgba> colours;
+        std::vector<image::Rgba> colours;
         for (int i = 0; i < spokes; ++i) {
             const double angle = 2 * std::numbers::pi * i / spokes;
-            colours.push_back(rgba(direction_colour({std::cos(angle), -std::sin(angle)})));
+            colours.push_back(rgba(scene::direction_colour({std::cos(angle), -std::sin(angle)})));
         }
         return {{std::move(colours), "which way it moves in the view of the camera", "direction", true},
                 {{rgba(job.look.theme.nobody)}, "at rest", "at rest"}};
@@ -97,44 +99,46 @@ std::vector<LegendEntry> legend_of_colour(const RenderJob& job) {
         return {
             {gradient(job.look.theme.slow, job.look.theme.fast), "how fast it moves: slow to fast", "slow to fast"}};
     }
-    const TransferFunction transfer = second_transfer_of(job);
-    const FilterRow& second = find_filter(row.filter);
-    if (second.traits.values == Values::band) return legend_of_bands(transfer);
-    std::vector<Rgba> colours;
-    for (int value = second.traits.values == Values::sign ? 1 : 0; value < 256; ++value) {
+    const scene::TransferFunction transfer = second_transfer_of(job);
+    const fields::FilterRow& second = fields::find_filter(row.filter);
+    if (second.traits.values == fields::Values::band) return legend_of_bands(transfer);
+    std::vector<image::Rgba> colours;
+    for (int value = second.traits.values == fields::Values::sign ? 1 : 0; value < 256; ++value) {
         colours.push_back(rgba(glm::vec3(transfer.at(value))));
     }
     return {{std::move(colours), fmt::format("colour: {}, little to much", second.help), std::string(second.name)}};
 }
 
-std::vector<LegendEntry> legend_of(const RenderJob& job) {
-    std::vector<LegendEntry> entries;
-    const FilterRow& filter = find_filter(job.fields.filter);
-    const bool by_transfer = job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::transfer;
-    if (by_transfer && filter.traits.values == Values::band) entries = legend_of_bands(drawn_transfer_of(job.look));
-    if (by_transfer && filter.traits.values == Values::sign) {
+std::vector<labels::LegendEntry> legend_of(const RenderJob& job) {
+    std::vector<labels::LegendEntry> entries;
+    const fields::FilterRow& filter = fields::find_filter(job.fields.filter);
+    const bool by_transfer = job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::transfer;
+    if (by_transfer && filter.traits.values == fields::Values::band)
+        entries = legend_of_bands(drawn_transfer_of(job.look));
+    if (by_transfer && filter.traits.values == fields::Values::sign) {
         entries.push_back({transfer_gradient(drawn_transfer_of(job.look), 1, background_of(job.look)),
                            "darker to brighter than the empty scene", "darker to brighter"});
     }
-    if (by_transfer && filter.traits.values == Values::strength) {
-        const TransferFunction transfer = transfer_of(job.look);
+    if (by_transfer && filter.traits.values == fields::Values::strength) {
+        const scene::TransferFunction transfer = transfer_of(job.look);
         const int low = first_visible(transfer);
         entries.push_back({transfer_gradient(drawn_transfer_of(job.look), low, background_of(job.look)),
                            fmt::format("{}: little to much", filter.help), std::string(filter.name)});
     }
-    if (job.look.show.has(Part::volume) && job.picture.colour == VolumeColour::object) {
+    if (job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::object) {
         entries.push_back(
             {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
         entries.push_back({{rgba(job.look.theme.nobody)}, "other changes", "other"});
     }
-    const bool of_another = job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::time;
+    const bool of_another = job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::time;
     if (job.look.show.has(Part::volume) && of_another) entries = legend_of_colour(job);
-    const GlyphStyle style = glyph_style_of(job);
+    const gl::GlyphStyle style = glyph_style_of(job);
     const auto flow = [&](const std::string& what) {
-        return LegendEntry{gradient(style.slow_colour, style.fast_colour), fmt::format("{}: slow to fast", what),
-                           "slow to fast"};
+        return labels::LegendEntry{gradient(style.slow_colour, style.fast_colour),
+                                   fmt::format("{}: slow to fast", what), "slow to fast"};
     };
-    const bool coloured_directions = job.look.show.has(Part::directions) && job.picture.colour != VolumeColour::object;
+    const bool coloured_directions =
+        job.look.show.has(Part::directions) && job.picture.colour != gl::VolumeColour::object;
     if (job.look.show.has(Part::arrows) || coloured_directions) {
         entries.push_back(flow("which way it went"));
     } else if (job.look.show.has(Part::tracelines)) {
@@ -143,23 +147,23 @@ std::vector<LegendEntry> legend_of(const RenderJob& job) {
     return entries;
 }
 
-std::string span_of(const Caption& caption, const Volume& volume) {
-    std::string text =
-        fmt::format("{}, {}", counted(caption.frames, "frame"), format_span(caption.begin, caption.end, caption.clock));
+std::string span_of(const Caption& caption, const bricks::Volume& volume) {
+    std::string text = fmt::format("{}, {}", counted(caption.frames, "frame"),
+                                   labels::format_span(caption.begin, caption.end, caption.clock));
     double idle = 0;
-    for (const Squeezed& stretch : squeezed_stretches(volume)) idle += stretch.seconds;
-    if (idle > 0) text += fmt::format(", {} without motion drawn short", format_length(idle));
+    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) idle += stretch.seconds;
+    if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_length(idle));
     return text;
 }
 
 /// A gap may be one of signal, or lie between the parts that were asked for.
-std::vector<TimeGap> explained_gaps(const FrameSpan& span, const Volume& volume) {
-    std::vector<TimeGap> gaps = time_gaps(volume);
+std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
+    std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     if (span.parts.empty()) return gaps;
     constexpr double little = 1;  // seconds
-    for (TimeGap& gap : gaps) {
+    for (labels::TimeGap& gap : gaps) {
         double asked = 0;
-        for (const FrameSpan::Part& part : span.parts) {
+        for (const video::FrameSpan::Part& part : span.parts) {
             asked += std::max(0.0, std::min(part.end, gap.end) - std::max(part.begin, gap.begin));
         }
         const bool left_out = gap.end - gap.begin - asked > little;
@@ -169,10 +173,10 @@ std::vector<TimeGap> explained_gaps(const FrameSpan& span, const Volume& volume)
 }
 
 /// In the middle of the volume: an empty picture would look like a mistake.
-void letter_stillness(const Framing& framing, const Rgba& colour, Lettering& lettering) {
+void letter_stillness(const Framing& framing, const image::Rgba& colour, labels::Lettering& lettering) {
     const PixelBox& box = framing.sheet.volume;
-    lettering.add(make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
-                                    (box.top + box.bottom) / 2.0, colour),
+    lettering.add(labels::make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
+                                            (box.top + box.bottom) / 2.0, colour),
                   framing.sheet.between, 0);
 }
 
@@ -185,8 +189,8 @@ const std::array<std::string, 3> explanations{
     "Time runs along the arc, from left to right."};
 
 /// \param squeezed whether time is given room where something moves
-void letter_explanation(const std::string& layout, bool squeezed, const Sheet& sheet, const Rgba& colour,
-                        Lettering& lettering) {
+void letter_explanation(const std::string& layout, bool squeezed, const labels::Sheet& sheet, const image::Rgba& colour,
+                        labels::Lettering& lettering) {
     std::array<std::string, 3> texts = explanations;
     if (squeezed) {
         constexpr std::string_view direction = "from left to right";
@@ -194,74 +198,78 @@ void letter_explanation(const std::string& layout, bool squeezed, const Sheet& s
             text.replace(text.find(direction), direction.size(), "from left to right, with room where something moves");
         }
     }
-    if (layout != layouts().front().name) {
+    if (layout != space::layouts().front().name) {
         for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
     }
-    add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
-                        sheet.explanation.grown(0, sheet.small / 4), colour, lettering);
+    labels::add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
+                                sheet.explanation.grown(0, sheet.small / 4), colour, lettering);
 }
 
 /// A frame at the end of the volume, with what it is and when above it.
 void letter_end(const std::string& what, const Plane<Bgr>& picture, double seconds, const PixelBox& box, bool right,
-                const Caption& caption, const Sheet& sheet, const Rgba& colour, const Rgba& border,
-                Lettering& lettering) {
+                const Caption& caption, const labels::Sheet& sheet, const image::Rgba& colour,
+                const image::Rgba& border, labels::Lettering& lettering) {
     if (picture.empty() || box.empty()) return;
     lettering.pictures.push_back({box.grown(-1, -1), picture, border, 1});
-    const std::string text = fmt::format("{}, {}", what, format_moment(seconds, caption.clock));
-    Label label = make_label(text, sheet.small, box.left, box.top - sheet.small / 2, colour);
-    if (right) label = make_label(text, sheet.small, box.right - label.box.width(), box.top - sheet.small / 2, colour);
+    const std::string text = fmt::format("{}, {}", what, labels::format_moment(seconds, caption.clock));
+    labels::Label label = labels::make_label(text, sheet.small, box.left, box.top - sheet.small / 2, colour);
+    if (right)
+        label = labels::make_label(text, sheet.small, box.right - label.box.width(), box.top - sheet.small / 2, colour);
     lettering.labels.push_back(label);
 }
 
 /// Portraits, map, strip and frames beside the volume.
-void letter_glance(const RenderJob& job, const Caption& caption, const Volume& volume, const Layout& layout,
-                   const Framing& framing, const Glance& glance, Lettering& lettering) {
+void letter_glance(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
+                   const space::Layout& layout, const Framing& framing, const Glance& glance,
+                   labels::Lettering& lettering) {
     const Parts& show = job.look.show;
-    const Sheet& sheet = framing.sheet;
-    const Rgba ink = rgba(job.look.theme.ink);
-    const Rgba pale = rgba(job.look.theme.pale_ink);
-    const Rgba lines = rgba(job.look.theme.lines);
+    const labels::Sheet& sheet = framing.sheet;
+    const image::Rgba ink = rgba(job.look.theme.ink);
+    const image::Rgba pale = rgba(job.look.theme.pale_ink);
+    const image::Rgba lines = rgba(job.look.theme.lines);
     if (show.has(Part::explanation))
-        letter_explanation(job.layout, !squeezed_stretches(volume).empty(), sheet, pale, lettering);
+        letter_explanation(job.layout, !bricks::squeezed_stretches(volume).empty(), sheet, pale, lettering);
     if (show.has(Part::ends)) {
         letter_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
                    lettering);
         letter_end("last frame", glance.last, caption.end, sheet.last, true, caption, sheet, pale, lines, lettering);
     }
-    const Trails trails(volume, layout, framing.camera, sheet.picture);
+    const glance::Trails trails(volume, layout, framing.camera, sheet.picture);
     if (show.has(Part::map) && !glance.scene.empty()) {
         const double aspect = static_cast<double>(glance.field.width) / glance.field.height;
-        const PixelBox box = hollow_of(layout, framing.camera, sheet.picture, sheet.hollow, aspect);
-        draw_map(glance.objects, glance.scene, glance.field, box, sheet.small, Rgba(background_of(job.look)),
-                 lettering);
+        const PixelBox box = glance::hollow_of(layout, framing.camera, sheet.picture, sheet.hollow, aspect);
+        glance::draw_map(glance.objects, glance.scene, glance.field, box, sheet.small,
+                         image::Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::portraits) && glance.crops != nullptr) {
-        letter_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
+        glance::letter_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
     }
     if (show.has(Part::numbers)) {
-        letter_numbers(glance.objects, trails, sheet, lettering);
-        letter_stays(glance.objects, trails, sheet, Rgba(background_of(job.look)), lettering);
+        glance::letter_numbers(glance.objects, trails, sheet, lettering);
+        glance::letter_stays(glance.objects, trails, sheet, image::Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::strip)) {
-        letter_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
-                     {ink, pale, lines, Rgba(background_of(job.look))}, lettering);
+        glance::letter_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
+                             {ink, pale, lines, image::Rgba(background_of(job.look))}, lettering);
     }
 }
 
 /// An event with that part of its path that lies in a stretch of time.
-Event part_of(Event event, double begin, double end) {
-    const auto outside = [&](const PathPoint& point) { return point.at.seconds < begin || point.at.seconds > end; };
+events::Event part_of(events::Event event, double begin, double end) {
+    const auto outside = [&](const events::PathPoint& point) {
+        return point.at.seconds < begin || point.at.seconds > end;
+    };
     std::erase_if(event.path, outside);
     return event;
 }
 
 }  // namespace
 
-Objects shown_objects(const LookOptions& look, std::span<const Event> events, double begin, double end,
-                      const WallClock& clock) {
-    Objects objects;
+glance::Objects shown_objects(const LookOptions& look, std::span<const events::Event> events, double begin, double end,
+                              const WallClock& clock) {
+    glance::Objects objects;
     objects.clock = clock;
-    const std::vector<int> colours = colours_of(events);
+    const std::vector<int> colours = events::colours_of(events);
     std::map<std::size_t, std::size_t> places;  // of those that are shown
     for (std::size_t k = 0; k < events.size(); ++k) {
         if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
@@ -270,7 +278,7 @@ Objects shown_objects(const LookOptions& look, std::span<const Event> events, do
         objects.numbers.push_back(k + 1);
         objects.colours.push_back(look.theme.objects[static_cast<std::size_t>(colours[k])]);
     }
-    for (Event& event : objects.events) {
+    for (events::Event& event : objects.events) {
         for (std::optional<std::size_t>* const other : {&event.from, &event.into, &event.by}) {
             const auto place = *other ? places.find(**other) : places.end();
             *other = place == places.end() ? std::nullopt : std::optional(place->second);
@@ -279,70 +287,71 @@ Objects shown_objects(const LookOptions& look, std::span<const Event> events, do
     return objects;
 }
 
-Framing frame_volume(const RenderJob& job, const Layout& layout, double aspect) {
+Framing frame_volume(const RenderJob& job, const space::Layout& layout, double aspect) {
     Framing framing;
     const bool ruler = job.look.show.has(Part::ruler);
     const Parts& show = job.look.show;
-    framing.sheet = arrange_sheet(job.picture.size,
-                                  {.title = show.has(Part::title),
-                                   .ruler = ruler,
-                                   .legend = show.has(Part::legend),
-                                   .explanation = show.has(Part::explanation),
-                                   .portraits = show.has(Part::portraits),
-                                   .ends = show.has(Part::ends),
-                                   .strip = show.has(Part::strip)},
-                                  aspect);
+    framing.sheet = labels::arrange_sheet(job.picture.size,
+                                          {.title = show.has(Part::title),
+                                           .ruler = ruler,
+                                           .legend = show.has(Part::legend),
+                                           .explanation = show.has(Part::explanation),
+                                           .portraits = show.has(Part::portraits),
+                                           .ends = show.has(Part::ends),
+                                           .strip = show.has(Part::strip)},
+                                          aspect);
     const PixelBox& part = framing.sheet.volume;
-    std::vector<glm::dvec3> points = outline_points(layout);
-    if (job.look.show.any(&PartRow::around_volume)) points = corners(layout_box(layout));
-    View view = job.picture.view;
+    std::vector<glm::dvec3> points = scene::outline_points(layout);
+    if (job.look.show.any(&PartRow::around_volume)) points = scene::corners(scene::layout_box(layout));
+    space::View view = job.picture.view;
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
-    Camera camera = fit_camera(view, points, part.size());
-    framing.edge = outer_edge(layout, camera, part.size());
+    space::Camera camera = space::fit_camera(view, points, part.size());
+    framing.edge = labels::outer_edge(layout, camera, part.size());
     if (ruler) {
-        const std::vector<glm::dvec3> reach = ruler_reach(layout, framing.edge);
+        const std::vector<glm::dvec3> reach = labels::ruler_reach(layout, framing.edge);
         points.insert(points.end(), reach.begin(), reach.end());
-        camera = fit_camera(view, points, part.size());
+        camera = space::fit_camera(view, points, part.size());
     }
     framing.camera = camera.within(part, job.picture.size);
     return framing;
 }
 
-std::vector<TimeTick> ticks_of(const RenderJob& job, const Framing& framing, const Volume& volume,
-                               const WallClock& clock) {
+std::vector<labels::TimeTick> ticks_of(const RenderJob& job, const Framing& framing, const bricks::Volume& volume,
+                                       const WallClock& clock) {
     if (!job.look.show.has(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
     const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
-    if (volume.is_unequal()) return spread_ticks(volume, most, clock);
-    return time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, clock);
+    if (volume.is_unequal()) return labels::spread_ticks(volume, most, clock);
+    return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, clock);
 }
 
-Lettering letter(const RenderJob& job, const Caption& caption, const Volume& volume, const Layout& layout,
-                 const Framing& framing, const std::vector<TimeTick>& ticks, const Glance& glance) {
-    Lettering lettering;
-    lettering.font_missing = framing.sheet.text > 0 && !measure_text("0", framing.sheet.text);
-    const Rgba ink = rgba(job.look.theme.ink);
-    const Rgba pale = rgba(job.look.theme.pale_ink);
-    const Sheet& sheet = framing.sheet;
-    const std::vector<LegendEntry> legend =
-        job.look.show.has(Part::legend) ? legend_of(job) : std::vector<LegendEntry>{};
+labels::Lettering letter(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
+                         const space::Layout& layout, const Framing& framing,
+                         const std::vector<labels::TimeTick>& ticks, const Glance& glance) {
+    labels::Lettering lettering;
+    lettering.font_missing = framing.sheet.text > 0 && !image::measure_text("0", framing.sheet.text);
+    const image::Rgba ink = rgba(job.look.theme.ink);
+    const image::Rgba pale = rgba(job.look.theme.pale_ink);
+    const labels::Sheet& sheet = framing.sheet;
+    const std::vector<labels::LegendEntry> legend =
+        job.look.show.has(Part::legend) ? legend_of(job) : std::vector<labels::LegendEntry>{};
     const bool in_one_band = !legend.empty() && sheet.legend == sheet.title;
-    const int right = sheet.title.right - (in_one_band ? brief_width(legend, sheet) : 0);
-    letter_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
-    letter_legend(legend, sheet, pale, lettering);
+    const int right = sheet.title.right - (in_one_band ? labels::brief_width(legend, sheet) : 0);
+    labels::letter_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
+    labels::letter_legend(legend, sheet, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
-        letter_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera, framing.sheet,
-                    rgba(job.look.theme.fast), lettering);
+        labels::letter_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera,
+                            framing.sheet, rgba(job.look.theme.fast), lettering);
     }
     // Before the ticks: who reads a clock should know first where it leaps.
     if (ruler) {
-        letter_breaks(time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera, framing.sheet, pale,
-                      lettering);
+        labels::letter_breaks(labels::time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera,
+                              framing.sheet, pale, lettering);
     }
-    letter_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
+    labels::letter_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
     if (caption.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);
     if (framing.sheet.text > 0) letter_glance(job, caption, volume, layout, framing, glance, lettering);
     return lettering;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

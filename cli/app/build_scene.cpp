@@ -9,9 +9,9 @@
 #include "core/glance/directions.h"
 #include "core/scene/overlay.h"
 
-namespace vvr {
+namespace vvr::app {
 
-void describe(const FieldSource& source, const Context& context, RenderReport& report) {
+void describe(const fields::FieldSource& source, const gl::Context& context, RenderReport& report) {
     report.info = source.info();
     report.field_size = source.field_size();
     report.renderer = context.renderer();
@@ -20,9 +20,9 @@ void describe(const FieldSource& source, const Context& context, RenderReport& r
     report.stages.end("context");
 }
 
-FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_t frames) {
+fields::FieldNeeds needs_of(const RenderJob& job, const fields::FieldSource& source, std::int64_t frames) {
     constexpr std::int64_t arrow_times = 80;  // along the arc; more would hide each other
-    FieldNeeds needs;
+    fields::FieldNeeds needs;
     needs.flow = job.look.show.any(&PartRow::needs_flow);
     needs.seeds = job.look.show.any(&PartRow::needs_seeds);
     // Objects are told apart by their colours where these are there.
@@ -30,65 +30,72 @@ FieldNeeds needs_of(const RenderJob& job, const FieldSource& source, std::int64_
     needs.flow_of_each = colour.needs_flow;
     const bool stand = job.look.show.has(Part::frames) && job.look.keyframes > 0;
     needs.colour = colour.needs_pictures || (stand && source.has_pictures()) ||
-                   (job.picture.colour == VolumeColour::object && source.has_pictures());
+                   (job.picture.colour == gl::VolumeColour::object && source.has_pictures());
     // Frames are what a header says, or times that are years apart: nobody asked for such an interval.
     constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
     needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
 }
 
-std::unique_ptr<Layout> layout_of(const RenderJob& job, Size field_size) {
-    return make_layout(job.layout, shape_for(field_size, job.shape));
+std::unique_ptr<space::Layout> layout_of(const RenderJob& job, Size field_size) {
+    return space::make_layout(job.layout, space::shape_for(field_size, job.shape));
 }
 
-std::int64_t layer_of(const KeyFrame& key, const Volume& volume) {
+std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume) {
     return key.number / volume.step();
 }
 
-std::vector<Brick> pieces_of(std::span<const Brick> bricks, std::span<const KeyFrame> between, const Volume& volume) {
+std::vector<bricks::Brick> pieces_of(std::span<const bricks::Brick> bricks, std::span<const KeyFrame> between,
+                                     const bricks::Volume& volume) {
     std::vector<std::int64_t> layers;
     for (const KeyFrame& key : between) layers.push_back(layer_of(key, volume));
-    return cut_into_pieces(cut_at(bricks, layers));
+    return bricks::cut_into_pieces(bricks::cut_at(bricks, layers));
 }
 
-Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames& frames, const Layout& layout,
-                  const Framing& framing, const std::vector<TimeTick>& ticks, const Objects& objects,
-                  const Identify& identify) {
-    Scene scene;
-    const std::vector<FrameSeed> seeds = used_seeds(volume, frames.bricks, frames.first_brick, job.seed_flags);
-    if (job.look.show.has(Part::arrows)) scene.arrows = arrows(volume, seeds, layout, glyph_options_of(job.look));
+scene::Scene build_scene(const RenderJob& job, const bricks::Volume& volume, const WindowFrames& frames,
+                         const space::Layout& layout, const Framing& framing,
+                         const std::vector<labels::TimeTick>& ticks, const glance::Objects& objects,
+                         const bricks::Identify& identify) {
+    scene::Scene scene;
+    const std::vector<bricks::FrameSeed> seeds =
+        bricks::used_seeds(volume, frames.bricks, frames.first_brick, job.seed_flags);
+    if (job.look.show.has(Part::arrows))
+        scene.arrows = scene::arrows(volume, seeds, layout, glyph_options_of(job.look));
     if (job.look.show.has(Part::directions)) {
         const double length = 1.5 * glyph_options_of(job.look).cap;
-        const std::vector<Glyph> along = direction_arrows(objects, volume, layout, length);
+        const std::vector<scene::Glyph> along = glance::direction_arrows(objects, volume, layout, length);
         scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }
-    if (job.look.show.has(Part::tracelines)) scene.tracelines = tracelines(volume, seeds, layout, job.look.traces);
+    if (job.look.show.has(Part::tracelines))
+        scene.tracelines = scene::tracelines(volume, seeds, layout, job.look.traces);
     const glm::vec4 line_colour(job.look.theme.lines, 1);
-    if (job.look.show.has(Part::outline)) scene.lines = volume_outline(layout, line_colour);
-    const auto add_lines = [&scene](const std::vector<LineSegment>& lines) {
+    if (job.look.show.has(Part::outline)) scene.lines = scene::volume_outline(layout, line_colour);
+    const auto add_lines = [&scene](const std::vector<scene::LineSegment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
-    add_lines(ruler_marks(volume, layout, framing.edge, ticks, line_colour));
+    add_lines(labels::ruler_marks(volume, layout, framing.edge, ticks, line_colour));
     if (job.look.show.has(Part::ribs)) {
         // Pale, not transparent: lines hide what is behind them, so that these are in the volume and not before it.
         const glm::vec4 pale = glm::mix(line_colour, background_of(job.look), 0.55F);
-        for (const TimeTick& tick : ticks) add_lines(cross_section(layout, volume.t_of_seconds(tick.seconds), pale));
-        const TimeEdge inner{1 - framing.edge.x, framing.edge.y};
-        add_lines(ruler_marks(volume, layout, inner, ticks, line_colour));
+        for (const labels::TimeTick& tick : ticks)
+            add_lines(scene::cross_section(layout, volume.t_of_seconds(tick.seconds), pale));
+        const labels::TimeEdge inner{1 - framing.edge.x, framing.edge.y};
+        add_lines(labels::ruler_marks(volume, layout, inner, ticks, line_colour));
     }
     if (job.look.show.has(Part::ruler)) {
-        add_lines(break_marks(time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
-        add_lines(gap_marks(time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));
+        add_lines(labels::break_marks(labels::time_breaks(volume, breaks_shown), layout, framing.edge, line_colour));
+        add_lines(
+            labels::gap_marks(labels::time_gaps(volume), layout, framing.edge, glm::vec4(job.look.theme.fast, 1)));
     }
     if (job.look.show.has(Part::floor)) {
-        scene.floor = volume.keeps_owners() ? floor_shadow(volume, job.look.theme, identify)
-                                            : floor_shadow(volume, job.look.theme.shadow);
+        scene.floor = volume.keeps_owners() ? scene::floor_shadow(volume, job.look.theme, identify)
+                                            : scene::floor_shadow(volume, job.look.theme.shadow);
     }
     if (job.look.show.has(Part::frames)) {
         constexpr float at_the_ends = 0.5F;
         constexpr float between = 0.3F;  // they hide what is behind them
-        const auto stand = [&scene](double t, const Frame& frame, std::int64_t number, float opacity) {
-            Plane<Bgr> picture = picture_of(frame);
+        const auto stand = [&scene](double t, const video::Frame& frame, std::int64_t number, float opacity) {
+            Plane<Bgr> picture = video::picture_of(frame);
             if (!picture.empty()) scene.frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
         };
         stand(0, frames.first, 0, at_the_ends);
@@ -101,47 +108,48 @@ Scene build_scene(const RenderJob& job, const Volume& volume, const WindowFrames
     return scene;
 }
 
-void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const Brick> bricks,
-                  std::int64_t window_layers, Scene& scene) {
-    const Layout& layout = *drawing.layout;
-    const auto add = [&scene](const std::vector<LineSegment>& lines) {
+void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const bricks::Brick> bricks,
+                  std::int64_t window_layers, scene::Scene& scene) {
+    const space::Layout& layout = *drawing.layout;
+    const auto add = [&scene](const std::vector<scene::LineSegment>& lines) {
         scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
     };
     if (job.look.show.has(Part::bricks)) {
-        for (const Brick& brick : bricks) {
+        for (const bricks::Brick& brick : bricks) {
             const double t = static_cast<double>(brick.first) / static_cast<double>(window_layers);
-            if (t > 0) add(cross_section(layout, t, glm::vec4(job.look.theme.lines, 0.5)));
+            if (t > 0) add(scene::cross_section(layout, t, glm::vec4(job.look.theme.lines, 0.5)));
         }
     }
-    const AxisBox rendered = visible_box(drawing.window->cells(), layout, drawn_transfer_of(job.look));
+    const scene::AxisBox rendered = scene::visible_box(drawing.window->cells(), layout, drawn_transfer_of(job.look));
     if (job.look.show.has(Part::boxes)) {
-        add(box_edges(layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
-        add(box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
+        add(scene::box_edges(scene::layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(scene::box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
     }
     if (job.look.show.has(Part::slices)) {
         constexpr int shown = 20;
-        const Renderer& renderer = *drawing.renderer;
-        const Camera camera = job.look.slice_view
-                                  ? fit_camera(*job.look.slice_view, outline_points(layout), job.picture.size)
-                                  : renderer.camera();
-        const SliceStack stack = renderer.slices(*drawing.window, camera);
-        add(slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
+        const gl::Renderer& renderer = *drawing.renderer;
+        const space::Camera camera =
+            job.look.slice_view
+                ? space::fit_camera(*job.look.slice_view, scene::outline_points(layout), job.picture.size)
+                : renderer.camera();
+        const scene::SliceStack stack = renderer.slices(*drawing.window, camera);
+        add(scene::slice_outlines(rendered, camera, stack, shown, {0.10F, 0.62F, 0.22F, 1}));
     }
 }
 
-bool nothing_visible(const Volume& volume, const TransferFunction& transfer) {
+bool nothing_visible(const bricks::Volume& volume, const scene::TransferFunction& transfer) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
     }
     return true;
 }
 
-Picture draw_picture(bool pixel_data, Drawing& drawing, const Volume& volume, const Lettering& lettering,
-                     double phase) {
-    Picture picture = to_picture(drawing.renderer->draw(*drawing.window, phase));
-    if (pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, TimeTable(volume));
-    draw(picture, lettering);
+image::Picture draw_picture(bool pixel_data, Drawing& drawing, const bricks::Volume& volume,
+                            const labels::Lettering& lettering, double phase) {
+    image::Picture picture = image::to_picture(drawing.renderer->draw(*drawing.window, phase));
+    if (pixel_data) picture.pixel_data = drawing.renderer->draw_pixel_data(*drawing.window, scene::TimeTable(volume));
+    labels::draw(picture, lettering);
     return picture;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

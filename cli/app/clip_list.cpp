@@ -8,29 +8,30 @@
 #include <fmt/format.h>
 
 #include "core/base/clock_source.h"
-#include "core/labels/time_ticks.h"
 #include "core/base/shown_text.h"
+#include "core/labels/time_ticks.h"
 #include "core/store/manifest.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::app {
 
-std::vector<Segment> list_clips(const InputOptions& options) {
-    if (std::ranges::all_of(options.names, is_data_folder)) return {};
-    const RecorderNames layouts(options.layouts);
-    if (auto recording = find_recording(options.names, layouts, options.join)) return std::move(recording->segments);
+std::vector<video::Segment> list_clips(const InputOptions& options) {
+    if (std::ranges::all_of(options.names, store::is_data_folder)) return {};
+    const video::RecorderNames layouts(options.layouts);
+    if (auto recording = video::find_recording(options.names, layouts, options.join))
+        return std::move(recording->segments);
     std::error_code none;
     if (!std::filesystem::is_regular_file(options.names.front(), none)) return {};
-    return {look_at_name(options.names.front(), layouts)};
+    return {video::look_at_name(options.names.front(), layouts)};
 }
 
-std::string text_of(const Segment& clip) {
+std::string text_of(const video::Segment& clip) {
     const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
     const std::string_view by = row_of(clip.begin_by).words;
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
     const bool named = clip.begin_by == ClockSource::file_name;
-    return fmt::format("{}, {} UTC {}{}", camera, format_clock(*clip.begin), by,
+    return fmt::format("{}, {} UTC {}{}", camera, labels::format_clock(*clip.begin), by,
                        named ? fmt::format(" ({})", clip.layout) : "");
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -6,13 +6,13 @@
 #include "cli/app/job.h"
 #include "core/video/recording.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// The files of an input in order, with camera, begin and what told it; empty for what has none, as a stream or
 /// pictures.
-std::vector<Segment> list_clips(const InputOptions& options);
+std::vector<video::Segment> list_clips(const InputOptions& options);
 
 /// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"
-std::string text_of(const Segment& clip);
+std::string text_of(const video::Segment& clip);
 
-}  // namespace vvr
+}  // namespace vvr::app

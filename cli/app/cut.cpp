@@ -21,7 +21,7 @@
 #include "core/video/piece.h"
 #include "core/video/stream_info.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -43,8 +43,8 @@ double rounded(double seconds) {
 
 /// What of the footage is in the piece.
 struct Selection {
-    FrameSpan span;
-    std::vector<SegmentPlace> places;
+    video::FrameSpan span;
+    std::vector<video::SegmentPlace> places;
 };
 
 // ---- An event
@@ -59,9 +59,9 @@ const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>&
                 {"event"});
 }
 
-FrameSpan span_of(const EventTimes& event, double margin) {
+video::FrameSpan span_of(const EventTimes& event, double margin) {
     // The end of a span is left out of it, and an event's last frame belongs to it.
-    FrameSpan span;
+    video::FrameSpan span;
     span.start = rounded(std::max(0.0, event.first - margin));
     span.end = rounded(event.last + margin) + little;
     return span;
@@ -70,7 +70,7 @@ FrameSpan span_of(const EventTimes& event, double margin) {
 Selection find_event(const CutJob& job, const Footage& footage, Observer& observer) {
     validate(job.search);
     const std::string& filter = job.search.fields.filter;
-    if (!find_filter(filter).traits.shows_object) {
+    if (!fields::find_filter(filter).traits.shows_object) {
         throw Error(ErrorKind::usage,
                     fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter),
                     {"filter"});
@@ -79,10 +79,10 @@ Selection find_event(const CutJob& job, const Footage& footage, Observer& observ
     RenderJob search = job.search;
     search.look.show = {};
     std::vector<EventTimes> events;
-    for (const Event& event : find_events(search, *fields.source, observer)) {
+    for (const events::Event& event : find_events(search, *fields.source, observer)) {
         events.push_back({event.first.seconds, event.last.seconds});
     }
-    const FrameSpan span = span_of(choose_event(job, events, footage.recording.name), job.margin);
+    const video::FrameSpan span = span_of(choose_event(job, events, footage.recording.name), job.margin);
     if (footage.is_single) return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
     return {span, fields.source->info().segments};
 }
@@ -99,10 +99,11 @@ Selection read_event(const CutJob& job, const Footage& footage) {
 /// What is known of the recording's second 0.
 /// \param file of the footage
 /// \param begin its place in the recording, seconds
-VideoInfo info_of(const Footage& footage, const Segment& file, double begin, double rate) {
-    const ClipHeader header = header_of(Demuxer(open_input(file.path), Demuxer::Kind::video, rate));
+video::VideoInfo info_of(const Footage& footage, const video::Segment& file, double begin, double rate) {
+    const video::ClipHeader header =
+        video::header_of(video::Demuxer(video::open_input(file.path), video::Demuxer::Kind::video, rate));
     const std::int64_t before = std::llround(begin);
-    VideoInfo info;
+    video::VideoInfo info;
     info.name = footage.recording.name;
     info.duration = begin + header.length;
     if (file.begin) info.began = *file.begin - before;
@@ -114,10 +115,11 @@ VideoInfo info_of(const Footage& footage, const Segment& file, double begin, dou
 /// The same job with times of the recording for those that were asked for by the clock on the wall.
 CutJob in_seconds(CutJob job, const Footage& footage, Observer& observer) {
     if (!job.asked.start && !job.asked.end) return job;
-    const VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
+    const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
     const WallClock known = clock_of(job.search.look.start_time, info);
-    const auto seconds = [&](const AskedTime& asked, std::string_view setting, double from) {
-        return Time{seconds_of(asked, require_clock(known, info, setting, asked.text), from), Time::Unit::seconds};
+    const auto seconds = [&](const video::AskedTime& asked, std::string_view setting, double from) {
+        return Time{video::seconds_of(asked, video::require_clock(known, info, setting, asked.text), from),
+                    Time::Unit::seconds};
     };
     if (job.asked.start) {
         job.from = seconds(*job.asked.start, "from", 0);
@@ -147,8 +149,8 @@ void check_unit(const CutJob& job, const Footage& footage, const Time& time, std
                 {option});
 }
 
-FrameSpan span_between(const CutJob& job, const Footage& footage) {
-    FrameSpan span;
+video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
+    video::FrameSpan span;
     if (job.from) {
         check_unit(job, footage, *job.from, "from");
         if (job.from->unit == Time::Unit::seconds) span.start = std::max(0.0, job.from->value - job.margin);
@@ -171,7 +173,7 @@ FrameSpan span_between(const CutJob& job, const Footage& footage) {
 }
 
 Selection select_between(const CutJob& job, const Footage& footage, Observer& observer) {
-    const FrameSpan span = span_between(job, footage);
+    const video::FrameSpan span = span_between(job, footage);
     return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
@@ -186,8 +188,8 @@ bool is_open(const fs::path& path) {
 /// The file's name with what was left open: the ending that fits, in a folder a name after the first file.
 fs::path named(const CutJob& job, const Selection& selection, const FootagePart& first) {
     if (!is_open(job.path)) return job.path;
-    const Input input = open_input(first.file.path);
-    const std::string_view ending = job.exact ? ending_of_exact() : ending_for(input, job.search.input.rate);
+    const video::Input input = video::open_input(first.file.path);
+    const std::string_view ending = job.exact ? ending_of_exact() : video::ending_for(input, job.search.input.rate);
     if (ending.empty()) {
         throw Error(ErrorKind::usage,
                     fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
@@ -204,18 +206,18 @@ fs::path named(const CutJob& job, const Selection& selection, const FootagePart&
 }
 
 void check_output(const CutJob& job, const fs::path& path, const Footage& footage, Observer& observer) {
-    for (const Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
+    for (const video::Segment& file : footage.recording.segments) check_not_input(path, file.path, "clip");
     if (!job.report.empty()) check_not_input(path, job.report, "report");
     const auto held = observer.guard();
-    check_file_path(path);
+    image::check_file_path(path);
 }
 
 // ---- What is there of it
 
 /// The clock of the footage, by the first file whose place in it is known.
-void set_clock(const CutJob& job, const Footage& footage, const SegmentPlace& first, PieceJob& piece) {
-    const auto file = std::ranges::find(footage.recording.segments, first.path, &Segment::path);
-    const VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
+void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPlace& first, PieceJob& piece) {
+    const auto file = std::ranges::find(footage.recording.segments, first.path, &video::Segment::path);
+    const video::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
     const StartTime& start = job.search.look.start_time;
     piece.clock = clock_of(start, info);
     if (start.from != StartTime::From::nobody) piece.created = info.created;
@@ -237,7 +239,7 @@ void tell_gaps(const PieceJob& piece, Observer& observer) {
 
 bool cut(const CutJob& asked, Observer& observer, const std::stop_token& stop) {
     const bool open = is_open(asked.path);
-    if (!open) asked.exact ? check_exact(asked.path) : static_cast<void>(container_of(asked.path));
+    if (!open) asked.exact ? check_exact(asked.path) : static_cast<void>(video::container_of(asked.path));
     const Footage footage = find_footage(asked.search.input);
     const CutJob job = in_seconds(asked, footage, observer);
     if (!open) check_output(job, job.path, footage, observer);
@@ -252,7 +254,7 @@ bool cut(const CutJob& asked, Observer& observer, const std::stop_token& stop) {
     piece.input = job.search.input;
     piece.threads = job.search.fields.threads;
     piece.tells_early_end = !job.event;
-    if (piece.parts.empty()) throw_empty(piece.name, piece.span, selection.places.back().end);
+    if (piece.parts.empty()) video::throw_empty(piece.name, piece.span, selection.places.back().end);
     set_clock(job, footage, selection.places.front(), piece);
     piece.path = named(job, selection, piece.parts.front());
     if (open) check_output(job, piece.path, footage, observer);
@@ -260,4 +262,4 @@ bool cut(const CutJob& asked, Observer& observer, const std::stop_token& stop) {
     return job.exact ? encode_piece(piece, observer, stop) : copy_piece(piece, observer, stop);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

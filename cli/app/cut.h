@@ -8,7 +8,7 @@
 #include "cli/app/observer.h"
 #include "core/video/asked_time.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// A piece of a clip or a recording, and where it goes. The piece is an event, or lies between two times.
 struct CutJob {
@@ -17,7 +17,7 @@ struct CutJob {
     std::optional<std::int64_t> event;  ///< its number, from 1
     std::optional<Time> from;           ///< none = from the beginning
     std::optional<Time> to;             ///< the first frame that is no longer in it; none = to the end
-    AskedSpan asked{};                  ///< instead of these: by the clock on the wall
+    video::AskedSpan asked{};           ///< instead of these: by the clock on the wall
     double margin = 0;                  ///< seconds before and after
     bool exact = false;                 ///< encodes the frames of the piece anew, without sound
     std::filesystem::path path;         ///< a file; without an ending, or a folder: the rest of the name is chosen
@@ -29,4 +29,4 @@ struct CutJob {
 /// \throws Error usage, io, not_video, limit
 bool cut(const CutJob& job, Observer& observer, const std::stop_token& stop);
 
-}  // namespace vvr
+}  // namespace vvr::app

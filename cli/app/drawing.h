@@ -9,15 +9,15 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// What draws the pictures of a job. It is made, used and closed on one thread (cli/app/render_thread.h).
 struct Drawing {
-    std::shared_ptr<Context> context;
-    std::unique_ptr<Layout> layout;
+    std::shared_ptr<gl::Context> context;
+    std::unique_ptr<space::Layout> layout;
     Framing framing;
-    std::unique_ptr<Renderer> renderer;
-    std::unique_ptr<BrickWindow> window;
+    std::unique_ptr<gl::Renderer> renderer;
+    std::unique_ptr<gl::BrickWindow> window;
 };
 
 /// Opens a context that can draw what the job asks for. It is closed before the observer goes.
@@ -36,4 +36,4 @@ double half_pixel(const RenderJob& job, const Drawing& drawing);
 /// Draws something small, so that the first real picture finds its shaders compiled. The drawing has a renderer.
 void rehearse(const RenderJob& job, const Drawing& drawing);
 
-}  // namespace vvr
+}  // namespace vvr::app

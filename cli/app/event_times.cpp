@@ -9,7 +9,7 @@
 #include "core/base/json_text.h"
 #include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -64,4 +64,4 @@ ReportedEvents read_events(const std::filesystem::path& report) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

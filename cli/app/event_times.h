@@ -7,7 +7,7 @@
 #include "core/base/file_digest.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// When an event begins and ends, seconds from the first frame of the clip or recording.
 struct EventTimes {
@@ -17,7 +17,7 @@ struct EventTimes {
 
 /// A file that a report is about.
 struct ReportedFile {
-    SegmentPlace place;  ///< in the recording, or from 0 on without an end where it is all of the clip
+    video::SegmentPlace place;  ///< in the recording, or from 0 on without an end where it is all of the clip
     FileDigest digest;
 };
 
@@ -31,4 +31,4 @@ struct ReportedEvents {
 /// \throws Error io where the file can't be read, usage where it is no such report or has no events
 ReportedEvents read_events(const std::filesystem::path& report);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -11,19 +11,19 @@
 #include "cli/app/tell_problems.h"
 #include "cli/app/used_settings.h"
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/fields/flow.h"
 #include "core/fields/pipeline.h"
 #include "core/store/data_folder.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
 /// Turns a part's number into the frames where it begins and ends. The last part has no end: headers lie.
-void choose_part(ExtractJob& job, const VideoInfo& clip) {
+void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     if (!job.part) return;
-    if (job.fields.span != FrameSpan{}) {
+    if (job.fields.span != video::FrameSpan{}) {
         throw Error(ErrorKind::usage, "part says where to begin and to end; leave out the start and the end",
                     {"part", setting::start.name, setting::end.name});
     }
@@ -48,7 +48,7 @@ void choose_part(ExtractJob& job, const VideoInfo& clip) {
 }  // namespace
 
 void extract(ExtractJob job, Observer& observer) {
-    check_data_folder(job.folder);
+    store::check_data_folder(job.folder);
     const auto begin = std::chrono::steady_clock::now();
     constexpr bool colour = true;
     std::vector<std::string> warnings;
@@ -65,22 +65,23 @@ void extract(ExtractJob job, Observer& observer) {
     if (!day_times.empty()) observer.info(day_times);
     choose_part(job, clip->info());
     check_has_end(clip->info(), observer);
-    const std::int64_t expected = expected_frames(clip->info(), job.fields.span);
-    const std::int64_t flow_every = has_flow(job.fields.flow) ? job.fields.flow.every : 0;
-    std::optional<DataFolder> folder;
+    const std::int64_t expected = video::expected_frames(clip->info(), job.fields.span);
+    const std::int64_t flow_every = fields::has_flow(job.fields.flow) ? job.fields.flow.every : 0;
+    std::optional<store::DataFolder> folder;
     std::int64_t frames = 0;
-    const FieldSummary summary = compute_fields(*clip, job.fields, [&](const SharedFrame& frame, Field&& field) {
-        // Not before there is something to write: an older extraction stays if this one comes to nothing.
-        if (!folder) folder.emplace(job.folder, flow_every, job.colour);
-        folder->add(*frame, field);
-        observer.frames(++frames, expected);
-    });
+    const fields::FieldSummary summary =
+        fields::compute_fields(*clip, job.fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+            // Not before there is something to write: an older extraction stays if this one comes to nothing.
+            if (!folder) folder.emplace(job.folder, flow_every, job.colour);
+            folder->add(*frame, field);
+            observer.frames(++frames, expected);
+        });
     if (!folder) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
                                 clip->info().name));
     }
-    Manifest manifest;
+    store::Manifest manifest;
     manifest.clip = clip->info();
     manifest.clip.title = title_of("", clip->info());
     manifest.span = job.fields.span;
@@ -102,4 +103,4 @@ void extract(ExtractJob job, Observer& observer) {
     require_whole(clip->info());
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

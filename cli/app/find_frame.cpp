@@ -5,9 +5,9 @@
 #include "core/base/error.h"
 #include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
-Moment find_frame(FrameSource& clip, const Time& time) {
+Moment find_frame(video::FrameSource& clip, const Time& time) {
     const bool by_number = time.unit == Time::Unit::frames;
     Moment found;
     double before = 0;
@@ -30,4 +30,4 @@ Moment find_frame(FrameSource& clip, const Time& time) {
                 {"frame"});
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

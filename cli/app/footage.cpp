@@ -18,7 +18,7 @@
 #include "core/video/picture_list.h"
 #include "core/video/piece.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -33,25 +33,25 @@ void check_single(const std::string& name) {
     };
     std::error_code none;
     if (name == "-") refuse("stdin, which can't be cut");
-    if (is_data_folder(name)) refuse("what `vvr extract` wrote, and has no video in it");
+    if (store::is_data_folder(name)) refuse("what `vvr extract` wrote, and has no video in it");
     if (fs::is_regular_file(name, none)) return;
-    const auto is_picture = [](const auto& entry) { return is_picture_name(entry.path().filename().string()); };
+    const auto is_picture = [](const auto& entry) { return video::is_picture_name(entry.path().filename().string()); };
     const fs::directory_iterator folder(name, none);
     if (!none && std::ranges::none_of(folder, is_picture)) refuse("a folder without video files");
-    if (list_pictures(name)) refuse("a sequence of pictures, not a clip");
-    if (is_url(name)) refuse("an address; save it to a file first");
+    if (video::list_pictures(name)) refuse("a sequence of pictures, not a clip");
+    if (video::is_url(name)) refuse("an address; save it to a file first");
     if (fs::exists(name, none)) refuse("not a regular file");
-    open_file(name);  // says why not
+    video::open_file(name);  // says why not
 }
 
-bool lies_in(const SegmentPlace& file, double first, double last) {
+bool lies_in(const video::SegmentPlace& file, double first, double last) {
     return file.begin < last + slack && file.end > first + slack;
 }
 
 /// The name of the given file that has the bytes of a reported one.
 std::optional<std::string> find_by_digest(const Footage& footage, const ReportedFile& reported) {
     std::vector<std::string> candidates;
-    for (const Segment& file : footage.recording.segments) {
+    for (const video::Segment& file : footage.recording.segments) {
         std::error_code none;
         const std::uintmax_t size = fs::file_size(file.path, none);
         if (!none && std::cmp_equal(size, reported.digest.bytes)) candidates.push_back(file.path);
@@ -79,29 +79,30 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 
 Footage find_footage(const InputOptions& options) {
     require_input(options);
-    const RecorderNames layouts(options.layouts);
-    if (options.names.size() == 1 && is_data_folder(options.names.front())) check_single(options.names.front());
-    if (auto recording = find_recording(options.names, layouts, options.join)) return {std::move(*recording), false};
+    const video::RecorderNames layouts(options.layouts);
+    if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
+    if (auto recording = video::find_recording(options.names, layouts, options.join))
+        return {std::move(*recording), false};
     const std::string& name = options.names.front();
     check_single(name);
-    const Segment file = look_at_name(name, layouts);
+    const video::Segment file = video::look_at_name(name, layouts);
     return {{name, file.camera, {file}}, true};
 }
 
-std::vector<SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
-                                           Observer& observer) {
-    const std::vector<Segment>& files = footage.recording.segments;
+std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
+                                                  Observer& observer) {
+    const std::vector<video::Segment>& files = footage.recording.segments;
     if (footage.is_single) return {{files.front().path, 0, std::numeric_limits<double>::infinity(), 0}};
-    std::vector<SegmentPlace> places;
+    std::vector<video::SegmentPlace> places;
     std::vector<std::string> problems;
     std::optional<std::int64_t> origin;
     std::optional<double> end;
-    for (const Segment& file : files) {
+    for (const video::Segment& file : files) {
         try {
             if (!end) origin = file.begin;
-            const double begin = begin_of(file, origin, end).time;
+            const double begin = video::begin_of(file, origin, end).time;
             if (until && begin > *until) break;
-            end = std::max(end.value_or(0), begin + length_of(open_input(file.path), rate));
+            end = std::max(end.value_or(0), begin + video::length_of(video::open_input(file.path), rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
@@ -113,10 +114,10 @@ std::vector<SegmentPlace> place_by_packets(const Footage& footage, double rate, 
     return places;
 }
 
-std::vector<SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report, std::size_t event,
-                                          double margin, const std::string& report_name) {
+std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
+                                                 std::size_t event, double margin, const std::string& report_name) {
     const EventTimes& times = report.times[event];
-    std::vector<SegmentPlace> places;
+    std::vector<video::SegmentPlace> places;
     std::vector<std::string> needed;
     std::vector<std::string> missing;
     for (const ReportedFile& file : report.files) {
@@ -134,10 +135,10 @@ std::vector<SegmentPlace> place_by_report(const Footage& footage, const Reported
     return places;
 }
 
-std::vector<FootagePart> parts_in(const std::vector<SegmentPlace>& places, const FrameSpan& span) {
+std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span) {
     std::vector<FootagePart> parts;
     double shown = 0;  // until when the files before show the recording
-    for (const SegmentPlace& file : places) {
+    for (const video::SegmentPlace& file : places) {
         const double from = std::max(span.start, shown);
         const bool overlaps = shown > std::max(file.begin, span.start) + slack;
         shown = std::max(shown, file.end);
@@ -152,4 +153,4 @@ std::vector<FootagePart> parts_in(const std::vector<SegmentPlace>& places, const
     return parts;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -18,7 +18,7 @@
 #include "core/image/difference_view.h"
 #include "core/image/picture_file.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -35,7 +35,7 @@ void remove_candidate(const fs::path& golden) {
 [[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
-        replace_file(candidate, bytes);
+        image::replace_file(candidate, bytes);
     } catch (const Error& error) {
         throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
     }
@@ -44,7 +44,7 @@ void remove_candidate(const fs::path& golden) {
 }
 
 /// Settings that both record with other values, as words; empty where there are none.
-std::string settings_that_differ(const Metadata& before, const Metadata& now) {
+std::string settings_that_differ(const image::Metadata& before, const image::Metadata& now) {
     constexpr std::size_t most = 5;
     std::vector<std::string> differ;
     for (const auto& [name, value] : now) {
@@ -59,8 +59,8 @@ std::string settings_that_differ(const Metadata& before, const Metadata& now) {
 }
 
 /// Another renderer, another font and another setting are the first things to suspect.
-void show_what_else_differs(const fs::path& golden, const Metadata& golden_settings, const Metadata& metadata,
-                            Observer& observer) {
+void show_what_else_differs(const fs::path& golden, const image::Metadata& golden_settings,
+                            const image::Metadata& metadata, Observer& observer) {
     constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
                                                                           {"font", "lettered in"}};
     for (const auto& [name, how] : suspects) {
@@ -83,16 +83,17 @@ fs::path candidate_of(const fs::path& golden) {
 void check_golden_picture(const GoldenOptions& options) {
     std::error_code none;
     if (options.path.empty() || options.bless || !fs::exists(options.path, none)) return;
-    static_cast<void>(read_samples(options.path));
+    static_cast<void>(image::read_samples(options.path));
 }
 
-void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer) {
+void meet_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
+                 Observer& observer) {
     const fs::path& golden = options.path;
     const ComparisonOptions& how = options.comparison;
-    const Bytes bytes = encode_picture(golden, picture, metadata);
+    const Bytes bytes = image::encode_picture(golden, picture, metadata);
     const auto held = observer.guard();
     if (options.bless) {
-        replace_file(golden, bytes);
+        image::replace_file(golden, bytes);
         remove_candidate(golden);
         observer.info(fmt::format("'{}': blessed", golden.string()));
         return;
@@ -100,12 +101,12 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     if (!fs::exists(golden)) {
         fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
     }
-    const Samples expected = without_pixel_data(read_samples(golden));
-    const Comparison comparison = compare(expected, decode_samples(golden, bytes), how.tolerance);
+    const image::Samples expected = image::without_pixel_data(image::read_samples(golden));
+    const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
-        write_picture(how.diff, difference_picture(expected, comparison));
-    show_what_else_differs(golden, used_settings(settings_of(expected)), metadata, observer);
-    if (comparison.verdict == Verdict::same) {
+        image::write_picture(how.diff, image::difference_picture(expected, comparison));
+    show_what_else_differs(golden, used_settings(image::settings_of(expected)), metadata, observer);
+    if (comparison.verdict == image::Verdict::same) {
         remove_candidate(golden);
         observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",
                                   golden.string(), comparison.percent, comparison.patch));
@@ -115,4 +116,4 @@ void meet_golden(const GoldenOptions& options, const Picture& picture, const Met
     fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

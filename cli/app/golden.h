@@ -6,7 +6,7 @@
 #include "cli/app/output.h"
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// Where a picture that is not its golden one stays: `golden.candidate.png` beside `golden.png`.
 std::filesystem::path candidate_of(const std::filesystem::path& golden);
@@ -18,6 +18,7 @@ void check_golden_picture(const GoldenOptions& options);
 /// Compares a picture, as a file would hold it, with the golden one, or blesses it. Afterwards there is a candidate
 /// beside the golden picture only if they differ.
 /// \throws Error differs when they do, or when there is no golden picture; io
-void meet_golden(const GoldenOptions& options, const Picture& picture, const Metadata& metadata, Observer& observer);
+void meet_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
+                 Observer& observer);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -23,16 +23,16 @@
 #include "core/page/region_editor.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
 /// The frame in the size and the colours of the clip.
-Plane<Bgr> picture_of(FrameSource& clip, const Moment& moment) {
+Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {
     clip.seek(moment.seconds - 1);
-    Scaler scale(clip);
+    video::Scaler scale(clip);
     while (const auto frame = clip.next()) {
-        if (frame->index >= moment.frame) return picture_of(scale(*frame));
+        if (frame->index >= moment.frame) return video::picture_of(scale(*frame));
     }
     throw Error(ErrorKind::not_video, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
                                                   clip.info().name, moment.frame));
@@ -40,14 +40,14 @@ Plane<Bgr> picture_of(FrameSource& clip, const Moment& moment) {
 
 /// Regions as polygons; a page can't change a picture.
 std::string polygons_of(std::string_view setting, const std::string& area, Observer& observer) {
-    std::string list = polygon_list(setting, area);
+    std::string list = fields::polygon_list(setting, area);
     if (area.empty() || !list.empty()) return list;
     observer.warn(fmt::format("{} '{}' is a picture, so the page begins without it", setting, area), {setting});
     return {};
 }
 
 /// The frame that was asked for; else the one in the middle, but not so far in that finding it takes long.
-Time wanted_frame(const InspectJob& job, const VideoInfo& info) {
+Time wanted_frame(const InspectJob& job, const video::VideoInfo& info) {
     constexpr double farthest = 60;
     return job.frame.value_or(Time{std::min(info.duration / 2, farthest), Time::Unit::seconds});
 }
@@ -60,7 +60,7 @@ std::string_view about_choice(const InspectJob& job) {
 void write_region_editor(const InspectJob& job, Observer& observer) {
     InputOptions options = job.input;
     options.field_size = {-1, -1};
-    RegionEditorContent content;
+    page::RegionEditorContent content;
     content.roi = polygons_of(setting::roi.name, job.fields.roi, observer);
     content.mask = polygons_of(setting::mask.name, job.fields.mask, observer);
     std::vector<std::string> warnings;
@@ -68,11 +68,11 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
     tell_problems(warnings, {}, observer);
     const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     content.name = shown_name(clip->info().name);
-    content.moment = format_moment(found.seconds);
+    content.moment = labels::format_moment(found.seconds);
     content.frame = picture_of(*clip, found);
-    const std::string text = make_region_editor(content);
+    const std::string text = page::make_region_editor(content);
     const auto held = observer.guard();
-    replace_file(job.path, std::as_bytes(std::span(text)));
+    image::replace_file(job.path, std::as_bytes(std::span(text)));
     observer.info(fmt::format("'{}': draw regions on frame {} at {:.3f} s, and copy the option for them{}",
                               job.path.string(), found.frame, found.seconds, about_choice(job)));
 }
@@ -81,19 +81,20 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
 
 void inspect(const InspectJob& job, Observer& observer) {
     if (is_page(job.path)) return write_region_editor(job, observer);
-    choose_font(job.font);
+    image::choose_font(job.font);
     constexpr bool colour = true;
     std::vector<std::string> warnings;
     const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
     const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     // The other frames only serve as neighbours.
-    FieldOptions fields = job.fields;
+    fields::FieldOptions fields = job.fields;
     fields.span.first = found.frame;
     fields.span.stop = found.frame + 1;
     Inspection inspection;
-    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, const Field& field) {
-        if (field.index == found.frame) inspection = inspect(*frame, field);
-    });
+    const fields::FieldSummary summary =
+        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, const fields::Field& field) {
+            if (field.index == found.frame) inspection = inspect(*frame, field);
+        });
     tell_problems(warnings, summary.problems, observer);
     const std::string name = job.path.string();
     if (!inspection.captions) {
@@ -103,8 +104,8 @@ void inspect(const InspectJob& job, Observer& observer) {
                         name));
     }
     const auto held = observer.guard();
-    write_picture(job.path, inspection.picture);
+    image::write_picture(job.path, inspection.picture);
     observer.info(fmt::format("'{}': frame {} at {:.3f} s{}", name, found.frame, found.seconds, about_choice(job)));
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

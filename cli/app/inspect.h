@@ -6,12 +6,12 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// One frame of a clip, and where the picture of its fields goes, or the page on which regions are drawn.
 struct InspectJob {
     InputOptions input;
-    FieldOptions fields;
+    fields::FieldOptions fields;
     std::optional<Time> frame;  ///< none = the middle of the clip, but not far into it
     std::filesystem::path path;
     std::filesystem::path font;  ///< of the captions; empty = fontconfig's sans
@@ -22,4 +22,4 @@ struct InspectJob {
 /// \throws Error usage, io, not_video, limit
 void inspect(const InspectJob& job, Observer& observer);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
+#include "core/base/words.h"
 #include "core/image/draw.h"
 #include "core/image/text.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -22,12 +22,12 @@ constexpr int caption_height = 62;
 constexpr int text_size = 19;
 constexpr int panel_width = (whole_width - 4 * gap) / 3;
 
-constexpr Rgba paper{1, 1, 1, 1};
-constexpr Rgba ink{0.12F, 0.13F, 0.15F, 1};
-constexpr Rgba pale_ink{0.42F, 0.44F, 0.47F, 1};
-constexpr Rgba green{0.25F, 0.95F, 0.30F, 1};
-constexpr Rgba yellow{1, 0.86F, 0.20F, 1};
-constexpr Rgba orange{1, 0.45F, 0.05F, 1};
+constexpr image::Rgba paper{1, 1, 1, 1};
+constexpr image::Rgba ink{0.12F, 0.13F, 0.15F, 1};
+constexpr image::Rgba pale_ink{0.42F, 0.44F, 0.47F, 1};
+constexpr image::Rgba green{0.25F, 0.95F, 0.30F, 1};
+constexpr image::Rgba yellow{1, 0.86F, 0.20F, 1};
+constexpr image::Rgba orange{1, 0.45F, 0.05F, 1};
 
 // Lines and arrows are where things are so many frames later.
 constexpr double frames_ahead = 4;
@@ -42,22 +42,22 @@ struct Panel {
     glm::dvec2 at(double x, double y) const { return {left + (x + 0.5) * scale - 0.5, gap + (y + 0.5) * scale - 0.5}; }
 };
 
-Rgba colour_of(const Bgr& pixel) {
+image::Rgba colour_of(const Bgr& pixel) {
     return {static_cast<float>(pixel[2]) / 255, static_cast<float>(pixel[1]) / 255, static_cast<float>(pixel[0]) / 255,
             1};
 }
 
 /// Grey and dark, so that lines stand out.
-Rgba dimmed(const Bgr& pixel) {
-    const Rgba colour = colour_of(pixel);
+image::Rgba dimmed(const Bgr& pixel) {
+    const image::Rgba colour = colour_of(pixel);
     const float grey = 0.42F * (0.30F * colour[0] + 0.59F * colour[1] + 0.11F * colour[2]) + 0.05F;
     return {grey, grey, grey, 1};
 }
 
 /// Fills a panel with what `shade` makes of field pixels, linear between them.
 template <class Shade>
-void fill(Picture& picture, const Panel& panel, Size field, Shade shade) {
-    Plane<Rgba> shades(field);
+void fill(image::Picture& picture, const Panel& panel, Size field, Shade shade) {
+    Plane<image::Rgba> shades(field);
     for (int j = 0; j < field.height; ++j) {
         for (int i = 0; i < field.width; ++i) shades.at(i, j) = shade(i, j);
     }
@@ -78,33 +78,33 @@ void fill(Picture& picture, const Panel& panel, Size field, Shade shade) {
     }
 }
 
-void draw_flow(Picture& picture, const Panel& panel, const Flow& flow) {
+void draw_flow(image::Picture& picture, const Panel& panel, const fields::Flow& flow) {
     for (int y = line_interval / 2; y < flow.u.height(); y += line_interval) {
         for (int x = line_interval / 2; x < flow.u.width(); x += line_interval) {
             const double u = flow.u.at(x, y);
             const double v = flow.v.at(x, y);
             if (std::hypot(u, v) < least_flow) continue;
-            draw_line(picture, panel.at(x, y), panel.at(x + frames_ahead * u, y + frames_ahead * v), 1.3, green);
+            image::draw_line(picture, panel.at(x, y), panel.at(x + frames_ahead * u, y + frames_ahead * v), 1.3, green);
         }
     }
 }
 
-void draw_seeds(Picture& picture, const Panel& panel, const std::vector<Seed>& seeds) {
-    for (const Seed& seed : seeds) {
+void draw_seeds(image::Picture& picture, const Panel& panel, const std::vector<fields::Seed>& seeds) {
+    for (const fields::Seed& seed : seeds) {
         const glm::dvec2 from = panel.at(seed.x, seed.y);
         const glm::dvec2 to = panel.at(seed.x + frames_ahead * seed.u, seed.y + frames_ahead * seed.v);
         const glm::dvec2 back = (from - to) * std::min(0.4, 6 / std::max(glm::distance(from, to), 1e-9));
         const glm::dvec2 aside(-back.y, back.x);
-        draw_line(picture, from, to, 1.4, yellow);
-        draw_line(picture, to, to + back + 0.6 * aside, 1.4, yellow);
-        draw_line(picture, to, to + back - 0.6 * aside, 1.4, yellow);
-        draw_line(picture, from, from, 4.6, orange);
+        image::draw_line(picture, from, to, 1.4, yellow);
+        image::draw_line(picture, to, to + back + 0.6 * aside, 1.4, yellow);
+        image::draw_line(picture, to, to + back - 0.6 * aside, 1.4, yellow);
+        image::draw_line(picture, from, from, 4.6, orange);
     }
 }
 
 /// What reached over a panel's edge goes.
-void clear_margins(Picture& picture) {
-    Plane<Rgba>& pixels = picture.pixels;
+void clear_margins(image::Picture& picture) {
+    Plane<image::Rgba>& pixels = picture.pixels;
     const int bottom = pixels.height() - caption_height;
     for (int j = 0; j < pixels.height(); ++j) {
         for (int i = 0; i < pixels.width(); ++i) {
@@ -116,12 +116,12 @@ void clear_margins(Picture& picture) {
 
 }  // namespace
 
-Inspection inspect(const Frame& frame, const Field& field) {
+Inspection inspect(const video::Frame& frame, const fields::Field& field) {
     const Size size = field.scalar.size();
     const double scale = static_cast<double>(panel_width) / size.width;
     const int height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
     Inspection result;
-    result.picture.pixels = Plane<Rgba>({whole_width, gap + height + caption_height}, paper);
+    result.picture.pixels = Plane<image::Rgba>({whole_width, gap + height + caption_height}, paper);
 
     std::array<Panel, 3> panels{};
     for (int k = 0; k < 3; ++k) panels[static_cast<std::size_t>(k)] = {gap + k * (panel_width + gap), scale};
@@ -147,11 +147,11 @@ Inspection inspect(const Frame& frame, const Field& field) {
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const int middle = panels[k].left + panel_width / 2;
         const bool written =
-            draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
-            draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
+            image::draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
+            image::draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
         result.captions = result.captions && written;
     }
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

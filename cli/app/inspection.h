@@ -4,16 +4,16 @@
 #include "core/image/picture.h"
 #include "core/video/frame.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// The picture of one frame's fields, and whether its captions found a font.
 struct Inspection {
-    Picture picture;
+    image::Picture picture;
     bool captions = true;
 };
 
 /// Fig. 4: the difference object, the flow as green lines and the seeds, side by side over the dimmed frame.
 /// \param frame in colour
-Inspection inspect(const Frame& frame, const Field& field);
+Inspection inspect(const video::Frame& frame, const fields::Field& field);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -8,6 +8,7 @@
 #include "cli/app/settings.h"
 #include "cli/app/volume_paint.h"
 #include "core/base/error.h"
+#include "core/base/standard_output.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/pipeline.h"
@@ -16,9 +17,8 @@
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
 #include "core/scene/transfer_file.h"
-#include "core/base/standard_output.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -36,7 +36,7 @@ void validate(const BrickOptions& bricks, const LookOptions& look) {
     check(setting::time_velocity, look.traces.time_velocity);
 }
 
-void validate(const RenderOptions& picture) {
+void validate(const gl::RenderOptions& picture) {
     check(setting::fov, picture.view.fov);
     check(setting::slices, picture.slices);
     check(setting::samples, picture.samples);
@@ -44,7 +44,7 @@ void validate(const RenderOptions& picture) {
 
 }  // namespace
 
-void validate(const LayoutOptions& shape) {
+void validate(const space::LayoutOptions& shape) {
     if (shape.height != 0) check(setting::height, shape.height);
     check(setting::radius, shape.r_min);
     check(setting::radius, shape.r_max);
@@ -65,12 +65,12 @@ void validate_series(const RenderJob& job) {
 
 void validate(const RenderJob& job) {
     if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
-    validate(job.fields);
+    fields::validate(job.fields);
     validate(job.bricks, job.look);
     if (products_of(job).series) validate_series(job);
     validate(job.picture);
     validate(job.shape);
-    if (!job.look.font.empty()) check_font(job.look.font);
+    if (!job.look.font.empty()) image::check_font(job.look.font);
 }
 
 Products products_of(const RenderJob& job) {
@@ -80,14 +80,14 @@ Products products_of(const RenderJob& job) {
     products.pictures = pictures_of(output);
     products.series = is_series(output);
     products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
-                                   !is_animation(output.path) && holds_pixel_data(output.path));
+                                   !image::is_animation(output.path) && image::holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
-    products.events = (page || !output.report.empty()) && find_filter(job.fields.filter).traits.shows_object;
+    products.events = (page || !output.report.empty()) && fields::find_filter(job.fields.filter).traits.shows_object;
     products.portraits = page && products.events;
     return products;
 }
 
-RenderJob with_extracted(RenderJob job, const Metadata& extracted) {
+RenderJob with_extracted(RenderJob job, const image::Metadata& extracted) {
     for (const auto& [name, value] : extracted) {
         if (name == setting::filter.name) job.fields.filter = value;
         put(job.settings, name, value);
@@ -99,7 +99,7 @@ RenderJob with_possible_parts(RenderJob job) {
     Parts& show = job.look.show;
     // Who names seeds wants to see them.
     if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
-    if (find_filter(job.fields.filter).traits.shows_object) return job;
+    if (fields::find_filter(job.fields.filter).traits.shows_object) return job;
     if (show.has(Part::directions)) show.add(Part::arrows);
     for (const PartRow& row : parts()) {
         if (row.needs_events) show.remove(row.part);
@@ -113,16 +113,16 @@ RenderJob with_fields_of_colour(RenderJob job) {
 }
 
 RenderJob with_transfer(RenderJob job) {
-    const std::string_view own = find_filter(job.fields.filter).transfer;
-    if (!job.look.transfer && !own.empty()) job.look.transfer = find_transfer(std::string(own));
+    const std::string_view own = fields::find_filter(job.fields.filter).transfer;
+    if (!job.look.transfer && !own.empty()) job.look.transfer = scene::find_transfer(std::string(own));
     return job;
 }
 
 RenderJob with_colour(RenderJob job) {
-    const bool marks_objects = find_filter(job.fields.filter).traits.shows_object;
+    const bool marks_objects = fields::find_filter(job.fields.filter).traits.shows_object;
     const LookOptions& look = job.look;
     const ColourRow& asked = find_colour(look.colour);
-    if (asked.drawn == VolumeColour::object && !marks_objects) {
+    if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
@@ -131,8 +131,8 @@ RenderJob with_colour(RenderJob job) {
     }
     const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
     const bool objects = tells_objects && marks_objects && !look.transfer;
-    const bool second_flow = !asked.filter.empty() && find_filter(asked.filter).traits.flow;
-    if ((asked.needs_flow || second_flow) && !has_flow(job.fields.flow)) {
+    const bool second_flow = !asked.filter.empty() && fields::find_filter(asked.filter).traits.flow;
+    if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
         throw Error(ErrorKind::usage,
                     fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
                                 asked.name, job.fields.flow.method),
@@ -145,21 +145,22 @@ RenderJob with_colour(RenderJob job) {
 }
 
 bool finds_objects(const RenderJob& job, const Products& products) {
-    return products.events || job.picture.colour == VolumeColour::object || job.look.show.any(&PartRow::needs_events);
+    return products.events || job.picture.colour == gl::VolumeColour::object ||
+           job.look.show.any(&PartRow::needs_events);
 }
 
 bool wants_colour(const RenderJob& job) {
     // Objects are found by colour too, not only if the picture happens to show some.
-    return find_filter(job.fields.filter).traits.colour || needs_reference(job.fields) ||
+    return fields::find_filter(job.fields.filter).traits.colour || fields::needs_reference(job.fields) ||
            job.look.show.any(&PartRow::needs_pictures) || find_colour(job.look.colour).needs_pictures ||
-           (!job.fields.second.empty() && find_filter(job.fields.second).traits.colour);
+           (!job.fields.second.empty() && fields::find_filter(job.fields.second).traits.colour);
 }
 
-TransferFunction transfer_of(const LookOptions& look) {
-    return look.transfer ? *look.transfer : find_transfer(std::string(look.theme.transfer));
+scene::TransferFunction transfer_of(const LookOptions& look) {
+    return look.transfer ? *look.transfer : scene::find_transfer(std::string(look.theme.transfer));
 }
 
-TransferFunction drawn_transfer_of(const LookOptions& look) {
+scene::TransferFunction drawn_transfer_of(const LookOptions& look) {
     return transfer_of(look).scaled(look.opacity);
 }
 
@@ -167,28 +168,28 @@ glm::vec4 background_of(const LookOptions& look) {
     return look.background.value_or(glm::vec4(look.theme.background, 1));
 }
 
-GlyphOptions glyph_options_of(const LookOptions& look) {
-    GlyphOptions options;
+scene::GlyphOptions glyph_options_of(const LookOptions& look) {
+    scene::GlyphOptions options;
     options.time_velocity = look.traces.time_velocity;
     options.frames *= look.glyph_scale;
     options.cap = look.glyph_cap * look.glyph_scale;
     return options;
 }
 
-GlyphStyle glyph_style_of(const RenderJob& job) {
-    GlyphStyle style = job.picture.glyphs;
+gl::GlyphStyle glyph_style_of(const RenderJob& job) {
+    gl::GlyphStyle style = job.picture.glyphs;
     style.slow_colour = job.look.theme.slow;
     style.fast_colour = job.look.theme.fast;
     style.thickness *= static_cast<float>(job.look.glyph_scale);
     // Between objects in colours an arrow says which way, and its colour nothing.
-    if (job.picture.colour == VolumeColour::object) {
+    if (job.picture.colour == gl::VolumeColour::object) {
         style.slow_colour = style.fast_colour = job.look.theme.ink;
         style.thickness *= 1.3F;
     }
     return style;
 }
 
-WallClock clock_of(const StartTime& start, const VideoInfo& info) {
+WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
     if (start.from == From::nobody) return std::nullopt;
@@ -223,10 +224,10 @@ WallClock clock_of(const StartTime& start, const VideoInfo& info) {
                 {setting::start_time.name});
 }
 
-EventOptions event_options(const RenderJob& job) {
-    EventOptions options;
-    options.scene_is_learnt = find_reference(job.fields.reference) != nullptr;
+events::EventOptions event_options(const RenderJob& job) {
+    events::EventOptions options;
+    options.scene_is_learnt = fields::find_reference(job.fields.reference) != nullptr;
     return options;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -22,7 +22,7 @@
 #include "core/video/frame_source.h"
 #include "gl/render_options.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// What is read. Which frames of it FieldOptions::span says.
 struct InputOptions {
@@ -60,18 +60,18 @@ struct StartTime {
 struct LookOptions {
     Parts show = Parts::by_default();
     int keyframes = 0;  ///< frames shown between the first and the last
-    Theme theme = themes().front();
-    std::optional<glm::vec4> background{};       ///< multiplied by its opacity; none = the theme's
-    std::optional<TransferFunction> transfer{};  ///< none = the theme's
-    std::string colour = "auto";                 ///< a name in the table of colours (cli/app/volume_paint.h)
-    std::string title;                           ///< empty = the clip's name
-    std::filesystem::path font;                  ///< of all text; empty = fontconfig's sans
+    scene::Theme theme = scene::themes().front();
+    std::optional<glm::vec4> background{};              ///< multiplied by its opacity; none = the theme's
+    std::optional<scene::TransferFunction> transfer{};  ///< none = the theme's
+    std::string colour = "auto";                        ///< a name in the table of colours (cli/app/volume_paint.h)
+    std::string title;                                  ///< empty = the clip's name
+    std::filesystem::path font;                         ///< of all text; empty = fontconfig's sans
     StartTime start_time;
-    double opacity = 1;                     ///< factor on the extinction
-    double glyph_scale = 1;                 ///< factor on the arrows' size
-    double glyph_cap = GlyphOptions{}.cap;  ///< of arrows at factor 1
-    TraceOptions traces;
-    std::optional<View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
+    double opacity = 1;                            ///< factor on the extinction
+    double glyph_scale = 1;                        ///< factor on the arrows' size
+    double glyph_cap = scene::GlyphOptions{}.cap;  ///< of arrows at factor 1
+    scene::TraceOptions traces;
+    std::optional<space::View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
 };
 
 /// Which OpenGL draws.
@@ -84,23 +84,23 @@ struct BackendOptions {
 /// A whole run: what is read, what is computed, how it is drawn, and where it goes.
 struct RenderJob {
     InputOptions input;
-    FieldOptions fields;
-    std::string seeds;                      ///< lists that replace the computed seeds, as ListedSeeds; empty = none
-    std::optional<SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
+    fields::FieldOptions fields;
+    std::string seeds;  ///< lists that replace the computed seeds, as ListedSeeds; empty = none
+    std::optional<fields::SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
     BrickOptions bricks;
-    std::string layout = layouts().front().name;
-    LayoutOptions shape;
+    std::string layout = space::layouts().front().name;
+    space::LayoutOptions shape;
     LookOptions look;
-    RenderOptions picture;  ///< camera, background and glyphs are made of the rest
+    gl::RenderOptions picture;  ///< camera, background and glyphs are made of the rest
     BackendOptions backend;
     OutputOptions output;
-    Metadata settings;  ///< all settings as texts, in the order in which files and reports record them
-    Metadata given;     ///< those that were asked for; they must not contradict an extraction
+    image::Metadata settings;  ///< all settings as texts, in the order in which files and reports record them
+    image::Metadata given;     ///< those that were asked for; they must not contradict an extraction
 };
 
 /// \throws Error usage for a value that is out of its range, or values that contradict each other
 void validate(const RenderJob& job);
-void validate(const LayoutOptions& shape);
+void validate(const space::LayoutOptions& shape);
 
 /// \throws Error usage for what only one picture of a whole clip can have
 void validate_series(const RenderJob& job);
@@ -117,11 +117,11 @@ struct Products {
 Products products_of(const RenderJob& job);
 
 /// What counts as an event in the fields of a job.
-EventOptions event_options(const RenderJob& job);
+events::EventOptions event_options(const RenderJob& job);
 
 /// The same job for fields that were extracted, which have a filter of their own.
 /// \param extracted the settings of the extraction; empty = none
-RenderJob with_extracted(RenderJob job, const Metadata& extracted);
+RenderJob with_extracted(RenderJob job, const image::Metadata& extracted);
 
 /// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
 /// arrows along trails would.
@@ -146,14 +146,14 @@ bool finds_objects(const RenderJob& job, const Products& products);
 bool wants_colour(const RenderJob& job);
 
 // What the look makes of the picture.
-TransferFunction transfer_of(const LookOptions& look);
-TransferFunction drawn_transfer_of(const LookOptions& look);  ///< with the opacity
+scene::TransferFunction transfer_of(const LookOptions& look);
+scene::TransferFunction drawn_transfer_of(const LookOptions& look);  ///< with the opacity
 glm::vec4 background_of(const LookOptions& look);
-GlyphOptions glyph_options_of(const LookOptions& look);
-GlyphStyle glyph_style_of(const RenderJob& job);
+scene::GlyphOptions glyph_options_of(const LookOptions& look);
+gl::GlyphStyle glyph_style_of(const RenderJob& job);
 
 /// The clock that a clip's ruler shows.
 /// \throws Error usage where what is to say when it was recorded does not
-WallClock clock_of(const StartTime& start, const VideoInfo& info);
+WallClock clock_of(const StartTime& start, const video::VideoInfo& info);
 
-}  // namespace vvr
+}  // namespace vvr::app

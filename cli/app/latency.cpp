@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-namespace vvr {
+namespace vvr::app {
 
 void Latency::add(double seconds) {
     last_.push_back(seconds);
@@ -23,4 +23,4 @@ double Latency::longest() const {
     return last_.empty() ? 0 : std::ranges::max(last_);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

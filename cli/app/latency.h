@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <deque>
 
-namespace vvr {
+namespace vvr::app {
 
 /// How long pictures took from the last frame that they show to the disk: of the last thousand, so that days of them
 /// need no memory.
@@ -21,4 +21,4 @@ class Latency {
     std::deque<double> last_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

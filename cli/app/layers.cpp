@@ -8,15 +8,15 @@
 #include "cli/app/settings.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
 constexpr double default_seconds = 10;
 constexpr double default_frames = 100;  // where the frames per second are unknown
 
-double frames_of_brick(const BrickOptions& bricks, const FieldSource& source) {
-    const VideoInfo& info = source.info();
+double frames_of_brick(const BrickOptions& bricks, const fields::FieldSource& source) {
+    const video::VideoInfo& info = source.info();
     if (bricks.length && bricks.length->unit == Time::Unit::frames) return bricks.length->value;
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
@@ -33,7 +33,7 @@ double frames_of_brick(const BrickOptions& bricks, const FieldSource& source) {
 
 }  // namespace
 
-bool is_short_recording(const FieldSource& source) {
+bool is_short_recording(const fields::FieldSource& source) {
     const double rate = source.info().rate;
     const std::int64_t frames = source.expected_frames();
     return rate > 0 && frames > 0 && static_cast<double>(frames) <= short_recording * rate;
@@ -49,7 +49,7 @@ int textures_of(const Products& products, int pieces) {
     return std::max(1, drawn_again ? pieces : std::min(2, pieces));
 }
 
-SlidingWindow sliding_window(const BrickOptions& bricks, const FieldSource& source) {
+SlidingWindow sliding_window(const BrickOptions& bricks, const fields::FieldSource& source) {
     SlidingWindow window;
     window.bricks = bricks.window;
     const double brick = std::max(1.0, std::round(frames_of_brick(bricks, source)));
@@ -61,4 +61,4 @@ SlidingWindow sliding_window(const BrickOptions& bricks, const FieldSource& sour
     return window;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

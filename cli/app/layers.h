@@ -6,13 +6,13 @@
 #include "core/fields/field_source.h"
 
 // How frames become layers, and layers bricks and textures.
-namespace vvr {
+namespace vvr::app {
 
 /// Clips of up to so many seconds have even time, unless busy time is asked for.
 inline constexpr double short_recording = 120;
 
 /// Whether a clip is that short, as far as its header tells.
-bool is_short_recording(const FieldSource& source);
+bool is_short_recording(const fields::FieldSource& source);
 
 /// The frames that each layer takes, from what the container says of the clip's length; 0 = unknown.
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames);
@@ -35,6 +35,6 @@ struct SlidingWindow {
 /// The window of a series. A brick is as long as the options say; by default 10 s, or less if k bricks of that length
 /// are longer than the clip.
 /// \throws Error usage when bricks are in seconds and the rate is unknown
-SlidingWindow sliding_window(const BrickOptions& bricks, const FieldSource& source);
+SlidingWindow sliding_window(const BrickOptions& bricks, const fields::FieldSource& source);
 
-}  // namespace vvr
+}  // namespace vvr::app

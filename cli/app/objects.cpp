@@ -8,7 +8,7 @@
 #include "core/events/event_options.h"
 #include "core/scene/object_looks.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -23,42 +23,44 @@ struct Object {
     std::vector<std::pair<double, double>> stays;
 };
 
-Object object_of(const Event& event, int colour, std::size_t place) {
+Object object_of(const events::Event& event, int colour, std::size_t place) {
     Object object;
     object.colour = colour;
     object.number = static_cast<std::uint16_t>(place < most_numbers ? place + 1 : 0);
     object.seen = {event.first.seconds, event.last.seconds};
-    for (const Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
+    for (const events::Stay& stay : event.stays) object.stays.emplace_back(stay.first.seconds, stay.last.seconds);
     return object;
 }
 
 }  // namespace
 
-Identify objects_of(std::span<const Event> events, const Volume& volume) {
-    const std::vector<int> colours = colours_of(events);
+bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume) {
+    const std::vector<int> colours = events::colours_of(events);
     std::vector<Object> objects;
     for (std::size_t k = 0; k < events.size(); ++k) objects.push_back(object_of(events[k], colours[k], k));
     const std::int64_t stripe =
         std::max<std::int64_t>(volume.step(), std::llround(static_cast<double>(volume.frames()) / (2 * stripes)));
-    return [objects = std::move(objects), events_of = events_of_tracks(events), stripe](std::size_t track,
-                                                                                        const Layer& layer) {
-        if (track >= events_of.size() || !events_of[track]) return Identity{};
+    return [objects = std::move(objects), events_of = events::events_of_tracks(events), stripe](
+               std::size_t track, const bricks::Layer& layer) {
+        if (track >= events_of.size() || !events_of[track]) return bricks::Identity{};
         const Object& object = objects[*events_of[track]];
         const auto is_in = [&](const std::pair<double, double>& span) {
             return layer.last_pts >= span.first && layer.pts <= span.second;
         };
         // A thing that was left may be known by what the scene lacked before it came: that is not the thing.
-        if (!is_in(object.seen)) return Identity{};
+        if (!is_in(object.seen)) return bricks::Identity{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
-        const Posture posture = !stays ? Posture::moving : dark ? Posture::marked : Posture::still;
-        return Identity{look_of(object.colour, posture), object.number};
+        const scene::Posture posture = !stays ? scene::Posture::moving
+                                       : dark ? scene::Posture::marked
+                                              : scene::Posture::still;
+        return bricks::Identity{scene::look_of(object.colour, posture), object.number};
     };
 }
 
-void LiveObjects::see(const FrameLabels& labels) {
+void LiveObjects::see(const events::FrameLabels& labels) {
     last_ = labels.at;
-    for (const LabelRun& run : labels.runs) {
+    for (const fields::LabelRun& run : labels.runs) {
         const auto [at, is_new] = tracks_.try_emplace(run.track);
         Seen& seen = at->second;
         if (is_new) seen = {labels.at, labels.at, next_colour(), labels.at.frame, false};
@@ -76,7 +78,7 @@ void LiveObjects::decide(std::int64_t oldest) {
     std::erase_if(numbers_, [&](const auto& known) { return !tracks_.contains(known.first); });
     for (auto& [track, seen] : tracks_) {
         if (seen.decided) continue;
-        seen.decided = seen.last.seconds - seen.first.seconds >= EventOptions{}.least;
+        seen.decided = seen.last.seconds - seen.first.seconds >= events::EventOptions{}.least;
         if (!seen.decided) seen.undecided = last_.frame + 1;
     }
 }
@@ -86,17 +88,17 @@ std::optional<int> LiveObjects::colour_of(std::size_t track) const {
     return known == tracks_.end() ? std::nullopt : std::optional(known->second.colour);
 }
 
-Identify LiveObjects::identify() const {
-    return [this](std::size_t track, const Layer& layer) {
+bricks::Identify LiveObjects::identify() const {
+    return [this](std::size_t track, const bricks::Layer& layer) {
         const auto known = tracks_.find(track);
-        if (known == tracks_.end()) return Identity{};
+        if (known == tracks_.end()) return bricks::Identity{};
         const Seen& seen = known->second;
-        if (!seen.decided || layer.last_frame < seen.undecided) return Identity{};
+        if (!seen.decided || layer.last_frame < seen.undecided) return bricks::Identity{};
         const auto number = numbers_.find(track);
         const bool fits = number != numbers_.end() && number->second <= most_numbers;
-        return Identity{look_of(seen.colour, Posture::moving),
-                        fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
+        return bricks::Identity{scene::look_of(seen.colour, scene::Posture::moving),
+                                fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
     };
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

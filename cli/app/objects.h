@@ -13,17 +13,17 @@
 #include "core/events/labels.h"
 
 // Whose the voxels of a volume are.
-namespace vvr {
+namespace vvr::app {
 
 /// Of a clip that has ended: an object's colour and number are those of its event.
-Identify objects_of(std::span<const Event> events, const Volume& volume);
+bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);
 
 /// Of a clip that goes on. Which tracks are one object isn't known yet: each has a colour of its own, of those in sight
 /// the one that was not seen for longest. What was seen for less than an event lasts is nobody's until it is known to
 /// be more. What was decided for a stretch of the clip stays: consecutive pictures show it alike.
 class LiveObjects {
   public:
-    void see(const FrameLabels& labels);
+    void see(const events::FrameLabels& labels);
 
     /// A stretch of the clip has ended, and is drawn next.
     /// \param oldest frame that will be drawn from now on
@@ -36,7 +36,7 @@ class LiveObjects {
     void give_number(std::size_t track, std::size_t number) { numbers_[track] = number; }
 
     /// \returns what asks this object, which outlives it
-    Identify identify() const;
+    bricks::Identify identify() const;
 
   private:
     struct Seen {
@@ -51,8 +51,8 @@ class LiveObjects {
 
     std::map<std::size_t, Seen> tracks_;
     std::map<std::size_t, std::size_t> numbers_;
-    std::array<std::int64_t, object_colours> last_seen_{};  ///< 1 + frame; of each colour
+    std::array<std::int64_t, events::object_colours> last_seen_{};  ///< 1 + frame; of each colour
     Moment last_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

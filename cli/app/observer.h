@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// Hears how a run goes. Calls may come from any thread.
 class Observer {
@@ -26,4 +26,4 @@ class Observer {
     [[nodiscard]] virtual std::unique_lock<std::mutex> guard() { return {}; }
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -19,7 +19,7 @@
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -28,12 +28,12 @@ constexpr std::array settings_of_seeds{setting::grid.name, setting::min_magnitud
                                        setting::seed_order.name, setting::seed_select.name};
 
 /// What was asked for has to be what an extraction has.
-void check_agreement(const RenderJob& job, const Metadata& extracted) {
+void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     const std::string& folder = job.input.names.front();
-    Metadata others;
+    image::Metadata others;
     std::string list;
     for (const auto& [name, value] : job.given) {
-        const auto found = std::ranges::find(extracted, name, &Metadata::value_type::first);
+        const auto found = std::ranges::find(extracted, name, &image::Metadata::value_type::first);
         std::string had = found == extracted.end() ? "none" : found->second;
         if (value == had) continue;
         list += fmt::format("{}{} {} (not {})", list.empty() ? "" : ", ", name, value, had);
@@ -68,27 +68,27 @@ OpenedFields open_extracted(const RenderJob& job) {
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
-    if (job.fields.span.asked != AskedSpan{}) {
+    if (job.fields.span.asked != video::AskedSpan{}) {
         throw Error(ErrorKind::usage,
                     fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
                                 folders.front()),
                     {setting::start.name, setting::end.name, setting::between.name});
     }
-    auto source = std::make_unique<StoredFields>(folders);
-    Metadata settings = used_settings(source->settings());
+    auto source = std::make_unique<store::StoredFields>(folders);
+    image::Metadata settings = used_settings(source->settings());
     check_agreement(job, settings);
     return {std::move(source), std::move(settings)};
 }
 
 OpenedFields open_any(const RenderJob& job) {
     require_input(job.input);
-    if (std::ranges::all_of(job.input.names, is_data_folder)) return open_extracted(job);
+    if (std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
     OpenedFields opened;
     auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
-    FieldOptions fields = job.fields;
+    fields::FieldOptions fields = job.fields;
     fields.span = resolve_span(fields.span, job.look.start_time, clip->info(), opened.day_times);
     opened.span = fields.span;
-    opened.source = std::make_unique<ClipFields>(std::move(clip), std::move(fields));
+    opened.source = std::make_unique<fields::ClipFields>(std::move(clip), std::move(fields));
     return opened;
 }
 
@@ -108,37 +108,38 @@ const std::string& only_input(const InputOptions& options) {
     return options.names.front();
 }
 
-std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
-                                       std::vector<std::string>& warnings) {
+std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                              std::vector<std::string>& warnings) {
     require_input(options);
-    SourceOptions source;
+    video::SourceOptions source;
     source.field_size = options.field_size;
     source.colour = colour;
     source.threads = threads;
     source.rate = options.rate;
     source.join = options.join;
-    return open_sources(options.names, source, RecorderNames(options.layouts), warnings);
+    return video::open_sources(options.names, source, video::RecorderNames(options.layouts), warnings);
 }
 
-FrameSpan resolve_span(const FrameSpan& span, const StartTime& start, const VideoInfo& info, std::string& day_times) {
+video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
+                              std::string& day_times) {
     const WallClock clock = clock_of(start, info);
-    const FrameSpan resolved = resolve(span, clock, info);
-    const std::string times = day_times_of(resolved, clock, info);
+    const video::FrameSpan resolved = video::resolve(span, clock, info);
+    const std::string times = video::day_times_of(resolved, clock, info);
     if (!times.empty()) day_times = fmt::format("'{}': {}", info.name, times);
     return resolved;
 }
 
-std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
-                                               std::string_view filter) {
+std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
+                                                       const RenderJob& job, std::string_view filter) {
     if (job.seeds.empty()) return fields;
-    const SeedOptions& seeds = job.fields.seeds;
-    const bool on_object = find_filter(filter).traits.shows_object &&
-                           choose(setting::seed_area.name, seeds.area, seed_areas()).object_alone;
-    return std::make_unique<ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
+    const fields::SeedOptions& seeds = job.fields.seeds;
+    const bool on_object = fields::find_filter(filter).traits.shows_object &&
+                           choose(setting::seed_area.name, seeds.area, fields::seed_areas()).object_alone;
+    return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
 }
 
-void check_has_end(const VideoInfo& info, Observer& observer) {
-    if (!is_url(info.name) || info.frames > 0 || info.duration > 0) return;
+void check_has_end(const video::VideoInfo& info, Observer& observer) {
+    if (!video::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
     const std::string protocol = info.name.substr(0, info.name.find(':'));
     // Of these a file can come without its length being known.
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
@@ -162,4 +163,4 @@ OpenedFields open_fields(const RenderJob& job) {
     return opened;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -7,14 +7,14 @@
 #include "cli/app/observer.h"
 #include "core/fields/field_source.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// The fields that a job works on.
 struct OpenedFields {
-    std::unique_ptr<FieldSource> source;
-    Metadata extracted;  ///< settings that were decided when the fields were extracted; empty for a clip
+    std::unique_ptr<fields::FieldSource> source;
+    image::Metadata extracted;  ///< settings that were decided when the fields were extracted; empty for a clip
     std::vector<std::string> warnings{};  ///< of the input, a sentence each
-    FrameSpan span{};                     ///< in seconds of the clip
+    video::FrameSpan span{};              ///< in seconds of the clip
     std::string day_times{};              ///< which times of day these are, for people; empty = nobody knows
 };
 
@@ -27,25 +27,26 @@ void require_input(const InputOptions& options);
 
 /// The same fields with the seeds that the job lists, if it does.
 /// \param filter of the fields
-std::unique_ptr<FieldSource> with_listed_seeds(std::unique_ptr<FieldSource> fields, const RenderJob& job,
-                                               std::string_view filter);
+std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
+                                                       const RenderJob& job, std::string_view filter);
 
 /// Opens the whole of a clip, or of a recording of several files.
 /// \param warnings what is to be said of it, a sentence each
-std::unique_ptr<FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
-                                       std::vector<std::string>& warnings);
+std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                              std::vector<std::string>& warnings);
 
 /// A clip is read more than once, and to its end: a live stream can't be.
 /// \throws Error usage for a live stream; warns where it can't be known
-void check_has_end(const VideoInfo& info, Observer& observer);
+void check_has_end(const video::VideoInfo& info, Observer& observer);
 
 /// The stretch of a clip that a job reads, where it was asked for by the clock on the wall too.
 /// \param day_times which times of day it is, for people; empty = it is the whole clip, or nobody knows
 /// \throws Error usage where the clock isn't known, or the clip has nothing of it
-FrameSpan resolve_span(const FrameSpan& span, const StartTime& start, const VideoInfo& info, std::string& day_times);
+video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
+                              std::string& day_times);
 
 /// Opens a clip, a recording, the directory of an extraction, or several with consecutive parts.
 /// \throws Error usage as well where settings contradict those of the extraction
 OpenedFields open_fields(const RenderJob& job);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -5,10 +5,10 @@
 #include "core/base/ending.h"
 #include "core/image/animation_file.h"
 
-namespace vvr {
+namespace vvr::app {
 
-NamePattern name_of(const OutputOptions& options) {
-    return options.plain_name ? NamePattern::literal(options.path) : NamePattern(options.path);
+image::NamePattern name_of(const OutputOptions& options) {
+    return options.plain_name ? image::NamePattern::literal(options.path) : image::NamePattern(options.path);
 }
 
 bool is_series(const OutputOptions& options) {
@@ -27,7 +27,7 @@ const std::filesystem::path& page_of(const OutputOptions& options) {
 int pictures_of(const OutputOptions& options) {
     if (options.path.empty() && options.golden.path.empty()) return 0;
     if (options.slide) return *options.slide;
-    return options.animate.value_or(is_animation(options.path) ? default_animation : 1);
+    return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

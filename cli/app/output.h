@@ -7,11 +7,11 @@
 #include "core/image/compare.h"
 #include "core/image/name_pattern.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// By how much two pictures may differ, and where a picture of the differences goes.
 struct ComparisonOptions {
-    Tolerance tolerance;
+    image::Tolerance tolerance;
     std::filesystem::path diff;  ///< empty = nowhere
 };
 
@@ -35,7 +35,7 @@ struct OutputOptions {
     std::optional<int> animate;        ///< pictures of the moving texture
     std::optional<int> slide;          ///< a film of the window that slides over the clip: pictures per brick
     std::filesystem::path report;      ///< empty = nowhere
-    EventChoice events;                ///< which of them the report and the page list
+    events::EventChoice events;        ///< which of them the report and the page list
     GoldenOptions golden;
 };
 
@@ -44,7 +44,7 @@ inline constexpr int default_animation = 24;
 
 /// The names of the files that the output goes to.
 /// \throws Error usage
-NamePattern name_of(const OutputOptions& options);
+image::NamePattern name_of(const OutputOptions& options);
 
 /// Whether a window slides over the clip: a picture for each brick, or a film of them.
 bool is_series(const OutputOptions& options);
@@ -58,4 +58,4 @@ const std::filesystem::path& page_of(const OutputOptions& options);
 /// The number of pictures that the options ask for, of a film per brick: none where only a report is wanted.
 int pictures_of(const OutputOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::app

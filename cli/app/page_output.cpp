@@ -6,33 +6,33 @@
 
 #include "cli/app/shown_name.h"
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/page/text.h"
 #include "core/video/container.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace fs = std::filesystem;
 
 namespace {
 
 /// Where the page belongs in an archive whose index lies above it: archives name a page after its clip.
-PageIndex index_of(const fs::path& page, const fs::path& index) {
-    const std::string below = relative_url(index, page);
-    return {relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
+page::PageIndex index_of(const fs::path& page, const fs::path& index) {
+    const std::string below = page::relative_url(index, page);
+    return {page::relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
 }
 
 /// The camera that an archive knows, or the clip's name tells; empty = nothing tells it.
-std::string camera_of(const RenderJob& job, const VideoInfo& info) {
+std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
     if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
-    return look_at_name(job.input.names.front(), RecorderNames(job.input.layouts)).camera;
+    return video::look_at_name(job.input.names.front(), video::RecorderNames(job.input.layouts)).camera;
 }
 
 /// What the page calls its clip in small letters: nothing that stands over it already.
-std::string file_name_of(const RenderJob& job, const PageContent& content) {
+std::string file_name_of(const RenderJob& job, const page::PageContent& content) {
     if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
     const std::string file = shown_name(job.input.names.front());
     return content.camera.empty() && content.name == file ? "" : file;
@@ -43,7 +43,7 @@ std::string ending_of_pieces(const std::string& file, double rate) {
     std::error_code none;
     if (!fs::is_regular_file(file, none)) return {};
     try {
-        return std::string(ending_for(open_input(file), rate));
+        return std::string(video::ending_for(video::open_input(file), rate));
     } catch (const Error&) {
         return {};
     }
@@ -51,21 +51,23 @@ std::string ending_of_pieces(const std::string& file, double rate) {
 
 }  // namespace
 
-std::string page_text(const RenderJob& job, const RenderReport& report, Picture picture, const Metadata& settings,
-                      Moments moments, const std::optional<LiveState>& live) {
+std::string page_text(const RenderJob& job, const RenderReport& report, image::Picture picture,
+                      const image::Metadata& settings, page::Moments moments,
+                      const std::optional<page::LiveState>& live) {
     std::error_code none;
     const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
     const std::string& input = job.input.names.front();
-    PageContent content;
+    page::PageContent content;
     content.name = title_of(job.look.title, report.info);
     content.camera = camera_of(job, report.info);
     content.file = file_name_of(job, content);
-    for (const SegmentPlace& segment : report.info.segments) {
+    for (const video::SegmentPlace& segment : report.info.segments) {
         if (segment.end <= segment.begin) continue;  // another file shows the same time
-        content.segments.push_back({relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+        content.segments.push_back(
+            {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
-    if (is_file) content.clip_url = relative_url(path, input);
+    if (is_file) content.clip_url = page::relative_url(path, input);
     const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
     if (!live) content.cut_ending = ending_of_pieces(first_file, job.input.rate);
     content.names = job.input.layouts;
@@ -81,8 +83,9 @@ std::string page_text(const RenderJob& job, const RenderReport& report, Picture 
     content.portraits = report.portraits;
     content.live = live;
     if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
-    for (const Region& region : report.lettering.regions) content.regions.push_back({region.box, region.number});
-    return make_page(content);
+    for (const labels::Region& region : report.lettering.regions)
+        content.regions.push_back({region.box, region.number});
+    return page::make_page(content);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -97,4 +97,4 @@ bool Parts::any(bool PartRow::*trait) const {
     return std::ranges::any_of(table, [&](const PartRow& row) { return row.*trait && has(row.part); });
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

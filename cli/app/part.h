@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::app {
 
 /// What a picture can show.
 enum class Part {
@@ -69,4 +69,4 @@ class Parts {
     std::bitset<32> set_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

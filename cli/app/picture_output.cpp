@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "core/base/fit_into.h"
+#include "core/base/standard_output.h"
 #include "core/image/atomic_file.h"
 #include "core/image/resized.h"
-#include "core/base/standard_output.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -26,46 +26,47 @@ PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
       still_(options.still) {
     if (options.path.empty() || is_standard_output(options.path)) return;
     const auto held = observer.guard();
-    if (is_animation(options.path) || is_page(options.path)) {
-        check_file_path(options.path);
+    if (image::is_animation(options.path) || is_page(options.path)) {
+        image::check_file_path(options.path);
     } else {
-        check_picture_path(name_.at(0));
+        image::check_picture_path(name_.at(0));
     }
-    if (is_animation(options.path)) animation_.emplace(options.path, pictures_per_second);
+    if (image::is_animation(options.path)) animation_.emplace(options.path, pictures_per_second);
 }
 
-void PictureOutput::add(int number, Picture picture, const Metadata& metadata) {
+void PictureOutput::add(int number, image::Picture picture, const image::Metadata& metadata) {
     if (name_.path().empty()) return;
     if (animation_) {
         animation_->add(picture);
         return;
     }
     if (is_standard_output(name_.path())) {
-        write_standard_output(encode_picture("standard-output.png", std::move(picture), metadata));
+        write_standard_output(image::encode_picture("standard-output.png", std::move(picture), metadata));
         return;
     }
     const auto held = observer_.guard();
-    write_picture(name_.at(number), std::move(picture), metadata);
+    image::write_picture(name_.at(number), std::move(picture), metadata);
 }
 
-void PictureOutput::add_thumbnail(const Picture& picture) {
+void PictureOutput::add_thumbnail(const image::Picture& picture) {
     if (thumbnail_.empty()) return;
-    Picture small{resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)), picture.encoding};
-    const std::vector<std::byte> encoded = encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
+    image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)),
+                         picture.encoding};
+    const std::vector<std::byte> encoded = image::encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
-    replace_file(thumbnail_, encoded);
+    image::replace_file(thumbnail_, encoded);
 }
 
-void PictureOutput::add_still(const std::optional<Still>& still) {
+void PictureOutput::add_still(const std::optional<page::Still>& still) {
     if (still_.empty() || !still) return;
-    const std::vector<std::byte> encoded = encode_picture(still_, still->picture, thumbnail_quality);
+    const std::vector<std::byte> encoded = image::encode_picture(still_, still->picture, thumbnail_quality);
     const auto held = observer_.guard();
-    replace_file(still_, encoded);
+    image::replace_file(still_, encoded);
 }
 
 void PictureOutput::add_page(const std::string& text) {
     const auto held = observer_.guard();
-    replace_file(page_, std::as_bytes(std::span(text)));
+    image::replace_file(page_, std::as_bytes(std::span(text)));
 }
 
 void PictureOutput::close() {
@@ -74,4 +75,4 @@ void PictureOutput::close() {
     animation_->close();
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

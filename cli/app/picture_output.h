@@ -10,7 +10,7 @@
 #include "core/image/picture_file.h"
 #include "core/page/stills.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// Writes the pictures of a render: to one file, to a file each, to one that is animated, to a page, or nowhere.
 class PictureOutput {
@@ -19,13 +19,13 @@ class PictureOutput {
     /// \throws Error usage or io
     PictureOutput(const OutputOptions& options, Observer& observer);
 
-    void add(int number, Picture picture, const Metadata& metadata);
+    void add(int number, image::Picture picture, const image::Metadata& metadata);
 
     /// The picture once more, small, where that is asked for.
-    void add_thumbnail(const Picture& picture);
+    void add_thumbnail(const image::Picture& picture);
 
     /// A frame of the clip, where that is asked for and there is one.
-    void add_still(const std::optional<Still>& still);
+    void add_still(const std::optional<page::Still>& still);
 
     /// Instead of the picture, or beside it.
     void add_page(const std::string& text);
@@ -35,11 +35,11 @@ class PictureOutput {
 
   private:
     Observer& observer_;
-    NamePattern name_;
+    image::NamePattern name_;
     std::filesystem::path page_;
     std::filesystem::path thumbnail_;
     std::filesystem::path still_;
-    std::optional<AnimationFile> animation_;
+    std::optional<image::AnimationFile> animation_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

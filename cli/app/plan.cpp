@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/machine_memory.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -25,7 +25,8 @@ std::int64_t bricks_of(const BrickOptions& bricks, const Plan& plan, double rate
     return static_cast<std::int64_t>(std::ceil(static_cast<double>(plan.layers * plan.step) / length));
 }
 
-std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan& plan, const FieldSource& source) {
+std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan& plan,
+                      const fields::FieldSource& source) {
     constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
     constexpr std::int64_t field_bytes = 30;  // per pixel of a frame in flight: colour, planes of floats, flow
@@ -33,8 +34,8 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
     const std::int64_t picture_bytes = products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
     // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
     const std::int64_t voxel_bytes =
-        job.picture.colour == VolumeColour::own || job.picture.colour == VolumeColour::object ? 4 : 1;
-    const auto pieces = static_cast<int>((plan.layers + piece_layers - 1) / piece_layers);
+        job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::object ? 4 : 1;
+    const auto pieces = static_cast<int>((plan.layers + bricks::piece_layers - 1) / bricks::piece_layers);
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
     // Unequal layers are half as many again while they are read, and `auto` holds even ones beside them. Where room is
     // given to motion, most of them hold little.
@@ -64,7 +65,7 @@ void check_memory(const Plan& plan) {
         {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
-Plan make_plan(const RenderJob& job, const Products& products, const FieldSource& source) {
+Plan make_plan(const RenderJob& job, const Products& products, const fields::FieldSource& source) {
     const BrickOptions& bricks = job.bricks;
     Plan plan;
     plan.frames = source.expected_frames();
@@ -84,4 +85,4 @@ Plan make_plan(const RenderJob& job, const Products& products, const FieldSource
     return plan;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -8,10 +8,10 @@
 #include "cli/app/used_settings.h"
 #include "core/image/text.h"
 
-namespace vvr {
+namespace vvr::app {
 
-void put(Metadata& settings, std::string_view name, const std::string& value) {
-    const auto known = std::ranges::find(settings, name, &Metadata::value_type::first);
+void put(image::Metadata& settings, std::string_view name, const std::string& value) {
+    const auto known = std::ranges::find(settings, name, &image::Metadata::value_type::first);
     if (known == settings.end()) {
         settings.emplace_back(name, value);
     } else {
@@ -19,20 +19,20 @@ void put(Metadata& settings, std::string_view name, const std::string& value) {
     }
 }
 
-std::string value_of(const Metadata& settings, std::string_view name) {
-    const auto found = std::ranges::find(settings, name, &Metadata::value_type::first);
+std::string value_of(const image::Metadata& settings, std::string_view name) {
+    const auto found = std::ranges::find(settings, name, &image::Metadata::value_type::first);
     return found == settings.end() ? "" : found->second;
 }
 
-Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
-    Metadata settings = used_settings(job.settings);
+image::Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
+    image::Metadata settings = used_settings(job.settings);
     const bool text = !report.lettering.labels.empty() || !report.lettering.badges.empty();
-    if (text) put(settings, setting::font.name, font_name());
+    if (text) put(settings, setting::font.name, image::font_name());
     return settings;
 }
 
-Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
-    Metadata record = settings_and_font(job, report);
+image::Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
+    image::Metadata record = settings_and_font(job, report);
     record.emplace_back("frames", fmt::to_string(report.frames));
     if (series) {
         // Damage is only known at the end of the clip.
@@ -47,4 +47,4 @@ Metadata record_of(const RenderJob& job, const RenderReport& report, bool series
     return record;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

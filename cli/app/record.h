@@ -6,18 +6,18 @@
 #include "cli/app/job.h"
 #include "cli/app/report.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// Sets a value, in place of the one that has its name.
-void put(Metadata& settings, std::string_view name, const std::string& value);
+void put(image::Metadata& settings, std::string_view name, const std::string& value);
 
 /// The value of that name; empty where there is none.
-std::string value_of(const Metadata& settings, std::string_view name);
+std::string value_of(const image::Metadata& settings, std::string_view name);
 
 /// The settings that were used, and the font of the text where there is text: the machine's, if nobody named one.
-Metadata settings_and_font(const RenderJob& job, const RenderReport& report);
+image::Metadata settings_and_font(const RenderJob& job, const RenderReport& report);
 
 /// What a picture's file records: the settings, and what they made of this clip.
-Metadata record_of(const RenderJob& job, const RenderReport& report, bool series);
+image::Metadata record_of(const RenderJob& job, const RenderReport& report, bool series);
 
-}  // namespace vvr
+}  // namespace vvr::app

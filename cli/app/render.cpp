@@ -18,13 +18,13 @@
 #include "cli/app/report_text.h"
 #include "cli/app/tell_problems.h"
 #include "core/base/error.h"
+#include "core/base/standard_output.h"
+#include "core/base/words.h"
 #include "core/image/atomic_file.h"
 #include "core/image/text.h"
 #include "core/page/telling_still.h"
-#include "core/base/standard_output.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -60,10 +60,10 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
     for (const std::string& advice : report.advice) observer.warn(advice);
     if (!report.squeezed.empty()) {
         double idle = 0;
-        for (const Squeezed& stretch : report.squeezed) idle += stretch.seconds;
+        for (const bricks::Squeezed& stretch : report.squeezed) idle += stretch.seconds;
         observer.info(
             fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                        format_length(idle), counted(std::ssize(report.squeezed), "place")));
+                        labels::format_length(idle), counted(std::ssize(report.squeezed), "place")));
     } else if (report.step > 1) {
         observer.info(
             fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));
@@ -80,24 +80,24 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
 }
 
 /// Sees the fields on their way, to keep what a page and a still show of them.
-WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
+page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
-    const auto film = page_of(output).empty() ? WatchedFields::Film::none : WatchedFields::Film::preview;
-    auto watched = std::make_unique<WatchedFields>(std::move(fields.source), film);
-    WatchedFields* const watcher = watched.get();
+    const auto film = page_of(output).empty() ? page::WatchedFields::Film::none : page::WatchedFields::Film::preview;
+    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), film);
+    page::WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);
     return watcher;
 }
 
-std::span<const Event> events_of(const RenderReport& report) {
-    return report.events ? std::span<const Event>(*report.events) : std::span<const Event>();
+std::span<const events::Event> events_of(const RenderReport& report) {
+    return report.events ? std::span<const events::Event>(*report.events) : std::span<const events::Event>();
 }
 
 }  // namespace
 
 RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink& taken) {
     validate(given);
-    choose_font(given.look.font);
+    image::choose_font(given.look.font);
     const RenderJob asked = with_fields_of_colour(given);
     const auto begin = std::chrono::steady_clock::now();
     PictureOutput pictures(asked.output, observer);
@@ -110,20 +110,20 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     Products products = products_of(job);
     if (taken) products.pictures = std::max(products.pictures, 1);
     const std::filesystem::path& page = page_of(job.output);
-    WatchedFields* const watched = watch(job.output, fields);
+    page::WatchedFields* const watched = watch(job.output, fields);
     check_memory(make_plan(job, products, *fields.source));
 
-    Picture drawn;
-    const PictureSink write = [&](const RenderReport& report, int number, Picture&& picture) {
-        const Metadata record = record_of(job, report, products.series);
+    image::Picture drawn;
+    const PictureSink write = [&](const RenderReport& report, int number, image::Picture&& picture) {
+        const image::Metadata record = record_of(job, report, products.series);
         if (taken) taken(picture, record);
         if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
         pictures.add_thumbnail(picture);
-        Moments moments = watched == nullptr ? Moments{} : watched->take();
+        page::Moments moments = watched == nullptr ? page::Moments{} : watched->take();
         if (!moments.problem.empty()) {
             observer.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
         }
-        pictures.add_still(telling_still(moments.stills, events_of(report), report.field_size));
+        pictures.add_still(page::telling_still(moments.stills, events_of(report), report.field_size));
         if (page.empty()) {
             pictures.add(number, std::move(picture), record);
             return;
@@ -152,7 +152,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
         if (is_standard_output(job.output.report)) {
             write_standard_output(bytes);
         } else {
-            replace_file(job.output.report, bytes);
+            image::replace_file(job.output.report, bytes);
         }
     }
     if (!job.output.golden.path.empty()) {
@@ -161,4 +161,4 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     return report;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -19,13 +19,13 @@
 #include "cli/app/shown_name.h"
 #include "cli/app/volume_paint.h"
 #include "core/base/error.h"
+#include "core/base/machine_memory.h"
 #include "core/events/event_finder.h"
 #include "core/fields/filter.h"
 #include "core/fields/motion.h"
-#include "core/base/machine_memory.h"
 #include "core/scene/object_looks.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -36,21 +36,21 @@ constexpr std::int64_t long_read = 100'000;
 
 /// The volume of a clip, and the frames at its ends.
 struct Fields {
-    Volume volume;
-    SharedFrame first = std::make_shared<const Frame>();
-    SharedFrame last = first;
+    bricks::Volume volume;
+    video::SharedFrame first = std::make_shared<const video::Frame>();
+    video::SharedFrame last = first;
     std::vector<KeyFrame> keyframes{};
-    FieldSummary summary{};
-    std::optional<std::vector<Event>> events{};
-    Crops crops{};
+    fields::FieldSummary summary{};
+    std::optional<std::vector<events::Event>> events{};
+    glance::Crops crops{};
 };
 
 /// A clip in layers of even time and in layers that go where something moves: which of them is better is known at its
 /// end.
 class Scales {
   public:
-    Scales(const RenderJob& job, const FieldSource& source, const Volume& empty) {
-        const VideoInfo& info = source.info();
+    Scales(const RenderJob& job, const fields::FieldSource& source, const bricks::Volume& empty) {
+        const video::VideoInfo& info = source.info();
         if (info.rate > 0) length_ = static_cast<double>(source.expected_frames()) / info.rate;
         time_ = job.bricks.time;
         if (time_ == TimeScale::automatic && is_short_recording(source)) time_ = TimeScale::even;
@@ -62,7 +62,7 @@ class Scales {
 
     std::int64_t frames() const { return (even_ ? *even_ : *busy_).frames(); }
 
-    void add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners) {
+    void add(const fields::Field& field, const Plane<Bgr>& colour, std::span<const fields::LabelRun> owners) {
         fill_gap(field);
         const bool moves = busy_ && motion_(field);
         if (last_) (moves ? moving_ : idle_) += field.pts - last_->seconds;
@@ -73,7 +73,7 @@ class Scales {
     }
 
     /// The better one.
-    Volume take() {
+    bricks::Volume take() {
         if (busy_) busy_->settle();
         if (even_ && busy_) {
             const bool wins = idle_ > moving_ && moving_ > 0 && idle_ + moving_ > short_recording;
@@ -92,7 +92,7 @@ class Scales {
     }
 
     /// Numbers skip the frames of a gap in a recording.
-    void fill_gap(const Field& next) {
+    void fill_gap(const fields::Field& next) {
         if (!last_ || next.index <= last_->frame + 1) return;
         const std::int64_t gap = next.index - last_->frame - 1;
         const double apart = (next.pts - last_->seconds) / static_cast<double>(gap + 1);
@@ -101,9 +101,9 @@ class Scales {
     }
 
     TimeScale time_ = TimeScale::even;
-    std::optional<Volume> even_;
-    std::optional<Volume> busy_;
-    Motion motion_;
+    std::optional<bricks::Volume> even_;
+    std::optional<bricks::Volume> busy_;
+    fields::Motion motion_;
     std::optional<Moment> last_;
     double length_ = 0;  ///< seconds, by the header; 0 = unknown
     double moving_ = 0;  ///< seconds
@@ -111,36 +111,36 @@ class Scales {
 };
 
 /// A clip that is open has a frame, so it has changed since.
-[[noreturn]] void throw_no_frame(const FieldSource& source) {
+[[noreturn]] void throw_no_frame(const fields::FieldSource& source) {
     throw Error(
         ErrorKind::not_video,
         fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", source.info().name));
 }
 
-Fields read_fields(const RenderJob& job, const Products& products, FieldSource& source, std::int64_t step,
+Fields read_fields(const RenderJob& job, const Products& products, fields::FieldSource& source, std::int64_t step,
                    Observer& observer) {
     const std::int64_t expected = source.expected_frames();
-    const FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
+    const fields::FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
 
-    Fields result{Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
-    result.volume.set_values(find_filter(job.fields.filter).traits.values);
+    Fields result{bricks::Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
+    result.volume.set_values(fields::find_filter(job.fields.filter).traits.values);
     const int keyframes = job.look.keyframes;
-    std::optional<EventFinder> events;
-    FrameLabels labels;
+    std::optional<events::EventFinder> events;
+    events::FrameLabels labels;
     VolumePaint paint(job);
-    const Frame* now = nullptr;
+    const video::Frame* now = nullptr;
     if (finds_objects(job, products)) events.emplace(source.field_size(), event_options(job));
     if (events && (products.portraits || job.look.show.has(Part::portraits))) {
         events->set_portrait_sink(
-            [&](std::size_t track, const Portrait& portrait) { result.crops.keep(track, portrait, *now); });
+            [&](std::size_t track, const events::Portrait& portrait) { result.crops.keep(track, portrait, *now); });
     }
-    if (events && job.picture.colour == VolumeColour::object) {
+    if (events && job.picture.colour == gl::VolumeColour::object) {
         result.volume.keep_owners();
-        events->set_label_sink([&labels](const FrameLabels& of_field) { labels = of_field; });
+        events->set_label_sink([&labels](const events::FrameLabels& of_field) { labels = of_field; });
     }
     if (needs.flow) result.volume.keep_flow();
     Scales scales(job, source, result.volume);
-    result.summary = source.read(needs, [&](const SharedFrame& frame, const Field& field) {
+    result.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
         now = frame.get();
         if (events) events->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
         scales.add(field, paint(*frame, field), labels.runs);
@@ -155,33 +155,33 @@ Fields read_fields(const RenderJob& job, const Products& products, FieldSource& 
     });
     if (scales.frames() == 0) throw_no_frame(source);
     result.volume = scales.take();
-    if (events) result.events = choose_events(events->finish(result.summary.reference), job.output.events);
+    if (events) result.events = events::choose_events(events->finish(result.summary.reference), job.output.events);
     return result;
 }
 
-std::vector<Brick> cut(const BrickOptions& bricks, const Fields& fields, const WallClock& clock) {
-    const Volume& volume = fields.volume;
-    if (!bricks.length) return cut_into(volume.layers(), bricks.window);
+std::vector<bricks::Brick> cut(const BrickOptions& bricks, const Fields& fields, const WallClock& clock) {
+    const bricks::Volume& volume = fields.volume;
+    if (!bricks.length) return bricks::cut_into(volume.layers(), bricks.window);
     double brick_frames = bricks.length->value;
     if (volume.is_unequal() && bricks.length->unit == Time::Unit::frames) {
-        return cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
+        return bricks::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
     }
     if (bricks.length->unit == Time::Unit::seconds) {
         // Where layers are of unequal length, only the clock says how long a brick is.
         if (volume.is_unequal()) {
-            return cut_by_clock(volume, bricks.length->value, clock ? clock->at(0) : 0);
+            return bricks::cut_by_clock(volume, bricks.length->value, clock ? clock->at(0) : 0);
         }
         const double seconds = fields.last->pts - fields.first->pts;
-        if (seconds <= 0) return cut_into(volume.layers(), bricks.window);
+        if (seconds <= 0) return bricks::cut_into(volume.layers(), bricks.window);
         brick_frames *= static_cast<double>(volume.frames() - 1) / seconds;
     }
     const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
-    return cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
+    return bricks::cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
 /// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
-void set_ghosts_right(std::span<const Event> events, Volume& volume) {
-    for (const Event& event : events) {
+void set_ghosts_right(std::span<const events::Event> events, bricks::Volume& volume) {
+    for (const events::Event& event : events) {
         if (!event.in_scene || event.tracks.empty()) continue;
         for (const std::size_t track : event.tracks) volume.take_out(track);
         volume.put_in(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
@@ -190,11 +190,11 @@ void set_ghosts_right(std::span<const Event> events, Volume& volume) {
 }
 
 /// What the empty scene holds is seen best in it: what was left for most of the clip, and what was taken.
-void take_stills_from_scene(std::span<const Event> events, const Plane<Bgr>& scene, Crops& crops) {
+void take_stills_from_scene(std::span<const events::Event> events, const Plane<Bgr>& scene, glance::Crops& crops) {
     constexpr double best = std::numeric_limits<double>::max();
-    const Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
-    for (const Event& event : events) {
-        const bool in_scene = event.in_scene.has_value() || event.kind == EventKind::taken;
+    const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
+    for (const events::Event& event : events) {
+        const bool in_scene = event.in_scene.has_value() || event.kind == events::EventKind::taken;
         if (!in_scene || event.tracks.empty()) continue;
         crops.keep(event.tracks.front(), {event.first, event.box, best}, frame);
     }
@@ -202,9 +202,9 @@ void take_stills_from_scene(std::span<const Event> events, const Plane<Bgr>& sce
 
 /// The empty scene; without one, the last frame.
 Plane<Bgr> scene_of(const Fields& fields) {
-    const Planes& scene = fields.summary.reference;
-    if (scene.empty()) return picture_of(*fields.last);
-    return picture_of(Frame{0, 0, scene.grey, scene.colour});
+    const fields::Planes& scene = fields.summary.reference;
+    if (scene.empty()) return video::picture_of(*fields.last);
+    return video::picture_of(video::Frame{0, 0, scene.grey, scene.colour});
 }
 
 /// OpenGL's memory is given back before the libraries that encode pictures take as much.
@@ -217,10 +217,10 @@ void close(Drawing& drawing) {
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
     if (fields.events && fields.volume.keeps_owners()) set_ghosts_right(*fields.events, fields.volume);
-    const Volume& volume = fields.volume;
-    const Layout& layout = *drawing.layout;
+    const bricks::Volume& volume = fields.volume;
+    const space::Layout& layout = *drawing.layout;
     const WallClock clock = clock_of(job.look.start_time, report.info);
-    const std::vector<Brick> bricks = cut(job.bricks, fields, clock);
+    const std::vector<bricks::Brick> bricks = cut(job.bricks, fields, clock);
     const Caption caption{title_of(job.look.title, report.info),
                           fields.summary.frames,
                           fields.first->pts,
@@ -230,7 +230,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.events = fields.events;
     report.clock = clock;
     report.advice = advice_on(job, report);
-    const Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : Identify{};
+    const bricks::Identify identify = volume.keeps_owners() ? objects_of(*fields.events, volume) : bricks::Identify{};
     report.frames = caption.frames;
     report.damaged = fields.summary.damaged;
     report.problems = fields.summary.problems;
@@ -240,47 +240,47 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.last_pts = caption.end;
     report.layers = volume.layers();
     report.step = volume.step();
-    report.squeezed = squeezed_stretches(volume);
+    report.squeezed = bricks::squeezed_stretches(volume);
     report.bricks = bricks;
     report.still = caption.still;
 
     const Plane<Bgr> scene_picture = scene_of(fields);
     if (fields.events) take_stills_from_scene(*fields.events, scene_picture, fields.crops);
     const Glance glance{
-        fields.events ? shown_objects(job.look, *fields.events, caption.begin, caption.end, clock) : Objects{},
+        fields.events ? shown_objects(job.look, *fields.events, caption.begin, caption.end, clock) : glance::Objects{},
         &fields.crops,
         scene_picture,
-        picture_of(*fields.first),
-        picture_of(*fields.last),
+        video::picture_of(*fields.first),
+        video::picture_of(*fields.last),
         volume.size()};
-    const std::vector<TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
-    Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes, bricks}, layout,
-                              drawing.framing, ticks, glance.objects, identify);
+    const std::vector<labels::TimeTick> ticks = ticks_of(job, drawing.framing, volume, clock);
+    scene::Scene scene = build_scene(job, volume, {*fields.first, *fields.last, fields.keyframes, bricks}, layout,
+                                     drawing.framing, ticks, glance.objects, identify);
     report.arrows = scene.arrows.size();
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
 
-    const std::vector<Brick> pieces =
-        job.look.show.has(Part::volume) ? pieces_of(bricks, fields.keyframes, volume) : std::vector<Brick>{};
+    const std::vector<bricks::Brick> pieces =
+        job.look.show.has(Part::volume) ? pieces_of(bricks, fields.keyframes, volume) : std::vector<bricks::Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
-    drawing.window = std::make_unique<BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures,
-                                                   half_pixel(job, drawing));
+    drawing.window = std::make_unique<gl::BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures,
+                                                       half_pixel(job, drawing));
     drawing.window->show(volume, pieces, 0, identify);
     if (volume.keeps_owners() && fields.events->empty()) {
         // Where there is no object, what changed is all that there is to be seen.
-        std::vector<glm::vec4> looks = looks_of(job.look.theme);
+        std::vector<glm::vec4> looks = scene::looks_of(job.look.theme);
         looks.front().a = 1;
         drawing.renderer->set_looks(looks);
     }
     add_overlays(job, drawing, bricks, volume.layers(), scene);
     drawing.renderer->set_scene(std::move(scene));
-    const Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
+    const labels::Lettering lettering = letter(job, caption, volume, layout, drawing.framing, ticks, glance);
     report.lettering = lettering;
     report.event_colours = glance.objects.colours;
-    if (products.portraits && fields.events) report.portraits = portraits_of(*fields.events, fields.crops);
+    if (products.portraits && fields.events) report.portraits = glance::portraits_of(*fields.events, fields.crops);
     for (int i = 0; i < products.pictures; ++i) {
         const double phase = static_cast<double>(i) / products.pictures;
-        Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);
+        image::Picture picture = draw_picture(products.pixel_data, drawing, volume, lettering, phase);
         report.stages.end("draw");
         report.pictures = i + 1;
         if (report.pictures == products.pictures) close(drawing);
@@ -291,8 +291,8 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
 
 }  // namespace
 
-RenderReport render_clip(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
-                         const PictureSink& sink) {
+RenderReport render_clip(const RenderJob& job, const Products& products, fields::FieldSource& source,
+                         Observer& observer, const PictureSink& sink) {
     RenderReport report;  // its stages begin now
     const std::int64_t expected = source.expected_frames();
     const Size field_size = source.field_size();
@@ -301,7 +301,7 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
     // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
     if (expected <= long_read) {
         thread.start([&job, field_size](Drawing& drawing) {
-            make_renderer(job, field_size, RenderOptions{}.tile_samples, drawing);
+            make_renderer(job, field_size, gl::RenderOptions{}.tile_samples, drawing);
             rehearse(job, drawing);
         });
     }
@@ -317,18 +317,18 @@ RenderReport render_clip(const RenderJob& job, const Products& products, FieldSo
 
     report.stages.end("fields");
     thread.run([&](Drawing& drawing) {
-        if (!drawing.renderer) make_renderer(job, field_size, RenderOptions{}.tile_samples / 4, drawing);
+        if (!drawing.renderer) make_renderer(job, field_size, gl::RenderOptions{}.tile_samples / 4, drawing);
         describe(source, *drawing.context, report);
         draw_pictures(job, products, fields, drawing, report, sink);
     });
     return report;
 }
 
-std::vector<Event> find_events(const RenderJob& job, FieldSource& source, Observer& observer) {
+std::vector<events::Event> find_events(const RenderJob& job, fields::FieldSource& source, Observer& observer) {
     Products products{.pictures = 0};
     products.events = true;
     Fields fields = read_fields(job, products, source, planned_step(job.bricks, source.expected_frames()), observer);
     return std::move(*fields.events);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

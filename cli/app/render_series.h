@@ -2,14 +2,14 @@
 
 #include "cli/app/render_clip.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// A series: one picture for each brick of the clip, drawn when the brick has entered the window. Picture j shows
 /// bricks j - k + 1 to j; as long as fewer than k have entered, the horseshoe fills from its beginning. Time has one
 /// scale and the camera one place in all pictures. Memory depends on the window alone.
 /// \param sink takes each picture with its brick's number
 /// \returns the last picture's report, with the frames and damage of the whole clip
-RenderReport render_series(const RenderJob& job, const Products& products, FieldSource& source, Observer& observer,
-                           const PictureSink& sink);
+RenderReport render_series(const RenderJob& job, const Products& products, fields::FieldSource& source,
+                           Observer& observer, const PictureSink& sink);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace vvr {
+namespace vvr::app {
 
 RenderThread::RenderThread() {
     tasks_.set_capacity(1);
@@ -34,4 +34,4 @@ void RenderThread::serve() {
     for (tasks_.pop(task); task.valid(); tasks_.pop(task)) task(drawing);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -9,7 +9,7 @@
 
 #include "cli/app/drawing.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// The thread that draws. It owns a drawing: OpenGL is opened, used and closed there, whichever threads ask for
 /// pictures. Work is done in the order in which it is given. After the first error no more work is done: each later one
@@ -42,4 +42,4 @@ class RenderThread {
     std::jthread thread_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

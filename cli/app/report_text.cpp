@@ -11,11 +11,11 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/json_text.h"
-#include "core/labels/time_ticks.h"
 #include "core/base/version.h"
 #include "core/base/words.h"
+#include "core/labels/time_ticks.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -42,7 +42,7 @@ class Scale {
                 std::min(video_.height, static_cast<int>(std::ceil(box.bottom * y_)))};
     }
 
-    double length(const std::vector<PathPoint>& path) const {
+    double length(const std::vector<events::PathPoint>& path) const {
         double length = 0;
         for (std::size_t k = 1; k < path.size(); ++k) {
             length += glm::distance((*this)(path[k - 1].place), (*this)(path[k].place));
@@ -67,7 +67,7 @@ Json json_of(const Moment& moment) {
 
 /// What tells where in the world a moment of the clip is.
 struct Place {
-    const std::vector<SegmentPlace>& segments;  ///< of a recording
+    const std::vector<video::SegmentPlace>& segments;  ///< of a recording
     const WallClock& clock;
 };
 
@@ -75,17 +75,17 @@ struct Place {
 Json json_of(const Moment& moment, const Place& place) {
     Json json = json_of(moment);
     if (place.clock) json["time"] = place.clock->iso(moment.seconds);
-    const auto after = std::ranges::upper_bound(place.segments, moment.frame, {}, &SegmentPlace::first_frame);
+    const auto after = std::ranges::upper_bound(place.segments, moment.frame, {}, &video::SegmentPlace::first_frame);
     if (after == place.segments.begin()) return json;
-    const SegmentPlace& segment = *std::prev(after);
+    const video::SegmentPlace& segment = *std::prev(after);
     json["file"] = segment.path;
     json["offset"] = rounded(std::max(0.0, moment.seconds - segment.begin));
     return json;
 }
 
-Json json_of(const std::vector<Squeezed>& squeezed) {
+Json json_of(const std::vector<bricks::Squeezed>& squeezed) {
     Json json = Json::array();
-    for (const Squeezed& stretch : squeezed) {
+    for (const bricks::Squeezed& stretch : squeezed) {
         json.push_back({{"first", rounded(stretch.begin)},
                         {"seconds", rounded(stretch.seconds)},
                         {"room", rounded(stretch.t_end - stretch.t_begin)}});
@@ -100,7 +100,7 @@ void add_digest(Json& json, const std::string& path) {
     json["digest"] = digest ? Json(digest->ends) : Json();
 }
 
-Json json_of(const SegmentPlace& segment) {
+Json json_of(const video::SegmentPlace& segment) {
     Json json{{"file", segment.path},
               {"first_frame", segment.first_frame},
               {"first", rounded(segment.begin)},
@@ -117,7 +117,7 @@ Json json_of(const glm::dvec2& place) {
     return {{"x", rounded(place.x)}, {"y", rounded(place.y)}};
 }
 
-Json json_of(const Stay& stay, const Scale& scale) {
+Json json_of(const events::Stay& stay, const Scale& scale) {
     return {{"first", json_of(stay.first)},
             {"last", json_of(stay.last)},
             {"seconds", rounded(stay.last.seconds - stay.first.seconds)},
@@ -131,7 +131,7 @@ Json number_of(const std::optional<std::size_t>& place) {
     return place ? Json(*place + 1) : Json();
 }
 
-Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
+Json json_of(const std::optional<events::Portrait>& portrait, const Scale& scale) {
     if (!portrait) return {};
     Json json = json_of(portrait->at);
     json["box"] = json_of(scale(portrait->box));
@@ -139,9 +139,9 @@ Json json_of(const std::optional<Portrait>& portrait, const Scale& scale) {
     return json;
 }
 
-Json json_of(const Event& event, std::size_t place, const Scale& scale, const Place& where) {
+Json json_of(const events::Event& event, std::size_t place, const Scale& scale, const Place& where) {
     Json json{{"number", place + 1},
-              {"kind", name_of(event.kind)},
+              {"kind", events::name_of(event.kind)},
               {"first", json_of(event.first, where)},
               {"last", json_of(event.last, where)},
               {"seconds", rounded(event.last.seconds - event.first.seconds)},
@@ -155,18 +155,18 @@ Json json_of(const Event& event, std::size_t place, const Scale& scale, const Pl
               {"path_length", rounded(scale.length(event.path))},
               {"field_path_length", rounded(event.path_length)}};
     json["path"] = Json::array();
-    for (const PathPoint& point : event.path) {
+    for (const events::PathPoint& point : event.path) {
         Json there = json_of(point.at);
         there["place"] = json_of(scale(point.place));
         there["field_place"] = json_of(point.place);
         json["path"].push_back(std::move(there));
     }
     json["stays"] = Json::array();
-    for (const Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
+    for (const events::Stay& stay : event.stays) json["stays"].push_back(json_of(stay, scale));
     return json;
 }
 
-Json json_of(const Label& label) {
+Json json_of(const labels::Label& label) {
     Json json = json_of(label.box);
     json["text"] = label.text;
     return json;
@@ -178,14 +178,14 @@ std::int64_t peak_memory() {
     return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-double length_of(const Event& event) {
+double length_of(const events::Event& event) {
     return event.last.seconds - event.first.seconds;
 }
 
 /// When the clip began (UTC), and what tells that: its name, whether the picture shows it or not, else what the user
 /// chose.
 std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderReport& report) {
-    const VideoInfo& info = report.info;
+    const video::VideoInfo& info = report.info;
     if (info.began && tells_recording(info.began_by)) return {info.began, info.began_by};
     const WallClock& clock = report.clock;
     if (clock && clock->ahead) return {clock->begin - *clock->ahead, clock->source};
@@ -194,8 +194,8 @@ std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderRepo
 
 }  // namespace
 
-std::string format_report(const RenderReport& report, const Metadata& settings, double seconds) {
-    const VideoInfo& info = report.info;
+std::string format_report(const RenderReport& report, const image::Metadata& settings, double seconds) {
+    const video::VideoInfo& info = report.info;
     const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
     const auto [recorded, recorded_by] = recorded_at(report);
     Json json{
@@ -208,9 +208,9 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
           {"width", info.size.width},
           {"height", info.size.height},
           {"rate", known(info.rate)},
-          {"recorded", recorded ? Json(format_clock(*recorded)) : Json()},
+          {"recorded", recorded ? Json(labels::format_clock(*recorded)) : Json()},
           {"recorded_by", recorded ? Json(row_of(recorded_by).name) : Json()},
-          {"written", info.created ? Json(format_clock(*info.created)) : Json()}}},
+          {"written", info.created ? Json(labels::format_clock(*info.created)) : Json()}}},
         {"frames", {{"used", report.frames}, {"damaged", report.damaged}}},
         {"span",
          {{"first", rounded(report.first_pts)},
@@ -237,7 +237,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     json["segments"] = Json();
     if (!info.segments.empty()) {
         json["segments"] = Json::array();
-        for (const SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
+        for (const video::SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
     }
     json["problems"] = report.problems;
     json["left_out"] = {
@@ -246,7 +246,7 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     for (const auto& [name, value] : settings) json["settings"][name] = value;
     json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
     json["labels"] = Json::array();
-    for (const Label& label : report.lettering.labels) json["labels"].push_back(json_of(label));
+    for (const labels::Label& label : report.lettering.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();
     for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
@@ -263,17 +263,17 @@ std::string format_report(const RenderReport& report, const Metadata& settings, 
     return json_text(json, 2) + "\n";
 }
 
-std::string summary_of(const std::vector<Event>& events, const WallClock& clock) {
+std::string summary_of(const std::vector<events::Event>& events, const WallClock& clock) {
     if (events.empty()) return "no events";
     const auto longest = std::ranges::max_element(events, {}, length_of);
     const double first = longest->first.seconds;
     const double last = longest->last.seconds;
-    std::string text =
-        fmt::format("{}; the longest from {}", counted(std::ssize(events), "event"),
-                    clock ? format_stretch(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
-    const double still = still_seconds(*longest);
+    std::string text = fmt::format(
+        "{}; the longest from {}", counted(std::ssize(events), "event"),
+        clock ? labels::format_stretch(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
+    const double still = events::still_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
     return text;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -10,7 +10,7 @@
 
 #include "core/image/difference_view.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> verdicts{"same", "size", "channels", "
 
 }  // namespace
 
-std::string numbers_of(const Comparison& comparison) {
+std::string numbers_of(const image::Comparison& comparison) {
     if (!comparison.has_numbers()) return {};
     std::string text;
     const auto line = [&text](const char* name, const std::string& value) {
@@ -34,8 +34,8 @@ std::string numbers_of(const Comparison& comparison) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const Comparison& comparison) {
-    nlohmann::ordered_json json{{"same", comparison.verdict == Verdict::same},
+nlohmann::ordered_json json_of(const image::Comparison& comparison) {
+    nlohmann::ordered_json json{{"same", comparison.verdict == image::Verdict::same},
                                 {"verdict", verdicts.at(static_cast<std::size_t>(comparison.verdict))},
                                 {"reason", comparison.reason}};
     const auto number = [&](double value) {
@@ -49,22 +49,22 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
     json["percent_off"] = number(comparison.percent);
     json["patch"] = number(comparison.patch);
     json["worst"] = nlohmann::ordered_json::array();
-    for (const PixelPair& pixel : comparison.worst) {
+    for (const image::PixelPair& pixel : comparison.worst) {
         json["worst"].push_back(
             {{"x", pixel.column}, {"y", pixel.row}, {"difference", pixel.difference}, {"a", pixel.a}, {"b", pixel.b}});
     }
     return json;
 }
 
-void show_difference(const Comparison& comparison, const Tolerance& tolerance, std::string_view a, std::string_view b,
-                     Observer& observer) {
-    for (const PixelPair& pixel : comparison.worst) {
+void show_difference(const image::Comparison& comparison, const image::Tolerance& tolerance, std::string_view a,
+                     std::string_view b, Observer& observer) {
+    for (const image::PixelPair& pixel : comparison.worst) {
         observer.info(fmt::format("at {},{}: {} {:.4f} and {} {:.4f} differ by {:.4f}", pixel.column, pixel.row, a,
                                   fmt::join(pixel.a, " "), b, fmt::join(pixel.b, " "), pixel.difference));
     }
     if (!comparison.has_numbers()) return;
-    std::istringstream letters(difference_letters(comparison.pixels, tolerance.level));
+    std::istringstream letters(image::difference_letters(comparison.pixels, tolerance.level));
     for (std::string line; std::getline(letters, line);) observer.info(line);
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

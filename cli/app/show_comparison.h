@@ -8,18 +8,18 @@
 #include "cli/app/observer.h"
 #include "core/image/compare.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// The numbers, one a line.
-std::string numbers_of(const Comparison& comparison);
+std::string numbers_of(const image::Comparison& comparison);
 
 /// The same for programs; what was not reached is null.
-nlohmann::ordered_json json_of(const Comparison& comparison);
+nlohmann::ordered_json json_of(const image::Comparison& comparison);
 
 /// Shows where two pictures differ: the worst pixels, and a picture made of letters. Nothing where there are no
 /// numbers.
 /// \param a what the first picture is, in a word; `b` the second
-void show_difference(const Comparison& comparison, const Tolerance& tolerance, std::string_view a, std::string_view b,
-                     Observer& observer);
+void show_difference(const image::Comparison& comparison, const image::Tolerance& tolerance, std::string_view a,
+                     std::string_view b, Observer& observer);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -5,13 +5,13 @@
 
 #include "core/video/input.h"
 
-namespace vvr {
+namespace vvr::app {
 
 std::string shown_name(const std::string& input) {
     namespace fs = std::filesystem;
     if (input == "-") return "stdin";
     std::string path = input;
-    if (is_url(input)) {
+    if (video::is_url(input)) {
         path = input.substr(input.find("://") + 3);
         path.resize(std::min(path.size(), path.find_first_of("?#")));
         path = path.find('/') == std::string::npos ? "" : path.substr(path.find('/'));
@@ -21,9 +21,9 @@ std::string shown_name(const std::string& input) {
     return name.empty() || name == "/" || name == "." ? "a clip" : name;
 }
 
-std::string title_of(const std::string& asked, const VideoInfo& clip) {
+std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
     if (!asked.empty()) return asked;
     return clip.title.empty() ? shown_name(clip.name) : clip.title;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

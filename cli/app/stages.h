@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace vvr {
+namespace vvr::app {
 
 /// The seconds that the stages of a run take, in the order in which they first came.
 class Stages {
@@ -32,4 +32,4 @@ class Stages {
     std::vector<std::pair<std::string, double>> seconds_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -14,6 +14,7 @@
 
 #include "core/base/choice.h"
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/fields/filter.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
@@ -21,9 +22,8 @@
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
 #include "core/store/stored_fields.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -50,10 +50,10 @@ class SeedFolder {
     SeedFolder(const SeedFolder&) = delete;
     SeedFolder& operator=(const SeedFolder&) = delete;
 
-    void add(const SeedList& list) {
-        files_.push_back(folder_ / stored::seed_file(list.frame).filename());
-        const std::string text = format_seeds(list);
-        replace_file(files_.back(), std::as_bytes(std::span(text)));
+    void add(const fields::SeedList& list) {
+        files_.push_back(folder_ / store::stored::seed_file(list.frame).filename());
+        const std::string text = fields::format_seeds(list);
+        image::replace_file(files_.back(), std::as_bytes(std::span(text)));
         seeds_ += std::ssize(list.seeds);
     }
 
@@ -99,8 +99,8 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
                     fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
                                 job.flow.string(), what));
     }
-    const bool magnitude = job.seeds.order == seed_orders().front().name;
-    if (choose(setting::seed_area.name, job.seeds.area, seed_areas()).object_alone || !magnitude) {
+    const bool magnitude = job.seeds.order == fields::seed_orders().front().name;
+    if (choose(setting::seed_area.name, job.seeds.area, fields::seed_areas()).object_alone || !magnitude) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
                                 "seed-order magnitude, or name an extraction",
@@ -108,18 +108,18 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
                     {setting::seed_area.name, setting::seed_order.name});
     }
     for (const auto& [frame, file] : files) {
-        const Flow flow = read_flo(file.string());
+        const fields::Flow flow = fields::read_flo(file.string());
         const Plane<std::uint8_t> object(flow.u.size());
-        folder.add({frame, flow.u.size(), make_seeds({frame, flow, object, {}}, job.seeds)});
+        folder.add({frame, flow.u.size(), fields::make_seeds({frame, flow, object, {}}, job.seeds)});
     }
 }
 
 void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
-    StoredFields fields(std::array{job.flow.string()});
+    store::StoredFields fields(std::array{job.flow.string()});
     const auto filter =
         std::ranges::find(fields.settings(), setting::filter.name, [](const auto& s) { return s.first; });
-    const bool marks = filter != fields.settings().end() && find_filter(filter->second).traits.shows_object;
-    if (!marks && choose(setting::seed_area.name, job.seeds.area, seed_areas()).object_alone) {
+    const bool marks = filter != fields.settings().end() && fields::find_filter(filter->second).traits.shows_object;
+    if (!marks && choose(setting::seed_area.name, job.seeds.area, fields::seed_areas()).object_alone) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
                                 "choose seed-area field",
@@ -127,23 +127,23 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
                     {setting::seed_area.name});
     }
     Plane<std::uint16_t> age;
-    const FieldNeeds needs{.seeds = false, .flow = true, .colour = false, .every = fields.interval(1)};
-    fields.read(needs, [&](const SharedFrame&, const Field& field) {
-        age = aged(age, field.scalar);
+    const fields::FieldNeeds needs{.seeds = false, .flow = true, .colour = false, .every = fields.interval(1)};
+    fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) {
+        age = fields::aged(age, field.scalar);
         if (field.flow.u.empty()) return;
-        folder.add(
-            {field.index, field.flow.u.size(), make_seeds({field.index, field.flow, field.scalar, age}, job.seeds)});
+        folder.add({field.index, field.flow.u.size(),
+                    fields::make_seeds({field.index, field.flow, field.scalar, age}, job.seeds)});
     });
 }
 
 }  // namespace
 
 void write_seeds(const StoredFlowSeedsJob& job, Observer& observer) {
-    FieldOptions options;
+    fields::FieldOptions options;
     options.seeds = job.seeds;
-    validate(options);
+    fields::validate(options);
     SeedFolder folder(job.folder);
-    if (is_data_folder(job.flow)) {
+    if (store::is_data_folder(job.flow)) {
         seeds_of_extraction(job, folder);
     } else {
         seeds_of_files(job, folder);
@@ -153,4 +153,4 @@ void write_seeds(const StoredFlowSeedsJob& job, Observer& observer) {
                               counted(folder.seeds(), "seed")));
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

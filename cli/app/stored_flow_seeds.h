@@ -5,13 +5,13 @@
 #include "cli/app/observer.h"
 #include "core/fields/options.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// A stored flow, and the folder that the lists of its seeds go to.
 struct StoredFlowSeedsJob {
     std::filesystem::path flow;  ///< an extraction, or a folder of .flo files whose names end in their frames' numbers
     std::filesystem::path folder;
-    SeedOptions seeds;
+    fields::SeedOptions seeds;
 };
 
 /// Chooses seeds on a flow that is stored (§4.2's filter stage by itself, between the boxes of Fig. 3): one list for
@@ -19,4 +19,4 @@ struct StoredFlowSeedsJob {
 /// \throws Error usage for options that need more than there is, io
 void write_seeds(const StoredFlowSeedsJob& job, Observer& observer);
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 void tell_problems(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                    Observer& observer) {
@@ -21,10 +21,10 @@ void tell_problems(const std::vector<std::string>& warnings, const std::vector<s
                               counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
 }
 
-void require_whole(const VideoInfo& info) {
+void require_whole(const video::VideoInfo& info) {
     if (info.left_out.files == 0) return;
     throw Error(ErrorKind::partial,
-                fmt::format("'{}' is not in the result as a whole: {}", info.name, text_of(info.left_out)));
+                fmt::format("'{}' is not in the result as a whole: {}", info.name, video::text_of(info.left_out)));
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace vvr {
+namespace vvr::app {
 
 /// A place in a clip, or a length of it.
 struct Time {
@@ -11,4 +11,4 @@ struct Time {
     friend bool operator==(const Time&, const Time&) = default;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::app {
 
 /// How the room along the arc is given to the time of a clip.
 enum class TimeScale { automatic, even, busy };
@@ -21,4 +21,4 @@ inline constexpr std::array time_scales{
     TimeScaleRow{TimeScale::busy, "busy", "room goes where something moves; the ruler marks where time is squeezed"},
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

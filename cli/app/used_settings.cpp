@@ -14,7 +14,7 @@
 #include "core/fields/solvers.h"
 #include "core/scene/theme.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -25,46 +25,46 @@ auto row_of(const Rows& rows, const std::string& name) {
     return row == std::ranges::end(rows) ? nullptr : &*row;
 }
 
-std::string threshold_of(const Metadata& settings) {
-    const FilterRow* const filter = row_of(filters(), value_of(settings, setting::filter.name));
+std::string threshold_of(const image::Metadata& settings) {
+    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
     return filter == nullptr ? "" : fmt::to_string(filter->traits.threshold);
 }
 
 template <auto Member>
-std::string of_solver(const Metadata& settings) {
-    const SolverRow* const solver = row_of(flow_solvers(), value_of(settings, setting::solver.name));
+std::string of_solver(const image::Metadata& settings) {
+    const fields::SolverRow* const solver = row_of(fields::flow_solvers(), value_of(settings, setting::solver.name));
     return solver == nullptr ? "" : fmt::to_string(solver->defaults.*Member);
 }
 
 /// Empty where a second filter brings a transfer function of its own: no one name stands for both.
-std::string transfer_of(const Metadata& settings) {
+std::string transfer_of(const image::Metadata& settings) {
     const ColourRow* const colour = row_of(colour_rows(), value_of(settings, setting::colour.name));
     if (colour != nullptr && !colour->filter.empty()) return "";
-    const FilterRow* const filter = row_of(filters(), value_of(settings, setting::filter.name));
+    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
     if (filter != nullptr && !filter->transfer.empty()) return std::string(filter->transfer);
-    const Theme* const theme = row_of(themes(), value_of(settings, setting::theme.name));
+    const scene::Theme* const theme = row_of(scene::themes(), value_of(settings, setting::theme.name));
     return theme == nullptr ? "" : std::string(theme->transfer);
 }
 
 /// A setting whose default depends on another one, and the value that it has then.
 struct Decided {
     const Setting& setting;
-    std::string (*value)(const Metadata& settings);
+    std::string (*value)(const image::Metadata& settings);
 };
 
 constexpr std::array decided{
     Decided{setting::threshold, threshold_of},
-    Decided{setting::alpha, of_solver<&SolverSettings::alpha>},
-    Decided{setting::iterations, of_solver<&SolverSettings::iterations>},
-    Decided{setting::pre_smooth, of_solver<&SolverSettings::pre_smooth>},
+    Decided{setting::alpha, of_solver<&fields::SolverSettings::alpha>},
+    Decided{setting::iterations, of_solver<&fields::SolverSettings::iterations>},
+    Decided{setting::pre_smooth, of_solver<&fields::SolverSettings::pre_smooth>},
     Decided{setting::transfer, transfer_of},
-    Decided{setting::seed_flags, [](const Metadata&) { return std::string(); }},
+    Decided{setting::seed_flags, [](const image::Metadata&) { return std::string(); }},
 };
 
 }  // namespace
 
-Metadata used_settings(const Metadata& settings) {
-    Metadata used;
+image::Metadata used_settings(const image::Metadata& settings) {
+    image::Metadata used;
     for (const auto& [name, value] : settings) {
         const auto row = std::ranges::find(decided, name, [](const Decided& one) { return one.setting.name; });
         const bool is_open = row != decided.end() && value == row->setting.otherwise;
@@ -74,4 +74,4 @@ Metadata used_settings(const Metadata& settings) {
     return used;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -9,7 +9,7 @@
 #include "core/scene/hues.h"
 #include "core/scene/transfer_file.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -29,18 +29,18 @@ std::vector<ColourRow> make_rows() {
         {"auto",
          "object where the legend is shown, the filter marks objects, and no transfer function is given; else "
          "transfer"},
-        {"object", "each object its own; what is no object's is grey and faint", VolumeColour::object},
+        {"object", "each object its own; what is no object's is grey and faint", gl::VolumeColour::object},
         {"transfer", "the transfer function's, of the filter's values"},
-        {"video", "the video's own", VolumeColour::own, true},
-        {by_direction, "which way it moves, as a wheel of colours; grey where it rests", VolumeColour::own, false,
+        {"video", "the video's own", gl::VolumeColour::own, true},
+        {by_direction, "which way it moves, as a wheel of colours; grey where it rests", gl::VolumeColour::own, false,
          true},
-        {"speed", "how fast it moves, as arrows have it", VolumeColour::own, false, true},
-        {"time", "the moment, from the first to the last", VolumeColour::time},
+        {"speed", "how fast it moves, as arrows have it", gl::VolumeColour::own, false, true},
+        {"time", "the moment, from the first to the last", gl::VolumeColour::time},
     };
-    for (const FilterRow& filter : filters()) {
+    for (const fields::FilterRow& filter : fields::filters()) {
         const std::string name(filter.name);
         rows.push_back(
-            {name, "a second filter's values: " + std::string(filter.help), VolumeColour::own, false, false, name});
+            {name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false, false, name});
     }
     return rows;
 }
@@ -56,34 +56,34 @@ const ColourRow& find_colour(const std::string& name) {
     return choose(setting::colour.name, name, colour_rows());
 }
 
-TransferFunction second_transfer_of(const RenderJob& job) {
+scene::TransferFunction second_transfer_of(const RenderJob& job) {
     if (job.look.transfer) return *job.look.transfer;
-    const std::string_view own = find_filter(job.fields.second).transfer;
-    return find_transfer(own.empty() ? "viridis" : std::string(own));
+    const std::string_view own = fields::find_filter(job.fields.second).transfer;
+    return scene::find_transfer(own.empty() ? "viridis" : std::string(own));
 }
 
 VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job.look.colour)) {
     if (row_.filter.empty()) return;
-    const TransferFunction transfer = second_transfer_of(job);
+    const scene::TransferFunction transfer = second_transfer_of(job);
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
         of_value_[value] = bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
     }
 }
 
 Bgr VolumePaint::colour_of_flow(float u, float v) const {
-    const Theme& theme = job_.look.theme;
+    const scene::Theme& theme = job_.look.theme;
     const float speed = std::hypot(u, v);
     if (row_.name == by_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
         if (share == 0) return bgr_of(theme.nobody);
-        return bgr_of(glm::mix(theme.nobody, direction_colour({u, v}), share));
+        return bgr_of(glm::mix(theme.nobody, scene::direction_colour({u, v}), share));
     }
     const glm::vec2 range = job_.picture.glyphs.speed_range;
     return bgr_of(glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
 }
 
-const Plane<Bgr>& VolumePaint::operator()(const Frame& frame, const Field& field) {
-    if (row_.drawn != VolumeColour::own) return painted_;
+const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const fields::Field& field) {
+    if (row_.drawn != gl::VolumeColour::own) return painted_;
     if (row_.needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
     const auto into = painted_.pixels().begin();
@@ -98,4 +98,4 @@ const Plane<Bgr>& VolumePaint::operator()(const Frame& frame, const Field& field
     return painted_;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -9,14 +9,14 @@
 #include "core/video/frame.h"
 #include "gl/volume_look.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// One row of the table of colours: where those of the volume come from. Its opacity is the transfer function's, of the
 /// filter's values.
 struct ColourRow {
     std::string name;
     std::string help;
-    VolumeColour drawn = VolumeColour::transfer;
+    gl::VolumeColour drawn = gl::VolumeColour::transfer;
     bool needs_pictures = false;
     bool needs_flow = false;  ///< of each frame
     std::string filter{};     ///< a second filter, whose values have the colours; empty = none
@@ -30,7 +30,7 @@ const ColourRow& find_colour(const std::string& name);
 
 /// The transfer function whose colours a second filter's values have: the one that was asked for, else the filter's
 /// own, else one that all eyes tell apart.
-TransferFunction second_transfer_of(const RenderJob& job);
+scene::TransferFunction second_transfer_of(const RenderJob& job);
 
 /// Gives each voxel of a frame its colour, where the volume has such.
 class VolumePaint {
@@ -39,7 +39,7 @@ class VolumePaint {
     explicit VolumePaint(const RenderJob& job);
 
     /// Empty where the job's voxels have no colours of their own. It is valid until the next call.
-    const Plane<Bgr>& operator()(const Frame& frame, const Field& field);
+    const Plane<Bgr>& operator()(const video::Frame& frame, const fields::Field& field);
 
   private:
     Bgr colour_of_flow(float u, float v) const;
@@ -50,4 +50,4 @@ class VolumePaint {
     Plane<Bgr> painted_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

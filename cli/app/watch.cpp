@@ -18,20 +18,20 @@
 #include "cli/app/record.h"
 #include "cli/app/render_series.h"
 #include "cli/app/shown_name.h"
+#include "core/base/words.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/recent_moments.h"
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = LiveSource::Clock;
+using Clock = video::LiveSource::Clock;
 
 /// \param begin seconds since 1970 (UTC)
 StartTime starts_at(std::int64_t begin, ClockSource source) {
@@ -43,7 +43,7 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded before it is read, so its time is not that of this machine.
 StartTime told_by_name(const RenderJob& job, const std::string& file) {
-    const Segment told = look_at_name(file, RecorderNames(job.input.layouts));
+    const video::Segment told = video::look_at_name(file, video::RecorderNames(job.input.layouts));
     if (!told.begin) return {StartTime::From::nobody};
     return starts_at(*told.begin, told.begin_by);
 }
@@ -56,8 +56,8 @@ bool grows(const fs::path& file) {
     return !none && fs::file_time_type::clock::now() - written < lately;
 }
 
-std::unique_ptr<LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
-    LiveOptions live;
+std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOptions& options, Observer& observer) {
+    video::LiveOptions live;
     live.source.field_size = job.input.field_size;
     live.source.rate = job.input.rate;
     live.source.colour = wants_colour(job);
@@ -65,18 +65,19 @@ std::unique_ptr<LiveSource> connect(const RenderJob& job, const StreamOptions& o
     live.patience = options.patience;
     live.duration = options.duration;
     live.tell = [&observer](const std::string& text) { observer.warn(text); };
-    return std::make_unique<LiveSource>(only_input(job.input), std::move(live));
+    return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
 }
 
 /// A stream's whole address says more than its last part.
 std::string title_of_stream(const std::string& name) {
-    return is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
+    return video::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
 }
 
 /// Pictures on their way to the disk, and how long they took.
 class LivePictures {
   public:
-    LivePictures(const RenderJob& job, const LiveSource& stream, const RecentMoments& moments, Observer& observer)
+    LivePictures(const RenderJob& job, const video::LiveSource& stream, const page::RecentMoments& moments,
+                 Observer& observer)
         : job_(job),
           name_(job.output.path),
           stream_(stream),
@@ -84,8 +85,8 @@ class LivePictures {
           observer_(observer),
           files_(job.output, observer) {}
 
-    void add(const RenderReport& report, int number, Picture&& picture) {
-        const Metadata record = record_of(job_, report, true);
+    void add(const RenderReport& report, int number, image::Picture&& picture) {
+        const image::Metadata record = record_of(job_, report, true);
         if (is_page(job_.output.path)) {
             files_.add_page(page_text(job_, report, std::move(picture), record,
                                       moments_.since(report.first_frame, report.last_frame), state_of(report)));
@@ -105,11 +106,11 @@ class LivePictures {
 
   private:
     std::string span_of(const RenderReport& report) const {
-        return format_span(report.first_pts, report.last_pts, job_.look.start_time.clock);
+        return labels::format_span(report.first_pts, report.last_pts, job_.look.start_time.clock);
     }
 
-    LiveState state_of(const RenderReport& report) const {
-        LiveState state;
+    page::LiveState state_of(const RenderReport& report) const {
+        page::LiveState state;
         state.text = is_learning(report) ? "learning the empty scene" : "watching";
         if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
         state.written = std::time(nullptr);
@@ -119,22 +120,22 @@ class LivePictures {
 
     /// Whether the scene may still hold what stood there when the stream began.
     bool is_learning(const RenderReport& report) const {
-        const ReferenceRow* const row = find_reference(job_.fields.reference);
+        const fields::ReferenceRow* const row = fields::find_reference(job_.fields.reference);
         constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
-        return row != nullptr && row->adapts && report.last_frame < first_look + RunningReference::ghost_frames;
+        return row != nullptr && row->adapts && report.last_frame < first_look + fields::RunningReference::ghost_frames;
     }
 
     const RenderJob& job_;
-    NamePattern name_;
-    const LiveSource& stream_;
-    const RecentMoments& moments_;
+    image::NamePattern name_;
+    const video::LiveSource& stream_;
+    const page::RecentMoments& moments_;
     Observer& observer_;
     PictureOutput files_;
     Latency latency_;
     std::int64_t count_ = 0;
 };
 
-std::string summary_of(const LiveSource& stream, const RenderReport& report, const LivePictures& pictures) {
+std::string summary_of(const video::LiveSource& stream, const RenderReport& report, const LivePictures& pictures) {
     return fmt::format(
         "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
         "dropped, {}, {}",
@@ -149,10 +150,10 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     : job_(with_colour(with_transfer(with_possible_parts(with_fields_of_colour(job))))), observer_(observer) {
     validate(job);
     validate_series(job);
-    choose_font(job.look.font);
+    image::choose_font(job.look.font);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
-    const VideoInfo& info = stream_->info();
+    const video::VideoInfo& info = stream_->info();
     std::error_code none;
     if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
     const bool is_file = fs::is_regular_file(info.name, none);
@@ -164,29 +165,29 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
         observer.warn(
             fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", info.name));
     }
-    auto fields =
-        with_listed_seeds(std::make_unique<ClipFields>(std::move(connected), job_.fields), job_, job_.fields.filter);
+    auto fields = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), job_.fields), job_,
+                                    job_.fields.filter);
     const std::int64_t window = sliding_window(job_.bricks, *fields).frames();
-    fields_ = std::make_unique<RecentMoments>(std::move(fields), window);
+    fields_ = std::make_unique<page::RecentMoments>(std::move(fields), window);
 }
 
 std::int64_t StreamWatch::run() {
     Products products;
     products.series = true;
     const bool page = is_page(job_.output.path);
-    products.pixel_data = page || holds_pixel_data(job_.output.path);
+    products.pixel_data = page || image::holds_pixel_data(job_.output.path);
     products.portraits = page;
     check_memory(make_plan(job_, products, *fields_));
-    const VideoInfo& info = stream_->info();
+    const video::VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
     LivePictures pictures(job_, *stream_, *fields_, observer_);
     const RenderReport report = render_series(job_, products, *fields_, observer_,
-                                              [&](const RenderReport& so_far, int number, Picture&& picture) {
+                                              [&](const RenderReport& so_far, int number, image::Picture&& picture) {
                                                   pictures.add(so_far, number, std::move(picture));
                                               });
     observer_.info(summary_of(*stream_, report, pictures));
     return pictures.count();
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

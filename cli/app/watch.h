@@ -9,13 +9,13 @@
 #include "core/page/recent_moments.h"
 #include "core/video/live_source.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// How long a stream is watched, and how patiently.
 struct StreamOptions {
-    std::optional<double> duration{};  ///< seconds; none = for ever
-    double lag = LiveOptions{}.lag;    ///< as in LiveOptions
-    double patience = LiveOptions{}.patience;
+    std::optional<double> duration{};       ///< seconds; none = for ever
+    double lag = video::LiveOptions{}.lag;  ///< as in LiveOptions
+    double patience = video::LiveOptions{}.patience;
 };
 
 /// A stream whose picture is drawn again after each brick.
@@ -38,8 +38,8 @@ class StreamWatch {
   private:
     RenderJob job_;
     Observer& observer_;
-    std::unique_ptr<RecentMoments> fields_;
-    LiveSource* stream_;  ///< of the fields
+    std::unique_ptr<page::RecentMoments> fields_;
+    video::LiveSource* stream_;  ///< of the fields
 };
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -12,18 +12,18 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
+#include "core/base/shown_text.h"
+#include "core/base/words.h"
 #include "core/image/atomic_file.h"
 #include "core/image/film_encoder.h"
-#include "core/base/shown_text.h"
 #include "core/video/container.h"
 #include "core/video/copy_check.h"
 #include "core/video/frame_source.h"
 #include "core/video/packet_copy.h"
 #include "core/video/recorder_names.h"
 #include "core/video/scaler.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::app {
 
 namespace {
 
@@ -53,11 +53,11 @@ constexpr std::array encodings{
 };
 
 const Encoding& encoding_for(const fs::path& path) {
-    const ContainerRow& container = container_of(path);
-    const auto fits = [&](const Encoding& e) { return e.muxer == container.muxer && has_encoder(e.encoder); };
+    const video::ContainerRow& container = video::container_of(path);
+    const auto fits = [&](const Encoding& e) { return e.muxer == container.muxer && image::has_encoder(e.encoder); };
     if (const auto found = std::ranges::find_if(encodings, fits); found != encodings.end()) return *found;
     std::vector<std::string_view> others;
-    for (const ContainerRow& row : containers()) {
+    for (const video::ContainerRow& row : video::containers()) {
         if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
     }
     throw Error(ErrorKind::usage,
@@ -74,7 +74,7 @@ std::string time_of_day(const PieceJob& job, double begin, double end) {
 
 /// When a second of the recording was, in seconds since 1970 (UTC); none = nobody knows.
 std::optional<double> utc_at(const PieceJob& job, double seconds) {
-    if (job.clock) return static_cast<double>(utc_of({job.clock->begin, job.clock->ahead})) + seconds;
+    if (job.clock) return static_cast<double>(video::utc_of({job.clock->begin, job.clock->ahead})) + seconds;
     return job.created ? std::optional(static_cast<double>(*job.created) + seconds) : std::nullopt;
 }
 
@@ -89,8 +89,8 @@ std::string files_of(const PieceJob& job) {
 
 /// What the piece says of itself: camera, day, time, and the files that it is of.
 /// \param begin of the piece, seconds of the recording
-Tags tags_of(const PieceJob& job, double begin, double end) {
-    Tags tags;
+video::Tags tags_of(const PieceJob& job, double begin, double end) {
+    video::Tags tags;
     if (!job.camera.empty()) tags.emplace_back("title", shown_text(job.camera));
     std::string comment = shown_text(job.camera);
     const std::string day = time_of_day(job, begin, end);
@@ -105,7 +105,7 @@ Tags tags_of(const PieceJob& job, double begin, double end) {
     const std::string time =
         fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime((milliseconds - rest) / 1000), rest);
     tags.emplace_back("creation_time", time);
-    if (container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // it has no place for the other
+    if (video::container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // it has no place for the other
     return tags;
 }
 
@@ -126,8 +126,8 @@ void warn_of_end(const PieceJob& job, double last, double length, Observer& obse
 
 // ---- A copy
 
-std::vector<CopyPart> parts_to_copy(const PieceJob& job) {
-    std::vector<CopyPart> copied;
+std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
+    std::vector<video::CopyPart> copied;
     std::optional<double> over;
     for (const FootagePart& part : job.parts) {
         if (part.overlaps) {
@@ -137,21 +137,21 @@ std::vector<CopyPart> parts_to_copy(const PieceJob& job) {
                                     part.file.path),
                         {"exact"});
         }
-        Input input = open_input(part.file.path);
-        const Piece piece = find_piece(input, job.input.rate, part.span);
+        video::Input input = video::open_input(part.file.path);
+        const video::Piece piece = video::find_piece(input, job.input.rate, part.span);
         if (piece.frames == 0) over = piece.over;
         if (piece.frames > 0) copied.push_back({std::move(input), piece, part.file.begin});
     }
-    if (copied.empty()) throw_empty(job.name, job.span, over);
+    if (copied.empty()) video::throw_empty(job.name, job.span, over);
     return copied;
 }
 
 }  // namespace
 
 std::string_view ending_of_exact() {
-    const auto installed = std::ranges::find_if(encodings, [](const auto& e) { return has_encoder(e.encoder); });
+    const auto installed = std::ranges::find_if(encodings, [](const auto& e) { return image::has_encoder(e.encoder); });
     const auto& found = installed == encodings.end() ? encodings.front() : *installed;
-    return std::ranges::find(containers(), found.muxer, &ContainerRow::muxer)->name;
+    return std::ranges::find(video::containers(), found.muxer, &video::ContainerRow::muxer)->name;
 }
 
 void check_exact(const fs::path& path) {
@@ -159,28 +159,29 @@ void check_exact(const fs::path& path) {
 }
 
 bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
-    const std::vector<CopyPart> parts = parts_to_copy(job);
-    const CopyPart& first = parts.front();
-    const CopyPart& last = parts.back();
+    const std::vector<video::CopyPart> parts = parts_to_copy(job);
+    const video::CopyPart& first = parts.front();
+    const video::CopyPart& last = parts.back();
     const double begin = first.begin + first.piece.begin;
     const double end = last.begin + last.piece.end;
-    const Tags tags = tags_of(job, begin, end);
-    Copied copied;
+    const video::Tags tags = tags_of(job, begin, end);
+    video::Copied copied;
     try {
         const auto held = observer.guard();
         const auto write = [&](const WriteAt& write_at) {
-            copied =
-                copy_pieces(parts, job.input.rate, job.path, tags, write_at, [&] { return stop.stop_requested(); });
+            copied = video::copy_pieces(parts, job.input.rate, job.path, tags, write_at,
+                                        [&] { return stop.stop_requested(); });
             if (copied.stopped) throw Stopped();
         };
-        replace_file(job.path, write,
-                     [&](const fs::path& written) { check_copy(written, parts, copied, job.input.rate, job.path); });
+        image::replace_file(job.path, write, [&](const fs::path& written) {
+            video::check_copy(written, parts, copied, job.input.rate, job.path);
+        });
     } catch (const Stopped&) {
         return false;
     }
     if (last.piece.ends_early) warn_of_end(job, end, 0, observer);
     std::int64_t damaged = 0;
-    for (const CopyPart& part : parts) damaged += part.piece.damaged;
+    for (const video::CopyPart& part : parts) damaged += part.piece.damaged;
     if (damaged > 0) {
         observer.warn(
             fmt::format("'{}': {} of the piece copied as they are", job.name, counted(damaged, "damaged packet")));
@@ -203,10 +204,10 @@ bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& 
 namespace {
 
 /// Frames of a file from a span's first on.
-std::unique_ptr<DecodedFrame> first_of(FrameSource& clip, const FrameSpan& span) {
+std::unique_ptr<video::DecodedFrame> first_of(video::FrameSource& clip, const video::FrameSpan& span) {
     if (span.start > 0) clip.seek(span.start - 1);
     auto frame = clip.next();
-    while (frame && is_before(span, frame->index, frame->pts)) frame = clip.next();
+    while (frame && video::is_before(span, frame->index, frame->pts)) frame = clip.next();
     return frame;
 }
 
@@ -228,12 +229,12 @@ class PieceFrames {
     }
 
     /// The next frame, its time in seconds of the recording; nothing at the end.
-    std::unique_ptr<DecodedFrame> next() {
+    std::unique_ptr<video::DecodedFrame> next() {
         for (;;) {
             if (!file_ && !open()) return nullptr;
             auto frame = ahead_ ? std::move(ahead_) : file_->next();
             const FootagePart& part = *std::prev(part_);
-            if (frame && !is_past(part.span, frame->index, frame->pts)) {
+            if (frame && !video::is_past(part.span, frame->index, frame->pts)) {
                 frame->pts += part.file.begin;
                 return frame;
             }
@@ -243,7 +244,7 @@ class PieceFrames {
     }
 
     /// Of the first file that has a frame of the piece.
-    const VideoInfo& info() const { return *info_; }
+    const video::VideoInfo& info() const { return *info_; }
     Size size() const { return size_; }
     std::int64_t expected() const { return expected_; }
     std::int64_t damaged() const { return damaged_; }
@@ -252,8 +253,8 @@ class PieceFrames {
     bool open() {
         if (part_ == job_.parts.end()) return false;
         const FootagePart& part = *part_++;
-        file_ = open_source(part.file.path, options_);
-        expected_ += expected_frames(file_->info(), part.span);
+        file_ = video::open_source(part.file.path, options_);
+        expected_ += video::expected_frames(file_->info(), part.span);
         ahead_ = first_of(*file_, part.span);
         if (!info_ && ahead_) {
             info_ = file_->info();
@@ -263,29 +264,29 @@ class PieceFrames {
     }
 
     const PieceJob& job_;
-    SourceOptions options_;
+    video::SourceOptions options_;
     std::vector<FootagePart>::const_iterator part_ = job_.parts.begin();
-    std::unique_ptr<FrameSource> file_;
-    std::unique_ptr<DecodedFrame> ahead_;
-    std::optional<VideoInfo> info_;
+    std::unique_ptr<video::FrameSource> file_;
+    std::unique_ptr<video::DecodedFrame> ahead_;
+    std::optional<video::VideoInfo> info_;
     Size size_;
     std::int64_t expected_ = 0;
     std::int64_t damaged_ = 0;
 };
 
-Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<DecodedFrame> frame, const WriteAt& write_at,
-               Observer& observer, const std::stop_token& stop) {
+Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::DecodedFrame> frame,
+               const WriteAt& write_at, Observer& observer, const std::stop_token& stop) {
     constexpr int ticks = 90'000;
     constexpr int default_rate = 25;
     const Encoding& encoding = encoding_for(job.path);
     const double given = frames.info().rate;
     const int rate = given > 0 ? static_cast<int>(std::clamp(std::round(given), 1.0, 1000.0)) : default_rate;
-    const SegmentPlace& last = job.parts.back().file;
+    const video::SegmentPlace& last = job.parts.back().file;
     const double end = std::min(job.span.end.value_or(last.end), last.end);
-    const Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
-    FilmEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags}, job.path.string(),
-                     frames.info().size, ticks, rate, 2 * rate, write_at);
-    Scaler scale(frames.size(), true);
+    const video::Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
+    image::FilmEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags},
+                            job.path.string(), frames.info().size, ticks, rate, 2 * rate, write_at);
+    video::Scaler scale(frames.size(), true);
     Encoded encoded{0, 0, frame->pts, frame->pts};
     std::int64_t last_tick = -1;
     for (; frame; frame = frames.next()) {
@@ -306,11 +307,11 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<Decoded
 bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop) {
     PieceFrames frames(job);
     auto frame = frames.next();
-    if (!frame) throw_empty(job.name, job.span, std::nullopt);
+    if (!frame) video::throw_empty(job.name, job.span, std::nullopt);
     Encoded encoded;
     try {
         const auto held = observer.guard();
-        replace_file(job.path, [&](const WriteAt& write_at) {
+        image::replace_file(job.path, [&](const WriteAt& write_at) {
             encoded = encode(job, frames, std::move(frame), write_at, observer, stop);
         });
     } catch (const Stopped&) {
@@ -328,4 +329,4 @@ bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token
     return true;
 }
 
-}  // namespace vvr
+}  // namespace vvr::app

@@ -11,14 +11,14 @@
 #include "cli/app/observer.h"
 #include "core/base/wall_clock.h"
 
-namespace vvr {
+namespace vvr::app {
 
 /// A piece of footage, all of which is known.
 struct PieceJob {
     std::string name;    ///< of the footage, for messages
     std::string camera;  ///< empty = not known
     std::vector<FootagePart> parts;
-    FrameSpan span;                         ///< that was asked for, in seconds of the recording
+    video::FrameSpan span;                  ///< that was asked for, in seconds of the recording
     WallClock clock{};                      ///< of the recording; none = not known
     std::optional<std::int64_t> created{};  ///< then: when its container says it was made, seconds since 1970 (UTC)
     InputOptions input;
@@ -41,4 +41,4 @@ bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& 
 /// Encodes the frames of the piece anew, without sound.
 bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
-}  // namespace vvr
+}  // namespace vvr::app

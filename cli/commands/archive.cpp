@@ -9,16 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands/command.h"
-#include "cli/options/job_options.h"
 #include "cli/app/open_fields.h"
 #include "cli/app/settings.h"
+#include "cli/commands/command.h"
+#include "cli/options/job_options.h"
 #include "core/archive/names.h"
 #include "core/base/read_file.h"
 #include "core/base/sha256.h"
 #include "gl/context.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -26,10 +26,10 @@ namespace {
 constexpr std::array drawn_with{setting::backend.name, setting::device.name, setting::gl_debug.name};
 
 /// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
-std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
+std::string digest_of(const options::CommandLine& line, const workers::ArchiveOptions& options) {
     std::string text;
-    for (const Group group : picture_groups) {
-        for (const OptionValue& value : line.values(std::span(&group, 1))) {
+    for (const options::Group group : options::picture_groups) {
+        for (const options::OptionValue& value : line.values(std::span(&group, 1))) {
             if (value.value.empty()) continue;
             text += fmt::format("{}={}\n", value.name, value.shown());
             std::error_code none;
@@ -37,8 +37,8 @@ std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
                 text += read_file(value.value);
         }
     }
-    for (const OutputRow& row : output_rows) {
-        if (row.kind != OutputKind::page || !options.no_pages)
+    for (const archive::OutputRow& row : archive::output_rows) {
+        if (row.kind != archive::OutputKind::page || !options.no_pages)
             text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
     std::string digest;
@@ -48,48 +48,49 @@ std::string digest_of(const CommandLine& line, const ArchiveOptions& options) {
 
 class Archive final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        add_archive_options(line, options_);
-        add_input_options(line, job_.input, "CLIPS", "the folder that holds the clips, in folders of its own or not");
-        add_layout_options(line, job_.input);
-        add_picture_options(line, job_);
+    void add_options(options::CommandLine& line) override {
+        options::add_archive_options(line, options_);
+        options::add_input_options(line, job_.input, "CLIPS",
+                                   "the folder that holds the clips, in folders of its own or not");
+        options::add_layout_options(line, job_.input);
+        options::add_picture_options(line, job_);
         line.examples({{"vvr archive clips -o pictures --dry-run", "what would be done, and why"},
                        {"vvr archive clips -o pictures --prune --quiet",
                         "for cron: draw what is new, remove what is gone, print what failed"},
                        {"vvr archive recordings -o days --per day", "a picture per camera and day"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment& environment) override {
-        if (!job_.input.names.empty()) options_.in = only_input(job_.input);
-        check(options_);
-        finish(line, job_, false);
-        if (!options_.index_only) validate(job_);
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
+        if (!job_.input.names.empty()) options_.in = app::only_input(job_.input);
+        options::check(options_);
+        options::finish(line, job_, false);
+        if (!options_.index_only) app::validate(job_);
         options_.settings = digest_of(line, options_);
-        for (const OptionValue& value : line.given(picture_groups)) {
+        for (const options::OptionValue& value : line.given(options::picture_groups)) {
             if (value.name != setting::names.name) pass_on(value);
         }
         for (const std::string& layout : job_.input.layouts) {
             pass_on({std::string(setting::names.name), layout});
         }
-        for (const OptionValue& value : line.given(std::array{Group::run})) {
+        for (const options::OptionValue& value : line.given(std::array{options::Group::run})) {
             if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
             std::string passed = pass_on(value);
             if (value.name != setting::gl_debug.name) options_.drawn_with.push_back(std::move(passed));
         }
-        options_.needs.gpu = may_use_gpu(job_.backend.name);
+        options_.needs.gpu = gl::may_use_gpu(job_.backend.name);
         options_.names = job_.input.layouts;
         options_.threads = job_.fields.threads;
-        return run_archive(options_, environment);
+        return workers::run_archive(options_, environment);
     }
 
   private:
-    std::string pass_on(const OptionValue& value) {
+    std::string pass_on(const options::OptionValue& value) {
         if (value.may_be_file) options_.needs.files.emplace_back(value.value);
         return options_.worker_options.emplace_back(fmt::format("--{}={}", value.name, value.value));
     }
 
-    ArchiveOptions options_;
-    RenderJob job_;
+    workers::ArchiveOptions options_;
+    app::RenderJob job_;
 };
 
 }  // namespace
@@ -98,4 +99,4 @@ std::unique_ptr<Command> make_archive() {
     return std::make_unique<Archive>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

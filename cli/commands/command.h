@@ -10,7 +10,7 @@
 #include "cli/exit_status.h"
 #include "cli/options/command_line.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 using Arguments = std::span<const std::string>;
 
@@ -20,10 +20,10 @@ class Command {
     virtual ~Command() = default;
 
     /// Adds the command's options, beside those of every command.
-    virtual void add_options(CommandLine& line) = 0;
+    virtual void add_options(options::CommandLine& line) = 0;
 
     /// Does the work, once the options have their values.
-    virtual ExitStatus run(const CommandLine& line, const Environment& environment) = 0;
+    virtual cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) = 0;
 };
 
 /// One row of the table of commands.
@@ -37,13 +37,13 @@ struct CommandRow {
 std::span<const CommandRow> commands();
 
 /// The options that config files can set, of every command.
-std::vector<CommandNames> names_of_commands();
+std::vector<options::CommandNames> names_of_commands();
 
 /// \throws Error usage when there is no command of that name
 const CommandRow& find_command(const std::string& name);
 
 /// Runs the command that the first argument names, with the others; --help as well.
-ExitStatus run_command(Arguments arguments, const Environment& environment);
+cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment);
 
 std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_watch();
@@ -57,4 +57,4 @@ std::unique_ptr<Command> make_info();
 std::unique_ptr<Command> make_config();
 std::unique_ptr<Command> make_doctor();
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -46,29 +46,29 @@ bool looks_like_input(const std::string& text) {
            std::filesystem::path(text).has_extension();
 }
 
-ExitStatus run_with(const CommandRow& row, Arguments arguments, const Environment& environment) {
+cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
     const std::unique_ptr<Command> command = row.make();
-    TalkOptions talk;
-    CommandLine line(std::string(row.name), std::string(row.help));
+    options::TalkOptions talk;
+    options::CommandLine line(std::string(row.name), std::string(row.help));
     line.knows_commands(names_of_commands);
     command->add_options(line);
-    add_talk_options(line, talk);
-    if (!line.parse(arguments)) return ExitStatus::done;
-    check_inputs_stay(line);
-    apply(talk, environment.log);
+    options::add_talk_options(line, talk);
+    if (!line.parse(arguments)) return cli::ExitStatus::done;
+    options::check_inputs_stay(line);
+    options::apply(talk, environment.log);
     return command->run(line, {environment.log, environment.signals, talk.quiet});
 }
 
 }  // namespace
 
-std::vector<CommandNames> names_of_commands() {
-    std::vector<CommandNames> names;
+std::vector<options::CommandNames> names_of_commands() {
+    std::vector<options::CommandNames> names;
     for (const CommandRow& row : table) {
         const std::unique_ptr<Command> command = row.make();
-        TalkOptions talk;
-        CommandLine line(std::string(row.name), std::string(row.help));
+        options::TalkOptions talk;
+        options::CommandLine line(std::string(row.name), std::string(row.help));
         command->add_options(line);
-        add_talk_options(line, talk);
+        options::add_talk_options(line, talk);
         names.push_back({std::string(row.name), line.configurable()});
     }
     return names;
@@ -91,7 +91,7 @@ const CommandRow& find_command(const std::string& name) {
     return *row;
 }
 
-ExitStatus run_command(Arguments arguments, const Environment& environment) {
+cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment) {
     if (arguments.empty()) {
         throw Error(ErrorKind::usage, fmt::format("no command; there are {}: `vvr --help` says what they do",
                                                   fmt::join(names_of(table), ", ")));
@@ -102,14 +102,14 @@ ExitStatus run_command(Arguments arguments, const Environment& environment) {
             const std::string asked = "--help";
             return run_with(find_command(arguments[1]), std::span(&asked, 1), environment);
         }
-        print(help());
-        return ExitStatus::done;
+        cli::print(help());
+        return cli::ExitStatus::done;
     }
     if (name == "--version" || name == "-V" || name == "version") {
-        print(version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
-        return ExitStatus::done;
+        cli::print(cli::version_text() + "OpenGL: `vvr doctor` shows the renderers\n");
+        return cli::ExitStatus::done;
     }
     return run_with(find_command(name), arguments.subspan(1), environment);
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -9,16 +9,16 @@
 #include "core/base/error.h"
 #include "core/base/shown_text.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
 /// A command's options as a config file has them, without anything on the command line.
-void read(CommandLine& line, Command& command, TalkOptions& talk, const ConfigChoice& choice,
+void read(options::CommandLine& line, Command& command, options::TalkOptions& talk, const options::ConfigChoice& choice,
           const std::string& preset = {}) {
     line.knows_commands(names_of_commands);
     command.add_options(line);
-    add_talk_options(line, talk);
+    options::add_talk_options(line, talk);
     std::vector<std::string> arguments;
     // What was not named on the command line is found again, so that errors say who named it.
     if (choice.file.empty()) arguments.emplace_back("--no-config");
@@ -27,7 +27,7 @@ void read(CommandLine& line, Command& command, TalkOptions& talk, const ConfigCh
     line.parse(arguments);
 }
 
-std::string file_line(const ConfigChoice& choice) {
+std::string file_line(const options::ConfigChoice& choice) {
     if (!choice.file.empty())
         return fmt::format("config file: {} ({})\n", shown_text(choice.file.string()), choice.why);
     std::string text = "config file: none";
@@ -38,12 +38,12 @@ std::string file_line(const ConfigChoice& choice) {
 }
 
 /// What the file sets for each command that it holds for.
-std::string settings_of_all(const ConfigChoice& choice) {
+std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : commands()) {
         const std::unique_ptr<Command> command = row.make();
-        TalkOptions talk;
-        CommandLine line(std::string(row.name), std::string(row.help));
+        options::TalkOptions talk;
+        options::CommandLine line(std::string(row.name), std::string(row.help));
         try {
             read(line, *command, talk, choice);
         } catch (const Error& error) {
@@ -52,7 +52,7 @@ std::string settings_of_all(const ConfigChoice& choice) {
             text += fmt::format("vvr {}: {}\n", row.name, error.what());
             continue;
         }
-        for (const OptionValue& option : line.given(all_groups)) {
+        for (const options::OptionValue& option : line.given(options::all_groups)) {
             if (option.name != "config")
                 text += fmt::format("vvr {}: {} = {}\n", row.name, option.name, shown_text(option.value));
         }
@@ -61,17 +61,17 @@ std::string settings_of_all(const ConfigChoice& choice) {
 }
 
 /// Every option of one command: its value, and who sets it.
-std::string settings_of(const CommandRow& row, const ConfigChoice& choice, const std::string& preset) {
+std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
     const std::unique_ptr<Command> command = row.make();
-    TalkOptions talk;
-    CommandLine line(std::string(row.name), std::string(row.help));
+    options::TalkOptions talk;
+    options::CommandLine line(std::string(row.name), std::string(row.help));
     read(line, *command, talk, choice, preset);
     std::string text;
-    const auto of_preset = settings_of_preset(preset);
-    const std::vector<OptionValue> given = line.given(all_groups);
-    for (const OptionValue& option : line.values(all_groups)) {
+    const auto of_preset = options::settings_of_preset(preset);
+    const std::vector<options::OptionValue> given = line.given(options::all_groups);
+    for (const options::OptionValue& option : line.values(options::all_groups)) {
         if (option.name == "config" || option.name == "no-config" || option.name == "help") continue;
-        const bool set = std::ranges::find(given, option.name, &OptionValue::name) != given.end();
+        const bool set = std::ranges::find(given, option.name, &options::OptionValue::name) != given.end();
         // A preset that is asked for wins over the config file.
         const bool preset_sets =
             (!preset.empty() && option.name == setting::preset.name) ||
@@ -84,19 +84,19 @@ std::string settings_of(const CommandRow& row, const ConfigChoice& choice, const
 
 class Config final : public Command {
   public:
-    void add_options(CommandLine& line) override {
+    void add_options(options::CommandLine& line) override {
         line.arguments(names_, "[COMMAND]",
                        "whose options are listed, with their values; what the file sets if not given");
         line.only_find_config();
-        line.choice(Group::output, presets(), preset_, setting::preset);
+        line.choice(options::Group::output, options::presets(), preset_, setting::preset);
         line.examples({{"vvr config", "which config file is in force, and what it sets"},
                        {"vvr config render", "every option of render, and who sets it"},
                        {"vvr config render --no-config", "the defaults"},
                        {"vvr config render --preset paper", "what a preset sets"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment&) override {
-        const ConfigChoice& choice = line.config();
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {
+        const options::ConfigChoice& choice = line.config();
         if (names_.size() > 1)
             throw Error(ErrorKind::usage,
                         fmt::format("'{}' is one argument too many; `vvr config` takes one COMMAND", names_[1]));
@@ -111,8 +111,8 @@ class Config final : public Command {
         } else {
             text += settings_of(find_command(names_.front()), choice, preset_);
         }
-        print(text);
-        return ExitStatus::done;
+        cli::print(text);
+        return cli::ExitStatus::done;
     }
 
   private:
@@ -126,4 +126,4 @@ std::unique_ptr<Command> make_config() {
     return std::make_unique<Config>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

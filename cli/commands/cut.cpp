@@ -9,18 +9,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/settings.h"
 #include "core/base/choice.h"
 #include "core/base/error.h"
 #include "core/video/container.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -41,17 +41,17 @@ constexpr Setting exact{"exact", "",
 
 class Cut final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        constexpr Group output = Group::output;
+    void add_options(options::CommandLine& line) override {
+        constexpr options::Group output = options::Group::output;
         line.path(output, job_.path, text::output,
                   {.letter = 'o',
-                   .help = fmt::format(": {}", fmt::join(names_of(containers()), " ")),
-                   .use = FileUse::written});
+                   .help = fmt::format(": {}", fmt::join(names_of(video::containers()), " ")),
+                   .use = options::FileUse::written});
         line.value(output, text::event, "", [this](const std::string& given) {
-            job_.event = parse_integer(given, static_cast<std::int64_t>(text::event.range.low),
-                                       static_cast<std::int64_t>(text::event.range.high));
+            job_.event = options::parse_integer(given, static_cast<std::int64_t>(text::event.range.low),
+                                                static_cast<std::int64_t>(text::event.range.high));
         });
-        line.path(output, job_.report, text::report, {.use = FileUse::read});
+        line.path(output, job_.report, text::report, {.use = options::FileUse::read});
         line.value(output, text::from, "",
                    [this](const std::string& given) { set(given, job_.from, job_.asked.start); });
         line.value(output, text::to, "", [this](const std::string& given) { set(given, job_.to, job_.asked.end); });
@@ -62,51 +62,51 @@ class Cut final : public Command {
         line.exclude(text::report, text::from);
         line.exclude(text::report, text::to);
         // Whatever decides which events there are, and which number each has.
-        RenderJob& search = job_.search;
-        add_event_options(line, output, search.output.events);
-        add_input_options(
+        app::RenderJob& search = job_.search;
+        options::add_event_options(line, output, search.output.events);
+        options::add_input_options(
             line, search.input, "INPUT...",
             "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one "
             "recording");
-        add_layout_options(line, search.input);
-        add_join_option(line, search.input);
-        add_start_time_option(line, search.look.start_time);
-        add_span_options(line, search.fields.span);
-        add_field_options(line, search.fields);
-        add_preset_option(line, Group::run);
-        add_thread_options(line, search.fields.threads);
+        options::add_layout_options(line, search.input);
+        options::add_join_option(line, search.input);
+        options::add_start_time_option(line, search.look.start_time);
+        options::add_span_options(line, search.fields.span);
+        options::add_field_options(line, search.fields);
+        options::add_preset_option(line, options::Group::run);
+        options::add_thread_options(line, search.fields.threads);
         line.examples(
             {{"vvr cut clip.avi -o event.mkv --event 1", "the first event of the clip's picture"},
              {"vvr cut clip.avi -o piece.avi --from 0.5s --to 00:00:01.5", "a piece, copied from the key frame before"},
              {"vvr cut clip.avi -o exact.mp4 --from 5f --to 15f --exact", "exactly these frames, encoded again"}});
     }
 
-    ExitStatus run(const CommandLine&, const Environment& environment) override {
-        require_input(job_.search.input);
+    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+        app::require_input(job_.search.input);
         if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the piece goes with -o FILE");
         if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
             throw Error(ErrorKind::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
         }
-        Console console(environment);
+        cli::Console console(environment);
         const std::stop_source stop;
         environment.signals.before_end([stop]() mutable { stop.request_stop(); });
-        if (!cut(job_, console, stop.get_token())) {
+        if (!app::cut(job_, console, stop.get_token())) {
             // What stopped it was a signal, and that ends the program now.
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
         }
         environment.signals.before_end({});
-        return ExitStatus::done;
+        return cli::ExitStatus::done;
     }
 
   private:
     /// A time of the clip, or one by the clock on the wall.
-    static void set(const std::string& given, std::optional<Time>& time, std::optional<AskedTime>& asked) {
-        const auto place = parse_place(given);
-        time = std::holds_alternative<Time>(place) ? std::optional(std::get<Time>(place)) : std::nullopt;
-        asked = time ? std::nullopt : std::optional(std::get<AskedTime>(place));
+    static void set(const std::string& given, std::optional<app::Time>& time, std::optional<video::AskedTime>& asked) {
+        const auto place = options::parse_place(given);
+        time = std::holds_alternative<app::Time>(place) ? std::optional(std::get<app::Time>(place)) : std::nullopt;
+        asked = time ? std::nullopt : std::optional(std::get<video::AskedTime>(place));
     }
 
-    CutJob job_;
+    app::CutJob job_;
 };
 
 }  // namespace
@@ -115,4 +115,4 @@ std::unique_ptr<Command> make_cut() {
     return std::make_unique<Cut>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

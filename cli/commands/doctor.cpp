@@ -7,16 +7,16 @@
 #include "cli/options/job_options.h"
 #include "cli/print.h"
 #include "cli/versions.h"
-#include "core/image/text.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
+#include "core/image/text.h"
 #include "gl/context.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
-std::string describe(const BackendReport& report) {
+std::string describe(const gl::BackendReport& report) {
     std::string text =
         fmt::format("{:<14} {}: {}\n", report.name, report.works ? "works" : "does not work", report.what);
     const auto line = [&text](const std::string& name, const std::string& value) {
@@ -30,7 +30,7 @@ std::string describe(const BackendReport& report) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const BackendReport& report) {
+nlohmann::ordered_json json_of(const gl::BackendReport& report) {
     const auto known = [](const std::string& text) {
         return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
     };
@@ -45,16 +45,16 @@ nlohmann::ordered_json json_of(const BackendReport& report) {
 }
 
 /// What `--backend auto` takes: the first that works.
-auto drawn_with(const std::vector<BackendReport>& reports) {
-    return std::ranges::find_if(reports, &BackendReport::works);
+auto drawn_with(const std::vector<gl::BackendReport>& reports) {
+    return std::ranges::find_if(reports, &gl::BackendReport::works);
 }
 
-std::string as_json(const std::vector<BackendReport>& reports) {
+std::string as_json(const std::vector<gl::BackendReport>& reports) {
     nlohmann::ordered_json libraries = nlohmann::ordered_json::object();
-    for (const LibraryVersion& library : library_versions()) libraries[library.name] = library.version;
+    for (const cli::LibraryVersion& library : cli::library_versions()) libraries[library.name] = library.version;
     nlohmann::ordered_json backends = nlohmann::ordered_json::array();
-    for (const BackendReport& report : reports) backends.push_back(json_of(report));
-    const std::string font = font_name();
+    for (const gl::BackendReport& report : reports) backends.push_back(json_of(report));
+    const std::string font = image::font_name();
     const auto drawn = drawn_with(reports);
     return json_text(
                {{"vvr", version()},
@@ -66,19 +66,19 @@ std::string as_json(const std::vector<BackendReport>& reports) {
            "\n";
 }
 
-std::string as_text(const std::vector<BackendReport>& reports) {
-    const std::string font = font_name();
-    std::string text =
-        version_text() + fmt::format("font           {}\n",
-                                     font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
+std::string as_text(const std::vector<gl::BackendReport>& reports) {
+    const std::string font = image::font_name();
+    std::string text = cli::version_text() +
+                       fmt::format("font           {}\n",
+                                   font.empty() ? "none: pictures have no text; install fonts-dejavu-core" : font);
     const auto drawn = drawn_with(reports);
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; below is how to fix it"
                                                    : fmt::format("{}: {}", drawn->name, drawn->renderer));
     // What works comes first: where there is no GPU, a backend for GPUs that fails is no fault.
-    std::vector<BackendReport> sorted = reports;
-    std::ranges::stable_partition(sorted, &BackendReport::works);
-    for (const BackendReport& report : sorted) text += fmt::format("\n{}", describe(report));
+    std::vector<gl::BackendReport> sorted = reports;
+    std::ranges::stable_partition(sorted, &gl::BackendReport::works);
+    for (const gl::BackendReport& report : sorted) text += fmt::format("\n{}", describe(report));
     return text;
 }
 
@@ -86,30 +86,30 @@ constexpr Setting json_option{"json", "", "for programs: null where there is not
 
 class Doctor final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        line.flag(Group::output, json_, json_option);
-        add_thread_options(line, threads_);
-        add_backend_options(line, backend_);
+    void add_options(options::CommandLine& line) override {
+        line.flag(options::Group::output, json_, json_option);
+        options::add_thread_options(line, threads_);
+        options::add_backend_options(line, backend_);
         line.examples({{"vvr doctor", "which OpenGL works here, and what to install for what does not"},
                        {"vvr doctor --json", "the same for programs"},
                        {"vvr doctor --backend software", "whether this one works: the status is 4 where it doesn't"}});
     }
 
-    ExitStatus run(const CommandLine&, const Environment& environment) override {
-        const std::vector<BackendReport> reports = probe_backends();
-        print(json_ ? as_json(reports) : as_text(reports));
-        if (std::ranges::any_of(reports, &BackendReport::works)) {
-            const bool asked = backend_.name != BackendOptions().name || backend_.device >= 0;
-            if (asked) open_context(backend_.name, backend_.device);
-            return ExitStatus::done;
+    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+        const std::vector<gl::BackendReport> reports = gl::probe_backends();
+        cli::print(json_ ? as_json(reports) : as_text(reports));
+        if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
+            const bool asked = backend_.name != app::BackendOptions().name || backend_.device >= 0;
+            if (asked) gl::open_context(backend_.name, backend_.device);
+            return cli::ExitStatus::done;
         }
         environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
-        return ExitStatus::backend;
+        return cli::ExitStatus::backend;
     }
 
   private:
     bool json_ = false;
-    BackendOptions backend_;
+    app::BackendOptions backend_;
     int threads_ = 0;  // taken for config files that hold for all commands
 };
 
@@ -119,4 +119,4 @@ std::unique_ptr<Command> make_doctor() {
     return std::make_unique<Doctor>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -1,14 +1,14 @@
 #include "cli/app/extract.h"
 
+#include "cli/app/open_fields.h"
+#include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/settings.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -21,38 +21,39 @@ constexpr Setting part{"part", "I/N",
 
 class Extract final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        constexpr Group output = Group::output;
-        line.path(output, job_.folder, text::output, {.letter = 'o', .use = FileUse::written});
+    void add_options(options::CommandLine& line) override {
+        constexpr options::Group output = options::Group::output;
+        line.path(output, job_.folder, text::output, {.letter = 'o', .use = options::FileUse::written});
         // Not in the group of the fields: it changes what is kept, not what a field is.
         line.number(output, job_.fields.flow.every, setting::flow_every);
         line.flag(output, job_.colour, text::with_color);
         // The settings record which part it is as --start and --end.
-        line.value(output, text::part, "", [this](const std::string& given) { job_.part = parse_share(given); });
-        add_input_options(line, job_.input, "INPUT...", clip_input);
-        add_layout_options(line, job_.input);
-        add_join_option(line, job_.input);
-        add_span_options(line, job_.fields.span);
-        add_field_options(line, job_.fields);
-        add_preset_option(line, Group::run);
-        add_start_time_option(line, job_.start_time);
-        add_thread_options(line, job_.fields.threads);
+        line.value(output, text::part, "",
+                   [this](const std::string& given) { job_.part = options::parse_share(given); });
+        options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
+        options::add_layout_options(line, job_.input);
+        options::add_join_option(line, job_.input);
+        options::add_span_options(line, job_.fields.span);
+        options::add_field_options(line, job_.fields);
+        options::add_preset_option(line, options::Group::run);
+        options::add_start_time_option(line, job_.start_time);
+        options::add_thread_options(line, job_.fields.threads);
         line.examples({{"vvr extract clip.avi -o data", "fields, flow and seeds as files"},
                        {"vvr render data -o data.png", "the picture of them"},
                        {"vvr extract clip.avi -o part --part 2/8 --with-color", "one of eight parts of a long clip"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
-        require_input(job_.input);
-        job_.settings = shown(line.values(std::array{Group::input, Group::fields}));
-        Console console(environment);
-        extract(job_, console);
-        return ExitStatus::done;
+        app::require_input(job_.input);
+        job_.settings = options::shown(line.values(std::array{options::Group::input, options::Group::fields}));
+        cli::Console console(environment);
+        app::extract(job_, console);
+        return cli::ExitStatus::done;
     }
 
   private:
-    ExtractJob job_;
+    app::ExtractJob job_;
 };
 
 }  // namespace
@@ -61,4 +62,4 @@ std::unique_ptr<Command> make_extract() {
     return std::make_unique<Extract>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

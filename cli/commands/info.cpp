@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands/command.h"
-#include "cli/options/job_options.h"
-#include "cli/print.h"
 #include "cli/app/clip_list.h"
 #include "cli/app/open_fields.h"
 #include "cli/app/plan.h"
+#include "cli/commands/command.h"
+#include "cli/options/job_options.h"
+#include "cli/print.h"
 #include "core/base/clock_source.h"
 #include "core/base/json_text.h"
-#include "core/labels/time_ticks.h"
 #include "core/base/shown_text.h"
 #include "core/base/words.h"
+#include "core/labels/time_ticks.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -25,13 +25,13 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-bool recorded_is_known(const VideoInfo& info) {
+bool recorded_is_known(const video::VideoInfo& info) {
     return info.began && tells_recording(info.began_by);
 }
 
-std::string as_text(const FieldSource& source, const Plan& plan, const std::vector<Segment>& files,
+std::string as_text(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
                     const std::vector<std::string>& warnings) {
-    const VideoInfo& info = source.info();
+    const video::VideoInfo& info = source.info();
     std::string text = shown_text(without_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
         text += fmt::format("  {:<8} {}\n", name, value);
@@ -42,10 +42,10 @@ std::string as_text(const FieldSource& source, const Plan& plan, const std::vect
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (recorded_is_known(info)) {
-        line("recorded", fmt::format("{} UTC, {}", format_clock(*info.began), row_of(info.began_by).words));
+        line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_by).words));
     }
     if (info.created) {
-        line("written", fmt::format("{} UTC, as the container says{}", format_clock(*info.created),
+        line("written", fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
                                     recorded_is_known(info)
                                         ? ""
                                         : "; that need not be when it was recorded (--start-time container takes it)"));
@@ -58,28 +58,29 @@ std::string as_text(const FieldSource& source, const Plan& plan, const std::vect
     line("bricks", fmt::to_string(plan.bricks));
     line("memory", fmt::format("at most about {} MB", plan.bytes / 1'000'000));
     if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
-    for (const Segment& clip : files) text += fmt::format("  {}: {}\n", shown_text(clip.path), text_of(clip));
+    for (const video::Segment& clip : files)
+        text += fmt::format("  {}: {}\n", shown_text(clip.path), app::text_of(clip));
     return text;
 }
 
-nlohmann::ordered_json json_of(const Segment& clip) {
+nlohmann::ordered_json json_of(const video::Segment& clip) {
     using Json = nlohmann::ordered_json;
     return {{"file", clip.path},
             {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
-            {"begin", clip.begin ? Json(format_clock(*clip.begin)) : Json()},
+            {"begin", clip.begin ? Json(labels::format_clock(*clip.begin)) : Json()},
             {"told_by", row_of(clip.begin_by).name},
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
-std::string as_json(const FieldSource& source, const Plan& plan, const std::vector<Segment>& files,
+std::string as_json(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
                     const std::vector<std::string>& warnings) {
-    const VideoInfo& info = source.info();
+    const video::VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
     const auto time = [](std::optional<std::int64_t> utc) {
-        return utc ? nlohmann::ordered_json(format_clock(*utc)) : nlohmann::ordered_json();
+        return utc ? nlohmann::ordered_json(labels::format_clock(*utc)) : nlohmann::ordered_json();
     };
     nlohmann::ordered_json listed = nlohmann::ordered_json::array();
-    for (const Segment& clip : files) listed.push_back(json_of(clip));
+    for (const video::Segment& clip : files) listed.push_back(json_of(clip));
     const nlohmann::ordered_json json{
         {"name", info.name},
         {"container", info.container},
@@ -111,30 +112,30 @@ constexpr Setting json_option{"json", "", "for programs: null where the containe
 
 class Info final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        line.flag(Group::output, json_, json_option);
-        add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
-        add_layout_options(line, job_.input);
-        add_join_option(line, job_.input);
-        add_picture_options(line, job_);
+    void add_options(options::CommandLine& line) override {
+        line.flag(options::Group::output, json_, json_option);
+        options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
+        options::add_layout_options(line, job_.input);
+        options::add_join_option(line, job_.input);
+        options::add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "what the clip is, and what a picture of it would need"},
                        {"vvr info clip.avi --json", "the same for programs"},
                        {"vvr info clip.avi --field-size source", "what larger fields would need"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment&) override {
-        require_input(job_.input);
-        finish(line, job_, false);
-        validate(job_);
-        const OpenedFields fields = open_fields(job_);
-        const std::vector<Segment> files = list_clips(job_.input);
-        const Plan plan = make_plan(job_, {}, *fields.source);
-        print((json_ ? as_json : as_text)(*fields.source, plan, files, fields.warnings));
-        return ExitStatus::done;
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {
+        app::require_input(job_.input);
+        options::finish(line, job_, false);
+        app::validate(job_);
+        const app::OpenedFields fields = app::open_fields(job_);
+        const std::vector<video::Segment> files = app::list_clips(job_.input);
+        const app::Plan plan = app::make_plan(job_, {}, *fields.source);
+        cli::print((json_ ? as_json : as_text)(*fields.source, plan, files, fields.warnings));
+        return cli::ExitStatus::done;
     }
 
   private:
-    RenderJob job_;
+    app::RenderJob job_;
     bool json_ = false;
 };
 
@@ -144,4 +145,4 @@ std::unique_ptr<Command> make_info() {
     return std::make_unique<Info>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -7,26 +7,26 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/open_fields.h"
+#include "cli/app/tell_problems.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/tell_problems.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
 class Render final : public Command {
   public:
-    void add_options(CommandLine& line) override {
-        add_output_options(line, job_.output);
-        add_input_options(line, job_.input, "INPUT...", clip_or_extraction_input);
-        add_layout_options(line, job_.input);
-        add_join_option(line, job_.input);
-        add_picture_options(line, job_);
+    void add_options(options::CommandLine& line) override {
+        options::add_output_options(line, job_.output);
+        options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
+        options::add_layout_options(line, job_.input);
+        options::add_join_option(line, job_.input);
+        options::add_picture_options(line, job_);
         line.examples({{"vvr render clip.avi -o clip.png", "the whole clip as one picture"},
                        {"vvr render clip.avi -o clip.html --report clip.json",
                         "a page to watch the clip from, and its events for programs"},
@@ -34,21 +34,21 @@ class Render final : public Command {
                         "all files of a recorder's day as one picture"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
         check_meant_output();
-        check(job_.output);
-        finish(line, job_, is_series(job_.output));
-        check_outputs(job_);
-        require_input(job_.input);
-        Console console(environment);
-        require_whole(render(job_, console).info);
-        return ExitStatus::done;
+        options::check(job_.output);
+        options::finish(line, job_, app::is_series(job_.output));
+        options::check_outputs(job_);
+        app::require_input(job_.input);
+        cli::Console console(environment);
+        app::require_whole(app::render(job_, console).info);
+        return cli::ExitStatus::done;
     }
 
   private:
     /// `vvr render clip.avi out.png`: the last name is that of a file which is to be made.
     void check_meant_output() const {
-        const OutputOptions& output = job_.output;
+        const app::OutputOptions& output = job_.output;
         const std::vector<std::string>& names = job_.input.names;
         if (!output.path.empty() || !output.report.empty() || !output.golden.path.empty() || names.size() < 2) return;
         std::error_code none;
@@ -59,7 +59,7 @@ class Render final : public Command {
             fmt::format("no output, and there is no input '{0}'; if that is where the picture goes: -o '{0}'", last));
     }
 
-    RenderJob job_;
+    app::RenderJob job_;
 };
 
 }  // namespace
@@ -68,4 +68,4 @@ std::unique_ptr<Command> make_render() {
     return std::make_unique<Render>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -4,14 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/open_fields.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/app/open_fields.h"
 #include "core/base/error.h"
 #include "core/fields/reference.h"
 
-namespace vvr {
+namespace vvr::commands {
 
 namespace {
 
@@ -19,18 +19,19 @@ class Watch final : public Command {
   public:
     Watch() {
         // A reference that needs the whole clip would have to wait for the end.
-        job_.fields.reference = std::ranges::find_if(reference_kinds(), &ReferenceRow::adapts)->name;
+        job_.fields.reference = std::ranges::find_if(fields::reference_kinds(), &fields::ReferenceRow::adapts)->name;
     }
 
-    void add_options(CommandLine& line) override {
+    void add_options(options::CommandLine& line) override {
         line.is_for_streams();
-        add_stream_output(line, job_.output);
-        add_stream_options(line, options_);
-        add_input_options(line, job_.input, "INPUT",
-                          "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a file that grows, - for "
-                          "stdin, @FILE for a URL that a file holds");
-        add_picture_options(line, job_);
-        add_stream_clock(line, job_.look.start_time);
+        options::add_stream_output(line, job_.output);
+        options::add_stream_options(line, options_);
+        options::add_input_options(
+            line, job_.input, "INPUT",
+            "a URL (rtsp://..., http://...), a camera's device (/dev/video0), a file that grows, - for "
+            "stdin, @FILE for a URL that a file holds");
+        options::add_picture_options(line, job_);
+        options::add_stream_clock(line, job_.look.start_time);
         line.examples(
             {{"vvr watch rtsp://camera/stream -o gate.html", "a page that shows the last 80 seconds"},
              {"vvr watch rtsp://camera/stream -o gate.png --brick 1m --window 10 --duration 8h",
@@ -38,15 +39,15 @@ class Watch final : public Command {
              {"vvr watch rtsp://camera/stream -o 'gate.{brick:6}.png'", "a picture each 10 seconds, all kept"}});
     }
 
-    ExitStatus run(const CommandLine& line, const Environment& environment) override {
-        check_stream(job_);
-        job_.input.names = {address_of(only_input(job_.input))};
-        finish(line, job_, true);
-        Console console(environment, false);
-        StreamWatch watch(job_, options_, console);
-        const PoliteStop stop(environment.signals, [&watch] { watch.stop(); });
+    cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
+        options::check_stream(job_);
+        job_.input.names = {options::address_of(app::only_input(job_.input))};
+        options::finish(line, job_, true);
+        cli::Console console(environment, false);
+        app::StreamWatch watch(job_, options_, console);
+        const cli::PoliteStop stop(environment.signals, [&watch] { watch.stop(); });
         if (watch.run() == 0 && !stop.asked()) {
-            const ReferenceRow* const reference = find_reference(job_.fields.reference);
+            const fields::ReferenceRow* const reference = fields::find_reference(job_.fields.reference);
             const bool learns = reference != nullptr && reference->adapts;
             throw Error(ErrorKind::not_video,
                         fmt::format("'{}' ended before the first picture: {}", watch.name(),
@@ -54,12 +55,12 @@ class Watch final : public Command {
                                              "longer, or take --reference first or a picture"
                                            : "watch it for longer, or take a shorter --brick"));
         }
-        return ExitStatus::done;
+        return cli::ExitStatus::done;
     }
 
   private:
-    RenderJob job_;
-    StreamOptions options_;
+    app::RenderJob job_;
+    app::StreamOptions options_;
 };
 
 }  // namespace
@@ -68,4 +69,4 @@ std::unique_ptr<Command> make_watch() {
     return std::make_unique<Watch>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::commands

@@ -3,20 +3,20 @@
 
 #include <vvr/clip.h>
 
-#include "cli/library/as_failure.h"
 #include "cli/app/open_fields.h"
+#include "cli/library/as_failure.h"
 #include "core/video/frame_source.h"
 
 namespace vvr {
 
 ClipInfo read_clip_info(const std::string& clip) {
     return as_failure([&] {
-        InputOptions input;
+        app::InputOptions input;
         input.names = {clip};
-        require_input(input);
+        app::require_input(input);
         std::vector<std::string> warnings;
-        const std::unique_ptr<FrameSource> source = open_clip(input, false, 0, warnings);
-        const VideoInfo& info = source->info();
+        const std::unique_ptr<video::FrameSource> source = app::open_clip(input, false, 0, warnings);
+        const video::VideoInfo& info = source->info();
         return ClipInfo{info.container, info.codec,    info.size.width, info.size.height,
                         info.rate,      info.duration, info.frames};
     });

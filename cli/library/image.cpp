@@ -12,9 +12,9 @@
 
 namespace vvr {
 
-static_assert(sizeof(Rgba) == 4 * sizeof(float), "a pixel is four floats, as an Image has them");
+static_assert(sizeof(image::Rgba) == 4 * sizeof(float), "a pixel is four floats, as an Image has them");
 
-Image image_of(const Picture& picture, const Metadata& settings) {
+Image image_of(const image::Picture& picture, const image::Metadata& settings) {
     const auto values = std::as_bytes(picture.pixels.pixels());
     Image image{picture.pixels.width(), picture.pixels.height(), std::vector<float>(values.size() / sizeof(float)),
                 settings};
@@ -32,9 +32,9 @@ void write_image(const std::string& file, const Image& image) {
                         fmt::format("'{}': an image of {}x{} pixels can't have {} values; it needs 4 per pixel", file,
                                     image.width, image.height, image.rgba.size()));
         }
-        auto pixels = Plane<Rgba>::for_overwrite({image.width, image.height});
+        auto pixels = Plane<image::Rgba>::for_overwrite({image.width, image.height});
         std::memcpy(std::as_writable_bytes(pixels.pixels()).data(), image.rgba.data(), values * sizeof(float));
-        write_picture(file, {std::move(pixels)}, image.settings);
+        image::write_picture(file, {std::move(pixels)}, image.settings);
     });
 }
 

@@ -7,6 +7,6 @@
 namespace vvr {
 
 /// A drawn picture as those who use the library see it.
-Image image_of(const Picture& picture, const Metadata& settings);
+Image image_of(const image::Picture& picture, const image::Metadata& settings);
 
 }  // namespace vvr

@@ -9,17 +9,17 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/open_fields.h"
 #include "cli/library/as_failure.h"
 #include "cli/library/image_of.h"
 #include "cli/options/job_options.h"
-#include "cli/app/open_fields.h"
 
 namespace vvr {
 
 namespace {
 
 /// Keeps what a person should know.
-class Warnings final : public Observer {
+class Warnings final : public app::Observer {
   public:
     void warn(const std::string& text, const About& /*about*/) override {
         const std::lock_guard lock(mutex_);
@@ -55,17 +55,17 @@ std::vector<std::string> arguments_of(const Settings& settings) {
     return arguments;
 }
 
-RenderJob job_of(const std::string& clip, const Settings& settings) {
-    RenderJob job;
-    CommandLine line("render", "");
-    add_input_options(line, job.input, "INPUT", "");
-    add_layout_options(line, job.input);
-    add_join_option(line, job.input);
-    add_picture_options(line, job);
+app::RenderJob job_of(const std::string& clip, const Settings& settings) {
+    app::RenderJob job;
+    options::CommandLine line("render", "");
+    options::add_input_options(line, job.input, "INPUT", "");
+    options::add_layout_options(line, job.input);
+    options::add_join_option(line, job.input);
+    options::add_picture_options(line, job);
     line.parse(arguments_of(settings));
     job.input.names = {clip};
-    require_input(job.input);
-    finish(line, job, false);
+    app::require_input(job.input);
+    options::finish(line, job, false);
     return job;
 }
 
@@ -75,9 +75,10 @@ Rendering render_image(const std::string& clip, const Settings& settings) {
     return as_failure([&] {
         Warnings warnings;
         Rendering done;
-        const RenderReport report =
-            render(job_of(clip, settings), warnings,
-                   [&done](const Picture& picture, const Metadata& record) { done.image = image_of(picture, record); });
+        const app::RenderReport report = app::render(
+            job_of(clip, settings), warnings, [&done](const image::Picture& picture, const image::Metadata& record) {
+                done.image = image_of(picture, record);
+            });
         done.frames = report.frames;
         done.damaged = report.damaged;
         done.warnings = warnings.take();

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/video/video_files.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -38,15 +38,15 @@ constexpr Setting sandbox{"sandbox", "NAME", "whether a worker is kept from all 
 
 }  // namespace
 
-void add_archive_options(CommandLine& line, ArchiveOptions& options) {
+void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
     constexpr Group archive = Group::archive;
     constexpr Group workers = Group::workers;
     line.path(archive, options.out, text::output,
-              {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", index_name)});
-    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video_endings(), " "))});
+              {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", archive::index_name)});
+    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video::video_endings(), " "))});
     line.list(archive, options.exclude, text::exclude);
-    line.choice(archive, groupings, groupings.front().name, text::per,
-                [&options](const GroupingRow& row) { options.per = row.grouping; });
+    line.choice(archive, workers::groupings, workers::groupings.front().name, text::per,
+                [&options](const workers::GroupingRow& row) { options.per = row.grouping; });
     line.value(archive, text::redraw, "15m",
                [&options](const std::string& given) { options.redraw = parse_whole_seconds(given); });
     line.value(archive, text::settle, "60s",
@@ -73,11 +73,11 @@ void add_archive_options(CommandLine& line, ArchiveOptions& options) {
                                                              "least, 1G for most clips",
                                                              given));
                });
-    line.choice(workers, sandbox_modes, sandbox_modes.front().name, text::sandbox,
-                [&options](const SandboxRow& row) { options.sandbox = row.mode; });
+    line.choice(workers, workers::sandbox_modes, workers::sandbox_modes.front().name, text::sandbox,
+                [&options](const workers::SandboxRow& row) { options.sandbox = row.mode; });
 }
 
-void check(const ArchiveOptions& options) {
+void check(const workers::ArchiveOptions& options) {
     if (options.out.empty()) throw Error(ErrorKind::usage, "no output: say where the pictures go with -o DIR");
     if (options.index_only && (options.no_index || options.prune || options.dry_run)) {
         throw Error(ErrorKind::usage, fmt::format("--index-only writes the index and nothing else; leave out {}",
@@ -90,4 +90,4 @@ void check(const ArchiveOptions& options) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

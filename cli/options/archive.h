@@ -3,11 +3,11 @@
 #include "cli/options/command_line.h"
 #include "cli/workers/archive.h"
 
-namespace vvr {
+namespace vvr::options {
 
-void add_archive_options(CommandLine& line, ArchiveOptions& options);
+void add_archive_options(CommandLine& line, workers::ArchiveOptions& options);
 
 /// \throws Error usage for options that contradict each other
-void check(const ArchiveOptions& options);
+void check(const workers::ArchiveOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -17,7 +17,7 @@
 #include "core/base/shown_text.h"
 #include "core/base/suggest.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -316,7 +316,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     try {
         app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
-        print(help_text(impl_->help, help_width()));
+        cli::print(help_text(impl_->help, help_width()));
         return false;
     } catch (const Error& error) {
         // Whoever reads this may not know of the config file, nor that it sets the option.
@@ -392,4 +392,4 @@ bool CommandLine::has(const Setting& setting) const {
     return !impl_->option(setting)->empty();
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -28,7 +28,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace vvr {
+namespace vvr::options {
 
 /// What a run does with the file that an option may name.
 enum class FileUse {
@@ -206,4 +206,4 @@ class CommandLine {
     bool for_streams_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::options

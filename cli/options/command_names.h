@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::options {
 
 /// A command, and the options of it that a config file can set.
 struct CommandNames {
@@ -15,4 +15,4 @@ struct CommandNames {
 /// Those of every command. A function, as only a config file asks for them.
 using NamesOfCommands = std::function<std::vector<CommandNames>()>;
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     return kept;
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -9,7 +9,7 @@
 
 #include "cli/options/command_names.h"
 
-namespace vvr {
+namespace vvr::options {
 
 /// A config file: long option names and values, and sections `[COMMAND]` that hold for one command only. What stands
 /// above all sections holds for every command that has such an option. A section or a name that no command has is an
@@ -34,4 +34,4 @@ class ConfigFile : public CLI::ConfigTOML {
 /// The options of a command that a config file can set, by all their names.
 std::vector<std::string> configurable_names(const CLI::App& app);
 
-}  // namespace vvr
+}  // namespace vvr::options

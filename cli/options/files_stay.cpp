@@ -18,7 +18,7 @@
 #include "core/image/name_pattern.h"
 #include "core/video/input_files.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -73,7 +73,7 @@ class Outputs {
     static std::vector<fs::path> files_of_pattern(const fs::path& path) {
         std::vector<fs::path> files;
         try {
-            const NamePattern pattern(path);
+            const image::NamePattern pattern(path);
             const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
             std::error_code none;
             if (!pattern.has_field()) return {};
@@ -103,12 +103,12 @@ void check_inputs_stay(const CommandLine& line) {
         const bool compared = option.use == FileUse::compared;
         if (option.use == FileUse::written || (compared && blessed)) outputs.add(option, option.value);
         if (option.use == FileUse::read || (compared && !blessed)) inputs.push_back(option.value);
-        if (compared && !blessed) outputs.add(option, candidate_of(option.value));
+        if (compared && !blessed) outputs.add(option, app::candidate_of(option.value));
     }
     if (outputs.empty()) return;
     for (const std::string& input : inputs) {
-        for (const fs::path& file : files_of_input(input)) outputs.refuse(file, input);
+        for (const fs::path& file : video::files_of_input(input)) outputs.refuse(file, input);
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -2,7 +2,7 @@
 
 #include "cli/options/command_line.h"
 
-namespace vvr {
+namespace vvr::options {
 
 /// What a run reads is never what it writes: footage may be evidence. Whatever the names, it is the files that count:
 /// all that the arguments, the options and the config file name for reading, down to each file of a recording, against
@@ -10,4 +10,4 @@ namespace vvr {
 /// \throws Error usage
 void check_inputs_stay(const CommandLine& line);
 
-}  // namespace vvr
+}  // namespace vvr::options

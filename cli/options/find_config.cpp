@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -56,4 +56,4 @@ ConfigChoice find_config(std::span<const std::string> arguments) {
     return {there == places.end() ? std::filesystem::path() : *there, "found there", places};
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

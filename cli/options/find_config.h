@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::options {
 
 /// Which config file is in force, and why.
 struct ConfigChoice {
@@ -19,4 +19,4 @@ struct ConfigChoice {
 /// is there. --no-config and an empty VVR_CONFIG mean none. Whether a file that was named can be read is not looked at.
 ConfigChoice find_config(std::span<const std::string> arguments);
 
-}  // namespace vvr
+}  // namespace vvr::options

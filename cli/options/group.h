@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace vvr {
+namespace vvr::options {
 
 /// Groups of options, as `--help` shows them.
 enum class Group { output, comparison, archive, workers, input, fields, bricks, view, look, run };
@@ -18,4 +18,4 @@ constexpr const char* title_of(Group group) {
     return titles[static_cast<int>(group)];
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

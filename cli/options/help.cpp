@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -133,4 +133,4 @@ int help_width() {
     return std::clamp(width > 0 ? width : usual, 72, 120);
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

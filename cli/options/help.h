@@ -6,7 +6,7 @@
 
 #include "cli/options/group.h"
 
-namespace vvr {
+namespace vvr::options {
 
 /// A value that an option takes, and what it does.
 struct HelpValue {
@@ -47,4 +47,4 @@ std::string help_text(const CommandHelp& help, int width);
 /// The columns for help: what the environment's COLUMNS says, else the terminal's, else 80; from 72 to 120.
 int help_width();
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "cli/app/settings.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "cli/app/settings.h"
 #include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
@@ -18,48 +18,49 @@
 #include "core/video/recorder_names.h"
 #include "gl/context.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
 /// Puts a place in a clip into that member of a span which counts in its unit.
-void set_start(FrameSpan& span, const Time& time) {
-    const bool seconds = time.unit == Time::Unit::seconds;
+void set_start(video::FrameSpan& span, const app::Time& time) {
+    const bool seconds = time.unit == app::Time::Unit::seconds;
     span.start = seconds ? time.value : 0;
     span.first = seconds ? 0 : static_cast<std::int64_t>(time.value);
 }
 
-void set_end(FrameSpan& span, const Time& time) {
-    if (time.unit == Time::Unit::seconds) {
+void set_end(video::FrameSpan& span, const app::Time& time) {
+    if (time.unit == app::Time::Unit::seconds) {
         span.end = time.value;
     } else {
         span.stop = static_cast<std::int64_t>(time.value);
     }
 }
 
-void add_brick_options(CommandLine& line, BrickOptions& options) {
+void add_brick_options(CommandLine& line, app::BrickOptions& options) {
     line.value(Group::bricks, setting::brick, "", [&options](const std::string& given) {
-        const Time length = parse_time(given);
+        const app::Time length = parse_time(given);
         if (length.value <= 0) throw Error(ErrorKind::usage, "a brick has to be longer than nothing");
         options.length = length;
     });
     line.number(Group::bricks, options.window, setting::window);
     line.number(Group::bricks, options.max_layers, setting::layers);
-    line.choice(Group::bricks, time_scales, time_scales.front().name, setting::time,
-                [&options](const TimeScaleRow& row) { options.time = row.scale; });
+    line.choice(Group::bricks, app::time_scales, app::time_scales.front().name, setting::time,
+                [&options](const app::TimeScaleRow& row) { options.time = row.scale; });
     line.value(Group::bricks, setting::skip_idle, "", [&options](const std::string& given) {
         const double longest = parse_duration(given, setting::skip_idle.range);
-        options.time = longest > 0 ? TimeScale::busy : TimeScale::even;
+        options.time = longest > 0 ? app::TimeScale::busy : app::TimeScale::even;
     });
 }
 
-std::string name_of(TimeScale time) {
-    return std::string(std::ranges::find(time_scales, time, &TimeScaleRow::scale)->name);
+std::string name_of(app::TimeScale time) {
+    return std::string(std::ranges::find(app::time_scales, time, &app::TimeScaleRow::scale)->name);
 }
 
 }  // namespace
 
-void add_input_options(CommandLine& line, InputOptions& options, const std::string& name, const std::string& help) {
+void add_input_options(CommandLine& line, app::InputOptions& options, const std::string& name,
+                       const std::string& help) {
     line.arguments(options.names, name, help);
     line.value(Group::input, setting::field_size, "", [&options](const std::string& given) {
         options.field_size = given == "source" ? Size{-1, -1} : parse_size(given);
@@ -67,75 +68,78 @@ void add_input_options(CommandLine& line, InputOptions& options, const std::stri
     line.number(Group::input, options.rate, setting::rate);
 }
 
-void add_layout_options(CommandLine& line, InputOptions& options) {
+void add_layout_options(CommandLine& line, app::InputOptions& options) {
     line.list(Group::input, options.layouts, setting::names,
-              {.help = fmt::format("{}", fmt::join(known_recorders(), ", "))});
+              {.help = fmt::format("{}", fmt::join(video::known_recorders(), ", "))});
 }
 
-void add_join_option(CommandLine& line, InputOptions& options) {
+void add_join_option(CommandLine& line, app::InputOptions& options) {
     line.flag(Group::input, options.join, setting::join);
 }
 
-void add_span_options(CommandLine& line, FrameSpan& span) {
+void add_span_options(CommandLine& line, video::FrameSpan& span) {
     line.value(Group::input, setting::start, std::string(setting::start.otherwise), [&span](const std::string& given) {
         const auto place = parse_place(given);
-        const auto* const asked = std::get_if<AskedTime>(&place);
+        const auto* const asked = std::get_if<video::AskedTime>(&place);
         span.asked.start = asked ? std::optional(*asked) : std::nullopt;
-        set_start(span, asked ? Time{0, Time::Unit::seconds} : std::get<Time>(place));
+        set_start(span, asked ? app::Time{0, app::Time::Unit::seconds} : std::get<app::Time>(place));
     });
     line.value(Group::input, setting::end, "", [&span](const std::string& given) {
         const auto place = parse_place(given);
         span.end.reset();
         span.stop.reset();
         span.asked.end.reset();
-        if (const auto* const asked = std::get_if<AskedTime>(&place)) {
+        if (const auto* const asked = std::get_if<video::AskedTime>(&place)) {
             span.asked.end = *asked;
         } else {
-            set_end(span, std::get<Time>(place));
+            set_end(span, std::get<app::Time>(place));
         }
     });
     line.value(Group::input, setting::between, "",
                [&span](const std::string& given) { span.asked.between = parse_day_part(given); });
 }
 
-void add_field_options(CommandLine& line, FieldOptions& options) {
+void add_field_options(CommandLine& line, fields::FieldOptions& options) {
     constexpr Group fields = Group::fields;
-    line.choice(fields, filters(), options.filter, setting::filter);
+    line.choice(fields, fields::filters(), options.filter, setting::filter);
     line.text(fields, options.reference, setting::reference,
-              {.help = ", or a picture file of it", .values = values_of(line.fitting(reference_kinds()))});
-    line.choice(fields, norms(), options.norm, setting::norm);
+              {.help = ", or a picture file of it", .values = values_of(line.fitting(fields::reference_kinds()))});
+    line.choice(fields, fields::norms(), options.norm, setting::norm);
     line.number(fields, options.threshold, setting::threshold,
-                {.defaults = defaults_of(filters(),
-                                         [](const FilterRow& row) { return fmt::to_string(row.traits.threshold); })});
+                {.defaults = defaults_of(fields::filters(), [](const fields::FilterRow& row) {
+                     return fmt::to_string(row.traits.threshold);
+                 })});
     line.number(fields, options.smooth, setting::smooth);
     line.number(fields, options.min_area, setting::min_area);
-    line.choice(fields, illuminations(), options.illumination, setting::illumination);
-    line.choice(fields, shadow_kinds(), options.shadows, setting::shadows);
-    line.choice(fields, stabilizers(), options.stabilize, setting::stabilize);
+    line.choice(fields, fields::illuminations(), options.illumination, setting::illumination);
+    line.choice(fields, fields::shadow_kinds(), options.shadows, setting::shadows);
+    line.choice(fields, fields::stabilizers(), options.stabilize, setting::stabilize);
     line.text(fields, options.roi, setting::roi);
     line.text(fields, options.mask, setting::mask);
 
-    FlowOptions& flow = options.flow;
-    line.choice(fields, flow_methods(), flow.method, setting::flow);
-    line.choice(fields, flow_areas(), flow.area, setting::flow_area);
-    line.choice(fields, flow_solvers(), flow.solver, setting::solver);
-    line.choice(fields, derivative_kinds(), flow.derivatives, setting::derivatives);
+    fields::FlowOptions& flow = options.flow;
+    line.choice(fields, fields::flow_methods(), flow.method, setting::flow);
+    line.choice(fields, fields::flow_areas(), flow.area, setting::flow_area);
+    line.choice(fields, fields::flow_solvers(), flow.solver, setting::solver);
+    line.choice(fields, fields::derivative_kinds(), flow.derivatives, setting::derivatives);
     const auto by_solver = [](auto value) {
-        return defaults_of(flow_solvers(),
-                           [value](const SolverRow& row) { return fmt::to_string(row.defaults.*value); });
+        return defaults_of(fields::flow_solvers(),
+                           [value](const fields::SolverRow& row) { return fmt::to_string(row.defaults.*value); });
     };
-    line.number(fields, flow.alpha, setting::alpha, {.defaults = by_solver(&SolverSettings::alpha)});
-    line.number(fields, flow.iterations, setting::iterations, {.defaults = by_solver(&SolverSettings::iterations)});
-    line.number(fields, flow.pre_smooth, setting::pre_smooth, {.defaults = by_solver(&SolverSettings::pre_smooth)});
+    line.number(fields, flow.alpha, setting::alpha, {.defaults = by_solver(&fields::SolverSettings::alpha)});
+    line.number(fields, flow.iterations, setting::iterations,
+                {.defaults = by_solver(&fields::SolverSettings::iterations)});
+    line.number(fields, flow.pre_smooth, setting::pre_smooth,
+                {.defaults = by_solver(&fields::SolverSettings::pre_smooth)});
 
     add_seed_options(line, options.seeds);
 }
 
-void add_seed_options(CommandLine& line, SeedOptions& options) {
+void add_seed_options(CommandLine& line, fields::SeedOptions& options) {
     line.number(Group::fields, options.grid, setting::grid);
     line.number(Group::fields, options.min_magnitude, setting::min_magnitude);
-    line.choice(Group::fields, seed_areas(), options.area, setting::seed_area);
-    line.choice(Group::fields, seed_orders(), options.order, setting::seed_order);
+    line.choice(Group::fields, fields::seed_areas(), options.area, setting::seed_area);
+    line.choice(Group::fields, fields::seed_orders(), options.order, setting::seed_order);
     line.text(Group::fields, options.select, setting::seed_select);
 }
 
@@ -143,8 +147,8 @@ void add_preset_option(CommandLine& line, Group group) {
     line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
 }
 
-void add_backend_options(CommandLine& line, BackendOptions& backend) {
-    line.name(Group::run, backend.name, backend_names(), setting::backend);
+void add_backend_options(CommandLine& line, app::BackendOptions& backend) {
+    line.name(Group::run, backend.name, gl::backend_names(), setting::backend);
     line.number(Group::run, backend.device, setting::device);
 }
 
@@ -152,17 +156,17 @@ void add_thread_options(CommandLine& line, int& threads) {
     line.number(Group::run, threads, setting::threads);
 }
 
-void add_picture_options(CommandLine& line, RenderJob& job) {
+void add_picture_options(CommandLine& line, app::RenderJob& job) {
     add_span_options(line, job.fields.span);
     line.number(Group::input, job.bricks.step, setting::step);
     add_field_options(line, job.fields);
     line.text(Group::fields, job.seeds, setting::seeds);
     line.value(Group::fields, setting::seed_flags, std::string(setting::seed_flags.otherwise),
                [&job](const std::string& given) {
-                   job.seed_flags = SeedFlags::parse(given);
+                   job.seed_flags = fields::SeedFlags::parse(given);
                    if (job.seed_flags) return;
                    throw Error(ErrorKind::usage, fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick",
-                                                             given, SeedFlags::most));
+                                                             given, fields::SeedFlags::most));
                });
     add_brick_options(line, job.bricks);
     add_view_options(line, job);
@@ -173,13 +177,13 @@ void add_picture_options(CommandLine& line, RenderJob& job) {
     line.flag(Group::run, job.backend.debug, setting::gl_debug);
 }
 
-Metadata shown(const std::vector<OptionValue>& values) {
-    Metadata settings;
+image::Metadata shown(const std::vector<OptionValue>& values) {
+    image::Metadata settings;
     for (const OptionValue& value : values) settings.emplace_back(value.name, value.shown());
     return settings;
 }
 
-void finish(const CommandLine& line, RenderJob& job, bool series) {
+void finish(const CommandLine& line, app::RenderJob& job, bool series) {
     if (line.has(setting::brick) && line.has(setting::window) && !series) {
         throw Error(ErrorKind::usage,
                     "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write "
@@ -188,7 +192,7 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
     job.settings = shown(line.values(picture_groups));
     // What stands there can be given back: --skip-idle decides the scale of time, and --brick how many bricks there
     // are.
-    for (Metadata::value_type& one : job.settings) {
+    for (image::Metadata::value_type& one : job.settings) {
         if (one.first == setting::time.name) one.second = name_of(job.bricks.time);
     }
     if (line.has(setting::brick) && !series)
@@ -202,4 +206,4 @@ void finish(const CommandLine& line, RenderJob& job, bool series) {
     });
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -1,28 +1,29 @@
 #include <charconv>
 #include <sstream>
 
-#include "cli/options/job_options.h"
-#include "cli/options/parse_value.h"
 #include "cli/app/settings.h"
 #include "cli/app/volume_paint.h"
+#include "cli/options/job_options.h"
+#include "cli/options/parse_value.h"
 #include "core/base/error.h"
 #include "core/fields/filter.h"
 #include "core/scene/transfer_file.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
-Parts parse_parts(const std::string& text) {
-    Parts shown;
+app::Parts parse_parts(const std::string& text) {
+    app::Parts shown;
     std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) shown.add(choose(setting::show.name, word, parts()).part);
+    for (std::string word; std::getline(words, word, ',');)
+        shown.add(choose(setting::show.name, word, app::parts()).part);
     return shown;
 }
 
-std::string text_of(const Parts& shown) {
+std::string text_of(const app::Parts& shown) {
     std::string text;
-    for (const PartRow& row : parts()) {
+    for (const app::PartRow& row : app::parts()) {
         if (shown.has(row.part)) text += fmt::format("{}{}", text.empty() ? "" : ",", row.name);
     }
     return text;
@@ -41,8 +42,9 @@ glm::vec4 parse_colour(const std::string& text) {
 
 /// The transfer functions that themes have, and filters that have one of their own.
 std::string default_transfers() {
-    std::string text = defaults_of(themes(), [](const Theme& theme) { return std::string(theme.transfer); });
-    for (const FilterRow& filter : filters()) {
+    std::string text =
+        defaults_of(scene::themes(), [](const scene::Theme& theme) { return std::string(theme.transfer); });
+    for (const fields::FilterRow& filter : fields::filters()) {
         if (!filter.transfer.empty()) text += fmt::format("; {}: {}", filter.name, filter.transfer);
     }
     return text;
@@ -50,8 +52,8 @@ std::string default_transfers() {
 
 }  // namespace
 
-StartTime parse_start_time(const std::string& text) {
-    using From = StartTime::From;
+app::StartTime parse_start_time(const std::string& text) {
+    using From = app::StartTime::From;
     constexpr std::pair<std::string_view, From> words[] = {{"recorded", From::recorded},
                                                            {"container", From::container},
                                                            {"modified", From::modified},
@@ -66,30 +68,33 @@ StartTime parse_start_time(const std::string& text) {
                                               text));
 }
 
-void add_start_time_option(CommandLine& line, StartTime& start) {
+void add_start_time_option(CommandLine& line, app::StartTime& start) {
     line.value(Group::look, setting::start_time, "",
                [&start](const std::string& given) { start = parse_start_time(given); },
                {.defaults = std::string(setting::start_time.otherwise)});
 }
 
-void add_look_options(CommandLine& line, RenderJob& job) {
+void add_look_options(CommandLine& line, app::RenderJob& job) {
     constexpr Group group = Group::look;
-    LookOptions& look = job.look;
+    app::LookOptions& look = job.look;
     line.value(group, setting::show, text_of(look.show),
-               [&look](const std::string& given) { look.show = parse_parts(given); }, {.values = values_of(parts())});
+               [&look](const std::string& given) { look.show = parse_parts(given); },
+               {.values = values_of(app::parts())});
     line.number(group, look.keyframes, setting::keyframes);
-    line.choice(group, themes(), look.theme.name, setting::theme, [&look](const Theme& row) { look.theme = row; });
+    line.choice(group, scene::themes(), look.theme.name, setting::theme,
+                [&look](const scene::Theme& row) { look.theme = row; });
     line.value(group, setting::background, "",
                [&look](const std::string& given) { look.background = parse_colour(given); });
     line.text(group, look.title, setting::title);
     line.path(group, look.font, setting::font);
     add_start_time_option(line, look.start_time);
-    line.value(group, setting::transfer, std::string(setting::transfer.otherwise),
-               [&look](const std::string& given) { look.transfer = find_transfer(given); },
-               {.help = list_of(transfer_functions()) + ", or a file of points", .defaults = default_transfers()});
-    line.choice(group, colour_rows(), look.colour, setting::colour);
-    line.choice(group, volume_shadings(), volume_shadings().front().name, setting::shading,
-                [&job](const VolumeShadingRow& row) { job.picture.shading = row.shading; });
+    line.value(
+        group, setting::transfer, std::string(setting::transfer.otherwise),
+        [&look](const std::string& given) { look.transfer = scene::find_transfer(given); },
+        {.help = list_of(scene::transfer_functions()) + ", or a file of points", .defaults = default_transfers()});
+    line.choice(group, app::colour_rows(), look.colour, setting::colour);
+    line.choice(group, gl::volume_shadings(), gl::volume_shadings().front().name, setting::shading,
+                [&job](const gl::VolumeShadingRow& row) { job.picture.shading = row.shading; });
     line.number(group, look.opacity, setting::opacity);
     line.number(group, look.glyph_scale, setting::glyph_scale);
     line.number(group, look.glyph_cap, setting::glyph_cap);
@@ -99,4 +104,4 @@ void add_look_options(CommandLine& line, RenderJob& job) {
     line.number(group, look.traces.time_velocity, setting::time_velocity);
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

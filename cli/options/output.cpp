@@ -20,13 +20,13 @@
 #include "core/base/choice.h"
 #include "core/base/ending.h"
 #include "core/base/error.h"
+#include "core/base/standard_output.h"
+#include "core/base/suggest.h"
 #include "core/image/animation_file.h"
 #include "core/image/atomic_file.h"
 #include "core/image/picture_file.h"
-#include "core/base/standard_output.h"
-#include "core/base/suggest.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -54,11 +54,11 @@ constexpr Setting diff{"diff", "FILE",
                        "a picture of the differences: yellow = small, red = larger, black = all of the range"};
 }  // namespace text
 
-std::set<EventKind> parse_kinds(const std::string& list) {
-    std::set<EventKind> kinds;
+std::set<events::EventKind> parse_kinds(const std::string& list) {
+    std::set<events::EventKind> kinds;
     std::istringstream words(list);
     for (std::string word; std::getline(words, word, ',');) {
-        kinds.insert(choose(text::events.name, word, event_kinds()).kind);
+        kinds.insert(choose(text::events.name, word, events::event_kinds()).kind);
     }
     return kinds;
 }
@@ -80,7 +80,7 @@ struct Named {
     const char* better;  ///< a name to take instead
 };
 
-void check_names(const OutputOptions& options) {
+void check_names(const app::OutputOptions& options) {
     const Named outputs[] = {{"--report", options.report, "report.json"},
                              {"--page", options.page, "page.html"},
                              {"--thumbnail", options.thumbnail, "small.jpg"},
@@ -100,7 +100,7 @@ void check_names(const OutputOptions& options) {
 }
 
 /// What standard output can take: one picture, or the report.
-void check_standard_output(const OutputOptions& options) {
+void check_standard_output(const app::OutputOptions& options) {
     if (!is_standard_output(options.path)) return;
     if (is_standard_output(options.report)) {
         throw Error(ErrorKind::usage, "-o and --report both go to standard output; name a file for one of them");
@@ -114,12 +114,12 @@ void check_standard_output(const OutputOptions& options) {
 
 /// Names every kind of file that there is, which the codec of pictures can't.
 void check_ending(const std::filesystem::path& path) {
-    if (is_standard_output(path) || is_page(path) || is_animation(path)) return;
-    std::vector<std::string> known = picture_endings();
+    if (is_standard_output(path) || app::is_page(path) || image::is_animation(path)) return;
+    std::vector<std::string> known = image::picture_endings();
     const std::string ending = ending_of(path);
     if (std::ranges::find(known, ending) != known.end()) return;
     known.emplace_back(".html");
-    std::ranges::copy(animation_endings(), std::back_inserter(known));
+    std::ranges::copy(image::animation_endings(), std::back_inserter(known));
     throw Error(ErrorKind::usage,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
@@ -127,11 +127,11 @@ void check_ending(const std::filesystem::path& path) {
 }
 
 /// The page and the thumbnail beside a picture.
-void check_companions(const OutputOptions& options) {
-    if (!options.page.empty() && !is_page(options.page)) {
+void check_companions(const app::OutputOptions& options) {
+    if (!options.page.empty() && !app::is_page(options.page)) {
         throw Error(ErrorKind::usage, fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
     }
-    if (!options.page.empty() && is_page(options.path)) {
+    if (!options.page.empty() && app::is_page(options.path)) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
                                 options.path.string()));
@@ -140,31 +140,31 @@ void check_companions(const OutputOptions& options) {
         {"--page", options.page}, {"--thumbnail", options.thumbnail}, {"--still", options.still}};
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
-        if (options.path.empty() || pictures_of(options) > 1 || is_series(options)) {
+        if (options.path.empty() || app::pictures_of(options) > 1 || app::is_series(options)) {
             throw Error(ErrorKind::usage, fmt::format("{} goes with one picture; {}", option,
                                                       options.path.empty() ? "say where that goes with -o FILE"
                                                                            : "make those separately"));
         }
-        check_file_path(path);
+        image::check_file_path(path);
     }
-    if (!options.thumbnail.empty()) check_picture_ending(options.thumbnail);
-    if (!options.still.empty()) check_picture_ending(options.still);
-    if (!options.page_camera.empty() && page_of(options).empty()) {
+    if (!options.thumbnail.empty()) image::check_picture_ending(options.thumbnail);
+    if (!options.still.empty()) image::check_picture_ending(options.still);
+    if (!options.page_camera.empty() && app::page_of(options).empty()) {
         throw Error(ErrorKind::usage, "--page-camera is for a page; name one with --page FILE, or as -o FILE.html");
     }
-    if (!options.page_index.empty() && page_of(options).empty()) {
+    if (!options.page_index.empty() && app::page_of(options).empty()) {
         throw Error(ErrorKind::usage, "--page-index is for a page; name one with --page FILE, or as -o FILE.html");
     }
-    if (!options.page_place.empty() && page_of(options).empty()) {
+    if (!options.page_place.empty() && app::page_of(options).empty()) {
         throw Error(ErrorKind::usage, "--page-place is for a page; name one with --page FILE, or as -o FILE.html");
     }
 }
 
-void check_golden(const GoldenOptions& options) {
+void check_golden(const app::GoldenOptions& options) {
     check(options.comparison);
     if (!options.path.empty()) {
         // A folder that can only be read is good enough to compare with.
-        return options.bless ? check_picture_path(options.path) : check_picture_ending(options.path);
+        return options.bless ? image::check_picture_path(options.path) : image::check_picture_ending(options.path);
     }
     if (options.bless) throw Error(ErrorKind::usage, "--bless: add --golden FILE to say which picture is blessed");
     if (!options.comparison.diff.empty()) {
@@ -174,21 +174,21 @@ void check_golden(const GoldenOptions& options) {
 
 }  // namespace
 
-void add_comparison_options(CommandLine& line, ComparisonOptions& options) {
+void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) {
     line.number(Group::comparison, options.tolerance.level, setting::tolerance);
     line.number(Group::comparison, options.tolerance.percent, setting::tolerance_percent);
     line.number(Group::comparison, options.tolerance.patch, setting::tolerance_patch);
     line.path(Group::comparison, options.diff, text::diff, {.use = FileUse::written});
 }
 
-void add_event_options(CommandLine& line, Group group, EventChoice& choice) {
-    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(event_kinds()), ",")),
+void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
+    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(events::event_kinds()), ",")),
                [&choice](const std::string& given) { choice.kinds = parse_kinds(given); },
-               {.values = values_of(event_kinds())});
+               {.values = values_of(events::event_kinds())});
     line.duration(group, choice.least, text::event_min_seconds);
 }
 
-void add_output_options(CommandLine& line, OutputOptions& options) {
+void add_output_options(CommandLine& line, app::OutputOptions& options) {
     constexpr Group output = Group::output;
     line.path(
         output, options.path, text::output,
@@ -196,15 +196,15 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
          .help = fmt::format(
              ": {}; a page to watch the clip from: .html; or animated: {}; - = a PNG file to "
              "standard output; a series, one picture per brick, has a field in its name: {{brick:4}}, #### or %04d",
-             fmt::join(picture_endings(), " "), fmt::join(animation_endings(), " ")),
+             fmt::join(image::picture_endings(), " "), fmt::join(image::animation_endings(), " ")),
          .standard_output = true,
          .use = FileUse::written});
     line.flag(output, options.plain_name, text::plain_name);
     line.number(output, options.animate, setting::animate,
                 {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
-                                     default_animation)});
+                                     app::default_animation)});
     line.number(output, options.slide, setting::slide,
-                {.help = fmt::format("; FILE is animated: {}", fmt::join(animation_endings(), " "))});
+                {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_endings(), " "))});
     line.path(output, options.page, text::page, {.use = FileUse::written});
     line.text(output, options.page_camera, text::page_camera);
     line.path(output, options.page_index, text::page_index);
@@ -218,14 +218,14 @@ void add_output_options(CommandLine& line, OutputOptions& options) {
     add_comparison_options(line, options.golden.comparison);
 }
 
-void check(const ComparisonOptions& options) {
-    if (!options.diff.empty()) check_picture_path(options.diff);
+void check(const app::ComparisonOptions& options) {
+    if (!options.diff.empty()) image::check_picture_path(options.diff);
 }
 
-void check(const OutputOptions& options) {
+void check(const app::OutputOptions& options) {
     check_golden(options.golden);
     check_standard_output(options);
-    if (!options.report.empty() && !is_standard_output(options.report)) check_file_path(options.report);
+    if (!options.report.empty() && !is_standard_output(options.report)) image::check_file_path(options.report);
     check_names(options);
     check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
@@ -236,9 +236,9 @@ void check(const OutputOptions& options) {
                     "--slide moves the window and --animate the stripes of one picture; leave one of them out: with "
                     "--slide stripes run too");
     }
-    if (options.slide && !is_animation(options.path)) {
+    if (options.slide && !image::is_animation(options.path)) {
         throw Error(ErrorKind::usage, fmt::format("--slide makes a film, but '{}' is none; name one: {}",
-                                                  options.path.string(), fmt::join(animation_endings(), " ")));
+                                                  options.path.string(), fmt::join(image::animation_endings(), " ")));
     }
     if (!options.golden.path.empty() && options.slide) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --slide makes a film; leave one of them out");
@@ -246,20 +246,20 @@ void check(const OutputOptions& options) {
     if (options.path.empty() && options.animate) {
         throw Error(ErrorKind::usage, "--animate: say where the pictures go with -o FILE");
     }
-    if (!options.golden.path.empty() && pictures_of(options) > 1) {
+    if (!options.golden.path.empty() && app::pictures_of(options) > 1) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
     }
     if (options.path.empty()) return;
     check_ending(options.path);
-    const NamePattern name = name_of(options);
+    const image::NamePattern name = app::name_of(options);
     const std::string text = options.path.string();
-    if (is_page(options.path)) {
+    if (app::is_page(options.path)) {
         if (!name.has_field() && !options.animate) return;
         throw Error(ErrorKind::usage,
                     fmt::format("'{}': a page holds one picture; {}", text,
                                 name.has_field() ? "its name takes no field" : "leave out --animate"));
     }
-    if (is_animation(options.path)) {
+    if (image::is_animation(options.path)) {
         if (!name.has_field()) return;
         throw Error(ErrorKind::usage,
                     fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
@@ -280,17 +280,17 @@ void check(const OutputOptions& options) {
             ErrorKind::usage,
             fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
                         "or an animated file: {}",
-                        *options.animate, text, fmt::join(animation_endings(), " ")));
+                        *options.animate, text, fmt::join(image::animation_endings(), " ")));
     }
 }
 
-void check_outputs(const RenderJob& job) {
-    const OutputOptions& output = job.output;
-    if (pictures_of(output) > 1 && !is_series(output) && !job.look.show.has(Part::tracelines)) {
+void check_outputs(const app::RenderJob& job) {
+    const app::OutputOptions& output = job.output;
+    if (app::pictures_of(output) > 1 && !app::is_series(output) && !job.look.show.has(app::Part::tracelines)) {
         throw Error(ErrorKind::usage,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "
                     "--show volume,tracelines,outline,frames");
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -1,26 +1,26 @@
 #pragma once
 
-#include "cli/options/command_line.h"
 #include "cli/app/job.h"
+#include "cli/options/command_line.h"
 
-namespace vvr {
+namespace vvr::options {
 
-void add_output_options(CommandLine& line, OutputOptions& options);
+void add_output_options(CommandLine& line, app::OutputOptions& options);
 
 /// Which events count, as in `render`: so their numbers are the same everywhere.
-void add_event_options(CommandLine& line, Group group, EventChoice& choice);
+void add_event_options(CommandLine& line, Group group, events::EventChoice& choice);
 
 /// By how much two pictures may differ: in `compare` and in `render --golden`.
-void add_comparison_options(CommandLine& line, ComparisonOptions& options);
+void add_comparison_options(CommandLine& line, app::ComparisonOptions& options);
 
 /// \throws Error usage for a diff of a format that can't be written, io for a place that can't
-void check(const ComparisonOptions& options);
+void check(const app::ComparisonOptions& options);
 
 /// \throws Error usage when nothing says where the picture goes, or outputs contradict each other; io for a place that
 /// can't be written
-void check(const OutputOptions& options);
+void check(const app::OutputOptions& options);
 
 /// \throws Error usage when an animation shows nothing that moves
-void check_outputs(const RenderJob& job);
+void check_outputs(const app::RenderJob& job);
 
-}  // namespace vvr
+}  // namespace vvr::options

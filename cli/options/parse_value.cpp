@@ -10,7 +10,7 @@
 #include "cli/app/settings.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -176,15 +176,15 @@ std::int64_t parse_bytes(std::string_view text) {
     return *value * bytes;
 }
 
-Time parse_time(std::string_view text) {
+app::Time parse_time(std::string_view text) {
     if (text.ends_with('f')) {
         const auto frame = number<std::int64_t>(text.substr(0, text.size() - 1));
         if (!frame || *frame < 0 || static_cast<double>(*frame) > longest_clip)
             refuse(text, "a number of frames like 250f");
-        return {static_cast<double>(*frame), Time::Unit::frames};
+        return {static_cast<double>(*frame), app::Time::Unit::frames};
     }
     const auto alone = number_within(text, {0, longest_clip});
-    if (alone && *alone == 0) return {0, Time::Unit::seconds};
+    if (alone && *alone == 0) return {0, app::Time::Unit::seconds};
     if (alone) {
         const bool whole = *alone == std::floor(*alone);
         throw Error(ErrorKind::usage, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
@@ -192,7 +192,7 @@ Time parse_time(std::string_view text) {
     }
     const auto seconds = seconds_of(text);
     if (!seconds) refuse(text, "a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame");
-    return {*seconds, Time::Unit::seconds};
+    return {*seconds, app::Time::Unit::seconds};
 }
 
 std::optional<std::int64_t> parse_date_time(std::string_view text) {
@@ -212,20 +212,20 @@ std::optional<std::int64_t> parse_date_time(std::string_view text) {
     return midnight.time_since_epoch().count() + *clock;
 }
 
-std::variant<Time, AskedTime> parse_place(std::string_view text) {
+std::variant<app::Time, video::AskedTime> parse_place(std::string_view text) {
     constexpr std::string_view forms = "a date and time like 2026-11-22 02:00, or a time of day like @02:00";
     if (text.starts_with('@')) {
         const auto clock = time_of_day(text.substr(1));
         if (!clock) refuse(text, forms);
-        return AskedTime{*clock, false, std::string(text)};
+        return video::AskedTime{*clock, false, std::string(text)};
     }
-    if (const auto seconds = parse_date_time(text)) return AskedTime{*seconds, true, std::string(text)};
+    if (const auto seconds = parse_date_time(text)) return video::AskedTime{*seconds, true, std::string(text)};
     // Dates that are none, and dates alone.
     if (text.size() > 4 && text[4] == '-') refuse(text, forms);
     return parse_time(text);
 }
 
-DayPart parse_day_part(std::string_view text) {
+video::DayPart parse_day_part(std::string_view text) {
     const auto ends = split(text, '-');
     const auto begin = time_of_day(ends.front());
     const auto end = ends.size() == 2 ? time_of_day(ends.back()) : std::nullopt;
@@ -233,4 +233,4 @@ DayPart parse_day_part(std::string_view text) {
     return {*begin, *end, std::string(text)};
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -14,7 +14,7 @@
 #include "core/video/asked_time.h"
 
 /// Texts of the command line to values. Each function throws Error usage with what it was given and what it takes.
-namespace vvr {
+namespace vvr::options {
 
 double parse_number(std::string_view text, Range range);
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high);
@@ -39,7 +39,7 @@ std::pair<int, int> parse_share(std::string_view text);
 
 /// A place in a clip, or a length of it: a length of time as above, or `250f`, frames. A number without a unit, which
 /// could be either, is refused, but for 0.
-Time parse_time(std::string_view text);
+app::Time parse_time(std::string_view text);
 
 /// `2026-11-21 08:00:00` or `2026-11-21T08:00`, in seconds since 1970 on that clock; nothing for any other text.
 std::optional<std::int64_t> parse_date_time(std::string_view text);
@@ -47,9 +47,9 @@ std::optional<std::int64_t> parse_date_time(std::string_view text);
 /// A place in a clip: a time as above, or one by the clock on the wall, which `seconds_of` (core/video/asked_time.h)
 /// turns into seconds of the clip: `2026-11-22 02:00`, or `@02:00` for the next time that the clock shows that.
 /// Without the @, 02:00 is two minutes from the beginning.
-std::variant<Time, AskedTime> parse_place(std::string_view text);
+std::variant<app::Time, video::AskedTime> parse_place(std::string_view text);
 
 /// `02:00-05:00`, a part of each day.
-DayPart parse_day_part(std::string_view text);
+video::DayPart parse_day_part(std::string_view text);
 
-}  // namespace vvr
+}  // namespace vvr::options

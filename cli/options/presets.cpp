@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<std::string> with_preset(std::span<const std::string> arguments,
     return all;
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

@@ -9,11 +9,11 @@
 
 #include "core/base/setting.h"
 
-namespace vvr {
-
-namespace setting {
+namespace vvr::setting {
 inline constexpr Setting preset{"preset", "NAME", "a set of options for a purpose; options given beside it win"};
 }
+
+namespace vvr::options {
 
 /// One row of the table of presets: options for a purpose.
 struct Preset {
@@ -37,4 +37,4 @@ std::string preset_among(std::span<const std::string> arguments);
 std::vector<std::string> with_preset(std::span<const std::string> arguments,
                                      const std::function<bool(const std::string& name)>& has);
 
-}  // namespace vvr
+}  // namespace vvr::options

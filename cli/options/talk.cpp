@@ -2,7 +2,7 @@
 
 #include "cli/log.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -20,14 +20,14 @@ void add_talk_options(CommandLine& line, TalkOptions& options) {
     line.flag(Group::run, options.verbose, text::verbose, {.letter = 'v'});
     line.exclude(text::verbose, text::quiet);
     line.text(Group::run, options.log_file, text::log_file, {.use = FileUse::written});
-    line.name(Group::run, options.log_format, names_of(log_formats()), text::log_format);
+    line.name(Group::run, options.log_format, names_of(cli::log_formats()), text::log_format);
 }
 
 void apply(const TalkOptions& options, spdlog::logger& log) {
-    if (options.quiet) set_talk(log, Talk::quiet);
-    if (options.verbose) set_talk(log, Talk::verbose);
-    set_format(log, options.log_format);
-    if (!options.log_file.empty()) add_file(log, options.log_file, options.log_format);
+    if (options.quiet) cli::set_talk(log, cli::Talk::quiet);
+    if (options.verbose) cli::set_talk(log, cli::Talk::verbose);
+    cli::set_format(log, options.log_format);
+    if (!options.log_file.empty()) cli::add_file(log, options.log_file, options.log_format);
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

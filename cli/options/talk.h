@@ -6,7 +6,7 @@
 
 #include "cli/options/command_line.h"
 
-namespace vvr {
+namespace vvr::options {
 
 /// What the program says, and where: the same in every command.
 struct TalkOptions {
@@ -21,4 +21,4 @@ void add_talk_options(CommandLine& line, TalkOptions& options);
 /// Makes the log as talkative as asked for.
 void apply(const TalkOptions& options, spdlog::logger& log);
 
-}  // namespace vvr
+}  // namespace vvr::options

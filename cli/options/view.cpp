@@ -1,28 +1,28 @@
 #include <tuple>
 
+#include "cli/app/settings.h"
 #include "cli/options/job_options.h"
 #include "cli/options/parse_value.h"
-#include "cli/app/settings.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
-void set_direction(View& view, const std::string& text) {
+void set_direction(space::View& view, const std::string& text) {
     std::tie(view.azimuth, view.elevation) = parse_pair(text, ',', {-360, 360}, {-90, 90});
 }
 
 }  // namespace
 
-void add_view_options(CommandLine& line, RenderJob& job) {
+void add_view_options(CommandLine& line, app::RenderJob& job) {
     constexpr Group view = Group::view;
-    RenderOptions& picture = job.picture;
-    line.choice(view, layouts(), job.layout, setting::layout);
+    gl::RenderOptions& picture = job.picture;
+    line.choice(view, space::layouts(), job.layout, setting::layout);
     line.value(view, setting::radius, fmt::format("{}:{}", job.shape.r_min, job.shape.r_max),
                [&shape = job.shape](const std::string& given) {
                    std::tie(shape.r_min, shape.r_max) =
                        parse_pair(given, ':', setting::radius.range, setting::radius.range);
-                   validate(shape);
+                   app::validate(shape);
                });
     line.value(view, setting::height, "", [&shape = job.shape](const std::string& given) {
         shape.height = parse_number(given, setting::height.range);
@@ -45,4 +45,4 @@ void add_view_options(CommandLine& line, RenderJob& job) {
     line.number(view, picture.samples, setting::samples);
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

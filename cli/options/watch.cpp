@@ -6,17 +6,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/app/settings.h"
 #include "cli/options/job_options.h"
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
-#include "cli/app/settings.h"
 #include "core/base/error.h"
+#include "core/base/read_file.h"
 #include "core/fields/reference.h"
 #include "core/image/animation_file.h"
 #include "core/image/picture_file.h"
-#include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::options {
 
 namespace {
 
@@ -24,7 +24,7 @@ constexpr Setting output{"output", "FILE", "the picture, replaced after each bri
 
 }  // namespace
 
-void add_stream_options(CommandLine& line, StreamOptions& options) {
+void add_stream_options(CommandLine& line, app::StreamOptions& options) {
     line.value(Group::input, setting::duration, "",
                [&options](const std::string& given) { options.duration = parse_duration(given); });
     line.duration(Group::input, options.lag, setting::lag);
@@ -44,34 +44,34 @@ std::string address_of(const std::string& input) {
         fmt::format("the file '{}' holds no address; its first line is one, such as rtsp://camera/stream", file));
 }
 
-void add_stream_clock(CommandLine& line, StartTime& start) {
+void add_stream_clock(CommandLine& line, app::StartTime& start) {
     line.value(Group::look, setting::stream_clock, "",
                [&start](const std::string& given) {
                    start = parse_start_time(given);
-                   if (start.from == StartTime::From::given || start.from == StartTime::From::nobody) return;
+                   if (start.from == app::StartTime::From::given || start.from == app::StartTime::From::nobody) return;
                    throw Error(ErrorKind::usage, std::string(setting::start_time.not_live));
                },
                {.defaults = std::string(setting::stream_clock.otherwise)});
 }
 
-void add_stream_output(CommandLine& line, OutputOptions& options) {
+void add_stream_output(CommandLine& line, app::OutputOptions& options) {
     line.path(Group::output, options.path, output,
               {.letter = 'o',
                .help = fmt::format(": {}; a page that reloads itself: .html; a series, one file per brick, has a field "
                                    "in its name: {{brick:4}}, #### or %04d",
-                                   fmt::join(picture_endings(), " ")),
+                                   fmt::join(image::picture_endings(), " ")),
                .use = FileUse::written});
 }
 
-void check_stream(const RenderJob& job) {
+void check_stream(const app::RenderJob& job) {
     if (job.output.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
     check(job.output);
-    if (is_animation(job.output.path)) {
+    if (image::is_animation(job.output.path)) {
         throw Error(ErrorKind::usage, fmt::format("'{}': an animated file is written when it ends, and a stream does "
                                                   "not; take a picture, a page or a series",
                                                   job.output.path.string()));
     }
-    const ReferenceRow* const reference = find_reference(job.fields.reference);
+    const fields::ReferenceRow* const reference = fields::find_reference(job.fields.reference);
     struct {
         bool given;
         std::string option;
@@ -87,4 +87,4 @@ void check_stream(const RenderJob& job) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::options

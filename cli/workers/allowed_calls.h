@@ -9,7 +9,7 @@
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 
-namespace vvr::calls {
+namespace vvr::workers::calls {
 
 using Names = std::span<const char* const>;
 
@@ -265,4 +265,4 @@ inline constexpr std::array cases_for_gpu{
     Case{"fcntl", {equal(1, F_ADD_SEALS)}}, Case{"fcntl", {equal(1, F_GET_SEALS)}},
 };
 
-}  // namespace vvr::calls
+}  // namespace vvr::workers::calls

@@ -14,13 +14,13 @@
 #include "core/archive/names.h"
 #include "core/archive/own_file.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 #include "core/base/machine_memory.h"
 #include "core/base/shown_text.h"
 #include "core/base/version.h"
 #include "core/base/words.h"
+#include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -54,8 +54,8 @@ ArchiveJob job_of(const ArchiveOptions& options) {
     ArchiveJob job;
     job.in = options.in;
     job.out = options.out;
-    for (const OutputRow& row : output_rows) {
-        if (row.kind != OutputKind::page || !options.no_pages) job.rules.files.push_back(row.kind);
+    for (const archive::OutputRow& row : archive::output_rows) {
+        if (row.kind != archive::OutputKind::page || !options.no_pages) job.rules.files.push_back(row.kind);
     }
     job.rules.settings = options.settings;
     job.rules.version = version();
@@ -76,25 +76,26 @@ void make_folder(const fs::path& out) {
     }
     // Permissions do not say everything, so a file is tried. What stands in the index's place is no reason to draw
     // nothing.
-    if (!strange_at(out / index_name)) check_file_path(out / index_name);
+    if (!archive::strange_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
 }
 
-void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, const RecorderNames& names) {
+void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, const video::RecorderNames& names) {
     for (const auto& [clip, need, reason] : planned) {
-        if (need == Need::nothing) continue;
-        const bool failed = need == Need::retry || need == Need::given_up;
+        if (need == archive::Need::nothing) continue;
+        const bool failed = need == archive::Need::retry || need == archive::Need::given_up;
         const auto day = job.days.find(clip.path);
-        print(fmt::format("{:<15} {}{}{}\n", name_of(need), shown_text(text_of_path(clip.path)),
-                          failed ? ": " + reason : "",
-                          day == job.days.end() ? "  " + told_by_name(clip.path, names) : ""));
+        cli::print(fmt::format("{:<15} {}{}{}\n", archive::name_of(need), shown_text(archive::text_of_path(clip.path)),
+                               failed ? ": " + reason : "",
+                               day == job.days.end() ? "  " + told_by_name(clip.path, names) : ""));
         if (day == job.days.end()) continue;
         for (const std::string& file : day->second.files) {
-            print(fmt::format("{:<15}   {}  {}\n", "", shown_text(text_of_path(file)), told_by_name(file, names)));
+            cli::print(fmt::format("{:<15}   {}  {}\n", "", shown_text(archive::text_of_path(file)),
+                                   told_by_name(file, names)));
         }
     }
 }
 
-std::size_t count(const std::vector<PlannedClip>& planned, Need need) {
+std::size_t count(const std::vector<PlannedClip>& planned, archive::Need need) {
     return static_cast<std::size_t>(std::ranges::count(planned, need, &PlannedClip::need));
 }
 
@@ -115,10 +116,10 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
             : fmt::format("{} drawn, {} failed, {:.1f} s", counted(static_cast<std::int64_t>(outcome.drawn), "clip"),
                           outcome.failed, seconds);
     const std::pair<std::size_t, const char*> others[] = {
-        {count(planned, Need::nothing), "done before"},
-        {count(planned, Need::given_up), "failed too often (--tries)"},
-        {count(planned, Need::still_written) + found.waiting, "still being written (--settle)"},
-        {count(planned, Need::later), "with more clips by now (--redraw)"},
+        {count(planned, archive::Need::nothing), "done before"},
+        {count(planned, archive::Need::given_up), "failed too often (--tries)"},
+        {count(planned, archive::Need::still_written) + found.waiting, "still being written (--settle)"},
+        {count(planned, archive::Need::later), "with more clips by now (--redraw)"},
         {outcome.elsewhere, "left to another run or gone"}};
     const char* separator = "; ";
     for (const auto& [clips, what] : others) {
@@ -129,9 +130,9 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
 }
 
 /// Says which clips have a time of the future. They are drawn like others.
-void tell_of_wrong_clocks(const std::vector<Clip>& clips, const Settling& settling, const ArchiveJob& job,
-                          spdlog::logger& log) {
-    const auto is_ahead = [&](const Clip& clip) { return settling.is_ahead(clip); };
+void tell_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive::Settling& settling,
+                          const ArchiveJob& job, spdlog::logger& log) {
+    const auto is_ahead = [&](const archive::Clip& clip) { return settling.is_ahead(clip); };
     const auto first = std::ranges::find_if(clips, is_ahead);
     if (first == clips.end()) return;
     const auto all = std::ranges::count_if(clips, is_ahead);
@@ -141,28 +142,28 @@ void tell_of_wrong_clocks(const std::vector<Clip>& clips, const Settling& settli
         all == 1 ? "1 clip was" : fmt::format("{} clips were", all), (job.in / first->path).string());
 }
 
-void warn_of_undated(const std::vector<Clip>& clips, const RecorderNames& names, const fs::path& in,
+void warn_of_undated(const std::vector<archive::Clip>& clips, const video::RecorderNames& names, const fs::path& in,
                      spdlog::logger& log) {
-    const auto undated = [&](const Clip& clip) { return !names.read(clip.path).begin; };
+    const auto undated = [&](const archive::Clip& clip) { return !names.read(clip.path).begin; };
     const auto first = std::ranges::find_if(clips, undated);
     if (first == clips.end()) return;
     log.warn(
         "'{}': the names of {} do not tell when they were recorded, the first '{}'; each is taken to be of the day "
         "when it was last written, which need not be the day it shows; --names can tell",
-        in.string(), counted(std::ranges::count_if(clips, undated), "clip"), text_of_path(first->path));
+        in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 
-Survey survey(const ArchiveOptions& options, const ClipNames& clips, const RecorderNames& names, ArchiveJob& job,
-              spdlog::logger& log) {
-    Scan scan = scan_archive(job.in, job.out, clips);
+Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, const video::RecorderNames& names,
+              ArchiveJob& job, spdlog::logger& log) {
+    archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     Survey survey;
     survey.clips = scan.clips.size();
-    const Settling settling{std::chrono::system_clock::now(), options.settle};
+    const archive::Settling settling{std::chrono::system_clock::now(), options.settle};
     tell_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
     if (options.per != Grouping::clip) {
-        CameraDays grouped = group_by_day(scan.clips, names, settling);
-        for (CameraDay& day : grouped.days) {
+        archive::CameraDays grouped = archive::group_by_day(scan.clips, names, settling);
+        for (archive::CameraDay& day : grouped.days) {
             if (!options.shard.holds(day.clip.path)) continue;
             std::string path = day.clip.path;
             job.days.emplace(std::move(path), std::move(day));
@@ -172,11 +173,11 @@ Survey survey(const ArchiveOptions& options, const ClipNames& clips, const Recor
         if (options.per == Grouping::day) survey.waiting = grouped.waiting;
     }
     if (options.per != Grouping::clip) warn_of_undated(scan.clips, names, options.in, log);
-    for (const ScanProblem& problem : scan.problems) {
+    for (const archive::ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
     survey.unreadable = scan.problems.size();
-    std::erase_if(scan.clips, [&](const Clip& clip) { return !options.shard.holds(clip.path); });
+    std::erase_if(scan.clips, [&](const archive::Clip& clip) { return !options.shard.holds(clip.path); });
     if (options.per != Grouping::day) survey.planned = plan_archive(scan.clips, job);
     survey.planned.insert(survey.planned.end(), days.begin(), days.end());
     return survey;
@@ -196,18 +197,18 @@ bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
 
 }  // namespace
 
-ExitStatus run_archive(const ArchiveOptions& options, const Environment& environment) {
+cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
     ArchiveJob job = job_of(options);
-    const RecorderNames names(options.names, options.in);
+    const video::RecorderNames names(options.names, options.in);
     job.names = names;
     if (options.index_only) {
         make_folder(options.out);
         write_index(job, names, environment);
-        environment.log.info("'{}' is up to date", (options.out / index_name).string());
-        return ExitStatus::done;
+        environment.log.info("'{}' is up to date", (options.out / archive::index_name).string());
+        return cli::ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const ClipNames clips(options.match, options.exclude);
+    const archive::ClipNames clips(options.match, options.exclude);
     const Survey found = survey(options, clips, names, job, environment.log);
     if (found.clips == 0) {
         environment.log.warn("no clips below '{}' (looked for {})", job.in.string(), clips.wanted());
@@ -215,11 +216,11 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
     if (options.dry_run) {
         print_plan(found.planned, job, names);
         if (options.prune) prune(job, clips, names, options.shard, true, environment);
-        return ExitStatus::done;
+        return cli::ExitStatus::done;
     }
     make_folder(options.out);
     std::vector<PlannedClip> work = found.planned;
-    std::erase_if(work, [](const PlannedClip& planned) { return !wants_work(planned.need); });
+    std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     ArchiveOutcome outcome;
     if (!work.empty()) {
         const Shares shares = share_out(options, work.size());
@@ -239,8 +240,8 @@ ExitStatus run_archive(const ArchiveOptions& options, const Environment& environ
     const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, names, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
-    if (!pruned || !indexed) return ExitStatus::io;
-    return outcome.failed + outcome.not_whole + found.unreadable > 0 ? ExitStatus::partial : ExitStatus::done;
+    if (!pruned || !indexed) return cli::ExitStatus::io;
+    return outcome.failed + outcome.not_whole + found.unreadable > 0 ? cli::ExitStatus::partial : cli::ExitStatus::done;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -14,7 +14,7 @@
 #include "cli/workers/sandbox.h"
 #include "core/archive/shard.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// What gets a picture.
 enum class Grouping { clip, day, both };
@@ -37,7 +37,7 @@ struct ArchiveOptions {
     std::filesystem::path out;
     std::vector<std::string> match;  ///< patterns of clips; none = by their endings
     std::vector<std::string> names;  ///< layouts of clips' names, before those that are known
-    Shard shard;
+    archive::Shard shard;
     std::vector<std::string> exclude;  ///< patterns of what is no clip all the same
     Grouping per = Grouping::clip;
     std::chrono::seconds redraw{900};  ///< of a day to which clips are added
@@ -64,6 +64,6 @@ struct ArchiveOptions {
 /// Draws what is new in an archive, and writes its index.
 /// \returns partial where some clips failed
 /// \throws Error usage, io, backend, limit
-ExitStatus run_archive(const ArchiveOptions& options, const Environment& environment);
+cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment);
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -22,10 +22,10 @@
 #include "cli/exit_status.h"
 #include "core/archive/own_file.h"
 #include "core/archive/prune.h"
-#include "core/image/atomic_file.h"
 #include "core/base/version.h"
+#include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
             "allows, {} MB{}{}",
             signal, ::strsignal(signal), limits.memory / 1'000'000, words.empty() ? "" : ": ", words);
     }
-    if (end.status == static_cast<int>(ExitStatus::limit)) {
+    if (end.status == static_cast<int>(cli::ExitStatus::limit)) {
         return fmt::format("{}; --max-memory gives a worker {} MB", words, limits.memory / 1'000'000);
     }
     return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
@@ -80,7 +80,7 @@ void throw_if_not_the_clips_fault(const std::string& clip, const fs::path& folde
         throw Error(ErrorKind::limit, fmt::format("the worker for '{}' could not be started{}", clip,
                                                   words.empty() ? "; is vvr's own file still there?" : ": " + words));
     }
-    if (end.status != static_cast<int>(ExitStatus::io)) return;
+    if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = why_no_room(folder);
     if (error != ENOSPC && error != EDQUOT && error != EFBIG) return;
     throw Error(ErrorKind::io, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
@@ -92,7 +92,7 @@ constexpr std::uintmax_t most_of_a_report = 100'000'000;
 
 /// What a worker told of its clip.
 /// \throws Error io when that can't be read; a hostile clip may have written it
-void take_report_of_worker(Sidecar& sidecar, const fs::path& report) {
+void take_report_of_worker(archive::Sidecar& sidecar, const fs::path& report) {
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(report, error))) {
         throw Error(ErrorKind::io, fmt::format("the report '{}' is no file", report.string()));
@@ -101,12 +101,12 @@ void take_report_of_worker(Sidecar& sidecar, const fs::path& report) {
         throw Error(ErrorKind::io,
                     fmt::format("the report '{}' has more than {} MB", report.string(), most_of_a_report / 1'000'000));
     }
-    take_report(sidecar, report);
+    archive::take_report(sidecar, report);
 }
 
 /// Drawn, but without some of its files.
 bool is_not_whole(const WorkerEnd& end) {
-    return end.status == static_cast<int>(ExitStatus::partial);
+    return end.status == static_cast<int>(cli::ExitStatus::partial);
 }
 
 bool failed(const WorkerEnd& end) {
@@ -116,22 +116,22 @@ bool failed(const WorkerEnd& end) {
 /// What a failed clip's sidecar says: that of a worker that was ended for a limit, or had nothing to complain of but a
 /// report that is none, is ours.
 int status_of(const WorkerEnd& end) {
-    if (end.timed_out || end.wrote_too_much) return static_cast<int>(ExitStatus::limit);
-    return end.status == 0 || is_not_whole(end) ? static_cast<int>(ExitStatus::io) : end.status;
+    if (end.timed_out || end.wrote_too_much) return static_cast<int>(cli::ExitStatus::limit);
+    return end.status == 0 || is_not_whole(end) ? static_cast<int>(cli::ExitStatus::io) : end.status;
 }
 
-void remove_files(const fs::path& out, const std::string& clip, const std::vector<OutputKind>& kinds,
-                  const std::vector<OutputKind>& kept) {
-    for (const OutputKind kind : kinds) {
+void remove_files(const fs::path& out, const std::string& clip, const std::vector<archive::OutputKind>& kinds,
+                  const std::vector<archive::OutputKind>& kept) {
+    for (const archive::OutputKind kind : kinds) {
         std::error_code none;
-        if (std::ranges::count(kept, kind) == 0) fs::remove(output_path(out, clip, kind), none);
+        if (std::ranges::count(kept, kind) == 0) fs::remove(archive::output_path(out, clip, kind), none);
     }
 }
 
 }  // namespace
 
 bool could_not_draw(const WorkerEnd& end) {
-    return end.status == static_cast<int>(ExitStatus::backend);
+    return end.status == static_cast<int>(cli::ExitStatus::backend);
 }
 
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
@@ -164,45 +164,46 @@ bool is_disk_full(const std::string& text) {
     });
 }
 
-ClipTurn::ClipTurn(const ArchiveJob& job, Clip clip, std::optional<Sidecar> before, Claim claim)
+ClipTurn::ClipTurn(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
+                   archive::Claim claim)
     : job_(&job), clip_(std::move(clip)), before_(std::move(before)), claim_(std::move(claim)) {}
 
 ClipTurn::~ClipTurn() {
     if (finished_ || claim_.descriptor() < 0) return;
-    remove_leftovers(folder(), written_names(file_name()));
-    remove_staging(staging());
+    image::remove_leftovers(folder(), archive::written_names(file_name()));
+    archive::remove_staging(staging());
 }
 
 fs::path ClipTurn::folder() const {
-    return sidecar_path(job_->out, clip_.path).parent_path();
+    return archive::sidecar_path(job_->out, clip_.path).parent_path();
 }
 
 fs::path ClipTurn::staging() const {
-    return staging_of(job_->out, clip_.path);
+    return archive::staging_of(job_->out, clip_.path);
 }
 
-fs::path ClipTurn::staged(OutputKind kind) const {
-    return output_path(staging(), file_name(), kind);
+fs::path ClipTurn::staged(archive::OutputKind kind) const {
+    return archive::output_path(staging(), file_name(), kind);
 }
 
 std::string ClipTurn::file_name() const {
     return fs::path(clip_.path).filename().string();
 }
 
-const CameraDay* ClipTurn::day() const {
+const archive::CameraDay* ClipTurn::day() const {
     const auto found = job_->days.find(clip_.path);
     return found == job_->days.end() ? nullptr : &found->second;
 }
 
 /// As the index has it; empty at the top of the archive.
 std::string ClipTurn::camera() const {
-    return text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
+    return archive::text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
 }
 
 std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string& path) {
-    const fs::path folder = sidecar_path(job.out, path).parent_path();
+    const fs::path folder = archive::sidecar_path(job.out, path).parent_path();
     const std::string name = fs::path(path).filename().string();
-    check_own_folder(job.out, folder);
+    archive::check_own_folder(job.out, folder);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
@@ -210,21 +211,23 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
                                                "the way",
                                                folder.string(), error.message()));
     }
-    std::optional<Claim> claim = Claim::try_take(folder, name);
+    std::optional<archive::Claim> claim = archive::Claim::try_take(folder, name);
     if (!claim) return std::nullopt;
-    if (claim->was_left_behind()) remove_leftovers(folder, written_names(name));
-    remove_staging(staging_of(job.out, path));
+    if (claim->was_left_behind()) image::remove_leftovers(folder, archive::written_names(name));
+    archive::remove_staging(archive::staging_of(job.out, path));
     // It may have changed, or been done, since it was found.
     const auto day = job.days.find(path);
     const bool is_day = day != job.days.end();
-    std::optional<Clip> clip = is_day ? day->second.clip : look_at_clip(job.in, path);
+    std::optional<archive::Clip> clip = is_day ? day->second.clip : archive::look_at_clip(job.in, path);
     if (!clip) return std::nullopt;
-    std::optional<Sidecar> before = read_sidecar(job.out, path);
+    std::optional<archive::Sidecar> before = archive::read_sidecar(job.out, path);
     const auto now = std::chrono::system_clock::now();
-    const Need need = (is_day ? need_of_day : need_of)(*clip, before, job.out, job.rules, now);
-    if (!wants_work(need)) return std::nullopt;
-    check_own_place(sidecar_path(job.out, path));
-    for (const OutputKind kind : job.rules.files) check_own_place(output_path(job.out, path, kind));
+    const archive::Need need =
+        (is_day ? archive::need_of_day : archive::need_of)(*clip, before, job.out, job.rules, now);
+    if (!archive::wants_work(need)) return std::nullopt;
+    archive::check_own_place(archive::sidecar_path(job.out, path));
+    for (const archive::OutputKind kind : job.rules.files)
+        archive::check_own_place(archive::output_path(job.out, path, kind));
     ClipTurn turn(job, std::move(*clip), std::move(before), std::move(*claim));
     fs::create_directory(turn.staging(), error);
     if (error) {
@@ -237,9 +240,9 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
 
 std::unique_ptr<Worker> ClipTurn::start() const {
     static constexpr std::array options{
-        std::pair{OutputKind::picture, "--output="}, std::pair{OutputKind::page, "--page="},
-        std::pair{OutputKind::thumbnail, "--thumbnail="}, std::pair{OutputKind::report, "--report="},
-        std::pair{OutputKind::still, "--still="}};
+        std::pair{archive::OutputKind::picture, "--output="}, std::pair{archive::OutputKind::page, "--page="},
+        std::pair{archive::OutputKind::thumbnail, "--thumbnail="}, std::pair{archive::OutputKind::report, "--report="},
+        std::pair{archive::OutputKind::still, "--still="}};
     std::vector<std::string> arguments{"render", "--no-config", "--quiet", "--plain-name",
                                        fmt::format("--threads={}", job_->threads)};
     std::vector<fs::path> read;
@@ -251,14 +254,16 @@ std::unique_ptr<Worker> ClipTurn::start() const {
     }
     // Which files are of one camera was found out for all of the archive.
     if (day() != nullptr) arguments.emplace_back("--join");
-    if (day() != nullptr && !day()->camera.empty()) arguments.push_back("--title=" + text_of_path(day()->camera));
+    if (day() != nullptr && !day()->camera.empty())
+        arguments.push_back("--title=" + archive::text_of_path(day()->camera));
     for (const auto& [kind, option] : options) {
         if (std::ranges::count(job_->rules.files, kind) == 0) continue;
         arguments.push_back(option + staged(kind).string());
     }
-    if (std::ranges::count(job_->rules.files, OutputKind::page) > 0) {
-        arguments.push_back("--page-index=" + (job_->out / index_name).string());
-        arguments.push_back("--page-place=" + output_path(job_->out, clip_.path, OutputKind::page).string());
+    if (std::ranges::count(job_->rules.files, archive::OutputKind::page) > 0) {
+        arguments.push_back("--page-index=" + (job_->out / archive::index_name).string());
+        arguments.push_back("--page-place=" +
+                            archive::output_path(job_->out, clip_.path, archive::OutputKind::page).string());
         if (!camera().empty()) arguments.push_back("--page-camera=" + camera());
     }
     arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
@@ -267,11 +272,11 @@ std::unique_ptr<Worker> ClipTurn::start() const {
 }
 
 /// What is known of a clip that has been drawn.
-Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
-    Sidecar sidecar;
+archive::Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
+    archive::Sidecar sidecar;
     sidecar.clip = clip_;
     if (day() != nullptr) {
-        sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files};
+        sidecar.day = archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), day()->files};
     }
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();
@@ -279,32 +284,32 @@ Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
     sidecar.files = job_->rules.files;
     sidecar.status = end.status;
     if (is_not_whole(end)) sidecar.reason = last_words(end.said);
-    take_report_of_worker(sidecar, staged(OutputKind::report));
-    for (const OutputKind kind : sidecar.files) {
+    take_report_of_worker(sidecar, staged(archive::OutputKind::report));
+    for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
         if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
         throw Error(ErrorKind::io, fmt::format("the worker said that all is done, and there is no '{}'",
-                                               output_path("", clip_.path, kind).string()));
+                                               archive::output_path("", clip_.path, kind).string()));
     }
     return sidecar;
 }
 
 /// What is known of a clip that could not be drawn: of its files, if there are any, what was known before.
-Sidecar ClipTurn::failure(int status, const std::string& reason, double seconds) const {
-    Sidecar sidecar;
+archive::Sidecar ClipTurn::failure(int status, const std::string& reason, double seconds) const {
+    archive::Sidecar sidecar;
     if (before_ && !before_->files.empty()) {
         sidecar = *before_;
-        std::erase_if(sidecar.files, [&](OutputKind kind) {
+        std::erase_if(sidecar.files, [&](archive::OutputKind kind) {
             std::error_code none;
-            return !fs::is_regular_file(fs::symlink_status(output_path(job_->out, clip_.path, kind), none));
+            return !fs::is_regular_file(fs::symlink_status(archive::output_path(job_->out, clip_.path, kind), none));
         });
         if (!sidecar.files.empty()) {
-            sidecar.shows = shown_by(*before_);
+            sidecar.shows = archive::shown_by(*before_);
         } else {
-            sidecar = Sidecar();
+            sidecar = archive::Sidecar();
         }
     }
-    const bool again = before_ && before_->state == Sidecar::State::failed && before_->version == version() &&
+    const bool again = before_ && before_->state == archive::Sidecar::State::failed && before_->version == version() &&
                        before_->settings == job_->rules.settings && before_->clip.size == clip_.size &&
                        before_->clip.modified == clip_.modified;
     sidecar.clip = clip_;
@@ -312,21 +317,22 @@ Sidecar ClipTurn::failure(int status, const std::string& reason, double seconds)
         // As long as one of the clips is there that its picture shows, or would, the day is not gone.
         std::set<std::string> files(day()->files.begin(), day()->files.end());
         if (sidecar.shows && sidecar.day) files.insert(sidecar.day->files.begin(), sidecar.day->files.end());
-        sidecar.day = Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}};
+        sidecar.day =
+            archive::Sidecar::Day{day()->camera, day()->date, std::ssize(day()->files), {files.begin(), files.end()}};
     }
     sidecar.settings = job_->rules.settings;
     sidecar.version = version();
     sidecar.took = std::round(seconds * 1000) / 1000;
-    sidecar.state = Sidecar::State::failed;
+    sidecar.state = archive::Sidecar::State::failed;
     sidecar.tries = (again ? before_->tries : 0) + 1;
     sidecar.status = status;
     sidecar.reason = reason;
     return sidecar;
 }
 
-Sidecar ClipTurn::finish(const WorkerEnd& end, Signals& signals) {
+archive::Sidecar ClipTurn::finish(const WorkerEnd& end, cli::Signals& signals) {
     throw_if_not_the_clips_fault(clip_.path, folder(), end);
-    Sidecar sidecar;
+    archive::Sidecar sidecar;
     std::string reason = failed(end) ? reason_of(end, job_->limits) : "";
     if (reason.empty()) {
         try {
@@ -339,9 +345,9 @@ Sidecar ClipTurn::finish(const WorkerEnd& end, Signals& signals) {
     }
     if (!reason.empty()) sidecar = failure(status_of(end), reason, end.seconds);
     const auto held = signals.hold();
-    if (sidecar.state == Sidecar::State::done) {
-        for (const OutputKind kind : sidecar.files) {
-            const fs::path place = output_path(job_->out, clip_.path, kind);
+    if (sidecar.state == archive::Sidecar::State::done) {
+        for (const archive::OutputKind kind : sidecar.files) {
+            const fs::path place = archive::output_path(job_->out, clip_.path, kind);
             std::error_code error;
             fs::rename(staged(kind), place, error);
             if (error) {
@@ -351,11 +357,11 @@ Sidecar ClipTurn::finish(const WorkerEnd& end, Signals& signals) {
             }
         }
     }
-    write_sidecar(job_->out, sidecar);
+    archive::write_sidecar(job_->out, sidecar);
     if (before_) remove_files(job_->out, clip_.path, before_->files, sidecar.files);
-    remove_staging(staging());
+    archive::remove_staging(staging());
     finished_ = true;
     return sidecar;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -15,20 +15,20 @@
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// What all clips of a run have in common.
 struct ArchiveJob {
     std::filesystem::path in;
     std::filesystem::path out;
-    ArchiveRules rules;
+    archive::ArchiveRules rules;
     std::vector<std::string> options;     ///< that workers are given as they stand
     std::vector<std::string> drawn_with;  ///< those of them that choose OpenGL
     WorkerLimits limits;
-    std::shared_ptr<const Sandbox> sandbox{};  ///< for workers
-    int threads = 1;                           ///< a worker
-    std::map<std::string, CameraDay> days{};   ///< by where their files stand
-    RecorderNames names{};                     ///< how clips' names tell their camera
+    std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
+    int threads = 1;                                   ///< a worker
+    std::map<std::string, archive::CameraDay> days{};  ///< by where their files stand
+    video::RecorderNames names{};                      ///< how clips' names tell their camera
 };
 
 /// One clip's turn: nobody else writes its files as long as this is there.
@@ -51,24 +51,24 @@ class ClipTurn {
     /// \throws Error io when that can't be done for this clip
     /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk,
     /// limit when no worker can be started
-    Sidecar finish(const WorkerEnd& end, Signals& signals);
+    archive::Sidecar finish(const WorkerEnd& end, cli::Signals& signals);
 
   private:
-    ClipTurn(const ArchiveJob& job, Clip clip, std::optional<Sidecar> before, Claim claim);
+    ClipTurn(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, archive::Claim claim);
 
     std::filesystem::path folder() const;
     std::filesystem::path staging() const;
-    std::filesystem::path staged(OutputKind kind) const;
+    std::filesystem::path staged(archive::OutputKind kind) const;
     std::string file_name() const;
-    Sidecar read_results(const WorkerEnd& end) const;
-    Sidecar failure(int status, const std::string& reason, double seconds) const;
-    const CameraDay* day() const;
+    archive::Sidecar read_results(const WorkerEnd& end) const;
+    archive::Sidecar failure(int status, const std::string& reason, double seconds) const;
+    const archive::CameraDay* day() const;
     std::string camera() const;
 
     const ArchiveJob* job_;
-    Clip clip_;
-    std::optional<Sidecar> before_;
-    Claim claim_;
+    archive::Clip clip_;
+    std::optional<archive::Sidecar> before_;
+    archive::Claim claim_;
     bool finished_ = false;
 };
 
@@ -84,4 +84,4 @@ std::string last_words(const std::string& said);
 /// Whether an error is that of a full disk, by its text.
 bool is_disk_full(const std::string& text);
 
-}  // namespace vvr
+}  // namespace vvr::workers

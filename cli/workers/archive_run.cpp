@@ -15,10 +15,10 @@
 #include "core/archive/index.h"
 #include "core/archive/own_file.h"
 #include "core/archive/prune.h"
-#include "core/image/atomic_file.h"
 #include "core/base/words.h"
+#include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -29,9 +29,9 @@ class Account {
   public:
     Account(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
 
-    void add(const Sidecar& sidecar) {
-        const std::string name = text_of_path(sidecar.clip.path);
-        if (sidecar.state == Sidecar::State::failed) {
+    void add(const archive::Sidecar& sidecar) {
+        const std::string name = archive::text_of_path(sidecar.clip.path);
+        if (sidecar.state == archive::Sidecar::State::failed) {
             fail(sidecar.clip.path, fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
                                                 sidecar.shows ? "; the picture that is there stays" : ""));
             return;
@@ -49,12 +49,12 @@ class Account {
 
     void fail(const std::string& clip, const std::string& reason) {
         ++outcome_.failed;
-        log_.error("{} {} failed, {}", next(), text_of_path(clip), reason);
+        log_.error("{} {} failed, {}", next(), archive::text_of_path(clip), reason);
     }
 
     void pass_over(const std::string& clip) {
         ++outcome_.elsewhere;
-        log_.debug("{} {}: another run has it, or it has gone", next(), text_of_path(clip));
+        log_.debug("{} {}: another run has it, or it has gone", next(), archive::text_of_path(clip));
     }
 
     const ArchiveOutcome& outcome() const { return outcome_; }
@@ -83,8 +83,8 @@ std::optional<ClipTurn> take_turn(const ArchiveJob& job, const std::string& clip
 
 /// What came of a clip, unless that can't be read or written down: then the clip has failed, and the others go on. A
 /// full disk, and what is no matter of this clip's files, is an error still.
-std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end, Account& account,
-                                   Signals& signals) {
+std::optional<archive::Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end,
+                                            Account& account, cli::Signals& signals) {
     try {
         return turn.finish(end, signals);
     } catch (const Error& error) {
@@ -96,48 +96,49 @@ std::optional<Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, cons
 
 bool holds(const fs::path& path, const std::string& text) {
     std::error_code none;
-    return fs::file_size(path, none) == text.size() && read_own(path, "", text.size()).text == text;
+    return fs::file_size(path, none) == text.size() && archive::read_own(path, "", text.size()).text == text;
 }
 
 /// Leaves a file alone that is as it should be: who keeps it open sees no change. What is no file stays too.
-void put_file(const fs::path& path, const std::string& text, Signals& signals) {
-    check_own_place(path);
+void put_file(const fs::path& path, const std::string& text, cli::Signals& signals) {
+    archive::check_own_place(path);
     if (holds(path, text)) return;
     const auto held = signals.hold();
-    replace_file(path, std::as_bytes(std::span(text)), Links::replaced);
+    image::replace_file(path, std::as_bytes(std::span(text)), image::Links::replaced);
 }
 
 /// The clips that are no longer there; none where their folder itself is not, as its disk may not be mounted.
-std::set<std::string> gone_of(const fs::path& in, const std::vector<Sidecar>& sidecars) {
+std::set<std::string> gone_of(const fs::path& in, const std::vector<archive::Sidecar>& sidecars) {
     std::set<std::string> gone;
     std::error_code none;
     if (in.empty() || !fs::is_directory(in, none) || fs::is_empty(in, none)) return gone;
-    for (const Sidecar& sidecar : sidecars) {
-        if (!sidecar.day && is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
+    for (const archive::Sidecar& sidecar : sidecars) {
+        if (!sidecar.day && archive::is_gone(in / sidecar.clip.path)) gone.insert(sidecar.clip.path);
     }
     return gone;
 }
 
 /// Files of days on which no clip is left.
-void remove_other_days(const fs::path& out, const DayFiles& days) {
+void remove_other_days(const fs::path& out, const archive::DayFiles& days) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
         const std::string name = entry.path().filename().string();
         std::error_code none;
         const bool is_file = fs::is_regular_file(fs::symlink_status(entry.path(), none));
-        if (is_file && is_day_file(name) && !days.contains(name)) fs::remove(entry.path(), none);
+        if (is_file && archive::is_day_file(name) && !days.contains(name)) fs::remove(entry.path(), none);
     }
 }
 
 }  // namespace
 
-std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const ArchiveJob& job) {
+std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, const ArchiveJob& job) {
     const auto now = std::chrono::system_clock::now();
     std::vector<PlannedClip> planned;
     planned.reserve(clips.size());
-    for (const Clip& clip : clips) {
-        const std::optional<Sidecar> sidecar = read_sidecar(job.out, clip.path);
-        planned.push_back({clip, need_of(clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
+    for (const archive::Clip& clip : clips) {
+        const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, clip.path);
+        planned.push_back(
+            {clip, archive::need_of(clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
     }
     // What has just happened is what people want to see.
     std::ranges::stable_sort(planned, std::greater(),
@@ -149,9 +150,9 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
     const auto now = std::chrono::system_clock::now();
     std::vector<PlannedClip> planned;
     for (const auto& [path, day] : job.days) {
-        const std::optional<Sidecar> sidecar = read_sidecar(job.out, path);
-        planned.push_back(
-            {day.clip, need_of_day(day.clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
+        const std::optional<archive::Sidecar> sidecar = archive::read_sidecar(job.out, path);
+        planned.push_back({day.clip, archive::need_of_day(day.clip, sidecar, job.out, job.rules, now),
+                           sidecar ? sidecar->reason : ""});
     }
     std::ranges::stable_sort(planned, std::greater(),
                              [](const PlannedClip& planned_day) { return planned_day.clip.modified; });
@@ -164,7 +165,7 @@ namespace {
 /// is asked of another that reads no clip; until that has ended, nothing is decided.
 class Drawing {
   public:
-    Drawing(const ArchiveJob& job, std::size_t clips, int workers, const Environment& environment)
+    Drawing(const ArchiveJob& job, std::size_t clips, int workers, const cli::Environment& environment)
         : job_(job), environment_(environment), account_(clips, environment.log), pool_(workers, environment.signals) {}
 
     void draw(const std::string& clip) {
@@ -217,7 +218,7 @@ class Drawing {
     }
 
     const ArchiveJob& job_;
-    const Environment& environment_;
+    const cli::Environment& environment_;
     Account account_;
     bool can_draw_ = false;
     std::vector<Drawn> unsure_{};
@@ -227,24 +228,24 @@ class Drawing {
 }  // namespace
 
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
-                          const Environment& environment) {
+                          const cli::Environment& environment) {
     Drawing drawing(job, clips.size(), workers, environment);
     for (const PlannedClip& planned : clips) drawing.draw(planned.clip.path);
     return drawing.wait_for_all();
 }
 
-void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment) {
+void write_index(const ArchiveJob& job, const video::RecorderNames& names, const cli::Environment& environment) {
     // Of two runs that end together, the later one has to read what the other wrote.
-    const std::vector<std::string> files{std::string(index_name)};
-    const Claim claim = Claim::wait_for(job.out, files.front());
-    if (claim.was_left_behind()) remove_leftovers(job.out, files);
-    const Outputs outputs = list_outputs(job.out, job.in);
-    for (const ScanProblem& problem : outputs.problems) {
+    const std::vector<std::string> files{std::string(archive::index_name)};
+    const archive::Claim claim = archive::Claim::wait_for(job.out, files.front());
+    if (claim.was_left_behind()) image::remove_leftovers(job.out, files);
+    const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
+    for (const archive::ScanProblem& problem : outputs.problems) {
         environment.log.warn("'{}': {}; it is left alone, and the index has nothing of it",
                              (job.out / problem.path).string(), problem.reason);
     }
-    tidy(job.out, outputs);
-    const DayFiles days = make_day_files(outputs.sidecars, names);
+    archive::tidy(job.out, outputs);
+    const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
     for (const auto& [name, text] : days) {
         try {
             put_file(job.out / name, text, environment.signals);
@@ -253,39 +254,40 @@ void write_index(const ArchiveJob& job, const RecorderNames& names, const Enviro
             environment.log.error("{}", error.what());  // the index is of use without the events of a day
         }
     }
-    put_file(job.out / index_name, make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)),
-             environment.signals);
+    put_file(job.out / archive::index_name,
+             archive::make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)), environment.signals);
     remove_other_days(job.out, days);
 }
 
-std::size_t prune(const ArchiveJob& job, const ClipNames& clips, const RecorderNames& names, const Shard& shard,
-                  bool dry_run, const Environment& environment) {
-    std::vector<Sidecar> sidecars = list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
+std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const video::RecorderNames& names,
+                  const archive::Shard& shard, bool dry_run, const cli::Environment& environment) {
+    std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
+    std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
     if (sidecars.empty()) return 0;
-    const Present present = look_at_all(job.in, job.out, clips, names);
-    check_can_prune(job.in, present);
+    const archive::Present present = archive::look_at_all(job.in, job.out, clips, names);
+    archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;
     std::size_t removed = 0;
-    for (const Sidecar& sidecar : sidecars) {
+    for (const archive::Sidecar& sidecar : sidecars) {
         // Just before its files go: a disk may have been unmounted since the last one.
-        const Whereabouts verdict = fate_of(job.in, sidecar, present, names);
-        if (verdict.fate == Fate::away) away.insert(verdict.folder);
-        if (verdict.fate == Fate::unknown) ++unknown;
-        if (verdict.fate != Fate::gone) continue;
+        const archive::Whereabouts verdict = archive::fate_of(job.in, sidecar, present, names);
+        if (verdict.fate == archive::Fate::away) away.insert(verdict.folder);
+        if (verdict.fate == archive::Fate::unknown) ++unknown;
+        if (verdict.fate != archive::Fate::gone) continue;
         ++removed;
-        const std::string name = text_of_path(sidecar.clip.path);
+        const std::string name = archive::text_of_path(sidecar.clip.path);
         if (dry_run) {
-            print(fmt::format("{:<15} {}\n", "gone", name));
+            cli::print(fmt::format("{:<15} {}\n", "gone", name));
             continue;
         }
         try {
-            const fs::path place = sidecar_path(job.out, sidecar.clip.path);
-            const auto claim = Claim::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
+            const fs::path place = archive::sidecar_path(job.out, sidecar.clip.path);
+            const auto claim =
+                archive::Claim::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
             if (!claim) continue;  // another run draws it
             const auto held = environment.signals.hold();
-            remove_outputs(job.out, sidecar);
+            archive::remove_outputs(job.out, sidecar);
             environment.log.info("{}: the clip has gone, and its picture with it", name);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
@@ -307,4 +309,4 @@ std::size_t prune(const ArchiveJob& job, const ClipNames& clips, const RecorderN
     return removed;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -10,17 +10,17 @@
 #include "core/archive/shard.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// A clip, and what is to become of it.
 struct PlannedClip {
-    Clip clip;
-    Need need;
+    archive::Clip clip;
+    archive::Need need;
     std::string reason;  ///< why it failed, where it did
 };
 
 /// What is to become of each clip, the newest first.
-std::vector<PlannedClip> plan_archive(const std::vector<Clip>& clips, const ArchiveJob& job);
+std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, const ArchiveJob& job);
 
 /// What came of a run.
 struct ArchiveOutcome {
@@ -33,10 +33,10 @@ struct ArchiveOutcome {
 /// Draws those clips, some at a time.
 /// \throws Error when something other than a clip is at fault, a full disk for one; then the rest is not tried
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
-                          const Environment& environment);
+                          const cli::Environment& environment);
 
 /// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
-void write_index(const ArchiveJob& job, const RecorderNames& names, const Environment& environment);
+void write_index(const ArchiveJob& job, const video::RecorderNames& names, const cli::Environment& environment);
 
 /// What is to become of each day of a camera, the newest first.
 std::vector<PlannedClip> plan_days(const ArchiveJob& job);
@@ -45,7 +45,7 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 /// \param clips of the run: what it leaves out of them is there all the same
 /// \returns how many there were
 /// \throws Error io when nobody can know what has gone
-std::size_t prune(const ArchiveJob& job, const ClipNames& clips, const RecorderNames& names, const Shard& shard,
-                  bool dry_run, const Environment& environment);
+std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const video::RecorderNames& names,
+                  const archive::Shard& shard, bool dry_run, const cli::Environment& environment);
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -15,7 +15,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -126,4 +126,4 @@ bool LandlockRules::enforce() const {
     return ::syscall(SYS_landlock_restrict_self, rules_, 0) == 0;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

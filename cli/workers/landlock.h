@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace vvr {
+namespace vvr::workers {
 
 /// What a process may do with a file, or with all files below a folder.
 enum class Use {
@@ -47,4 +47,4 @@ class LandlockRules {
     int rules_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -16,7 +16,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -26,7 +26,7 @@ constexpr auto patience = 800ms;  // with workers that are asked to end
 
 }  // namespace
 
-WorkerPool::WorkerPool(int most, Signals& signals)
+WorkerPool::WorkerPool(int most, cli::Signals& signals)
     : most_(most), signals_(signals), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
     if (wake_ < 0) {
         throw Error(ErrorKind::limit, fmt::format("cannot wait for workers: {}; allow the program more open files",
@@ -93,4 +93,4 @@ void WorkerPool::end_all() {
     for (;;) ::pause();  // the signal ends the program
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

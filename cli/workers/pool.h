@@ -8,7 +8,7 @@
 #include "cli/signals.h"
 #include "cli/workers/worker.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// Workers at work, so many at a time. A signal ends them before it ends the program.
 class WorkerPool {
@@ -16,7 +16,7 @@ class WorkerPool {
     /// Told of a worker's end.
     using Done = std::function<void(const WorkerEnd&)>;
 
-    WorkerPool(int most, Signals& signals);
+    WorkerPool(int most, cli::Signals& signals);
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
@@ -39,11 +39,11 @@ class WorkerPool {
     [[noreturn]] void end_all();
 
     int most_;
-    Signals& signals_;
+    cli::Signals& signals_;
     std::list<Job> jobs_;
     int wake_;  ///< an eventfd: a signal has come
     std::atomic<bool> ending_ = false;
     std::atomic<bool> ended_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -15,7 +15,7 @@
 
 #include "core/image/text.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -116,8 +116,8 @@ std::vector<ProgramFile> program_files(bool gpu) {
     add_library_folders(files);
     add_libraries(files);
     add_shader_cache(files);
-    for (const fs::path& place : font_places()) files.push_back({place, Use::read});
+    for (const fs::path& place : image::font_places()) files.push_back({place, Use::read});
     return files;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -5,7 +5,7 @@
 
 #include "cli/workers/landlock.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// A file that drawing needs, or all below a folder.
 struct ProgramFile {
@@ -18,4 +18,4 @@ struct ProgramFile {
 /// \param gpu a graphics card as well
 std::vector<ProgramFile> program_files(bool gpu);
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -86,4 +86,4 @@ Confinement Sandbox::around(const std::vector<std::filesystem::path>& files,
     return {std::move(rules), filter_.get()};
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

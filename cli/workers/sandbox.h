@@ -11,7 +11,7 @@
 #include "cli/workers/program_files.h"
 #include "cli/workers/system_calls.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// Whether workers are shut in.
 enum class SandboxMode { automatic, off, required };
@@ -76,4 +76,4 @@ class Sandbox {
     std::unique_ptr<const CallFilter> filter_{};
 };
 
-}  // namespace vvr
+}  // namespace vvr::workers

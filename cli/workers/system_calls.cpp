@@ -24,7 +24,7 @@
 #include "cli/workers/allowed_calls.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -125,4 +125,4 @@ bool give_up_beginnings() {
     return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

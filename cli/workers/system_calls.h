@@ -4,7 +4,7 @@
 
 #include <linux/filter.h>
 
-namespace vvr {
+namespace vvr::workers {
 
 /// Why this kernel has no filters of system calls (seccomp), as in errno; 0 = it has them.
 int why_no_call_filter();
@@ -33,4 +33,4 @@ class CallFilter {
 /// \returns whether it did
 bool give_up_beginnings();
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -22,7 +22,7 @@
 #include "cli/workers/worker_begin.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -234,4 +234,4 @@ void Worker::reap(bool wait) {
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

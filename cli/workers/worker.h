@@ -9,7 +9,7 @@
 
 #include "cli/workers/sandbox.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 /// What a worker may take. 0 = as much as it likes.
 struct WorkerLimits {
@@ -72,4 +72,4 @@ class Worker {
     WorkerEnd end_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::workers

@@ -10,7 +10,7 @@
 
 #include "cli/workers/system_calls.h"
 
-namespace vvr {
+namespace vvr::workers {
 
 namespace {
 
@@ -42,4 +42,4 @@ void begin_worker() {
     ::close(ready);
 }
 
-}  // namespace vvr
+}  // namespace vvr::workers

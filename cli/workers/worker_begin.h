@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::workers {
 
 /// The environment variable by which a worker is told that it is one.
 inline constexpr std::string_view worker_variable = "VVR_WORKER";
@@ -17,4 +17,4 @@ std::string worker_value(int ready, bool shut_in);
 /// worker that never began is known from one that a clip has ended. Elsewhere: nothing.
 void begin_worker();
 
-}  // namespace vvr
+}  // namespace vvr::workers

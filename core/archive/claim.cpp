@@ -16,7 +16,7 @@
 #include "core/base/fnv.h"
 #include "core/base/plain_name.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::optional<std::pair<Claim, std::string>> Claim::take_over(const fs::path& fi
     return std::pair(Claim(file, open, true), std::move(*name));
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace vvr {
+namespace vvr::archive {
 
 /// The right to write the files of one name in a folder, as long as this object lives. It is a lock (`flock`) on a
 /// hidden file: the kernel releases it however the program ends, and it holds between machines if the file system's
@@ -52,4 +52,4 @@ class Claim {
     bool left_behind_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -9,7 +9,7 @@
 
 #include "core/video/video_files.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -28,7 +28,7 @@ bool fits(const std::string& pattern, const std::string& clip) {
 bool ClipNames::matches(const std::string& clip) const {
     const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
     if (std::ranges::any_of(excluded_, fits_clip)) return false;
-    if (videos_ && is_video_name(std::string(file_name(clip)))) return true;
+    if (videos_ && video::is_video_name(std::string(file_name(clip)))) return true;
     return std::ranges::any_of(patterns_, fits_clip);
 }
 
@@ -40,8 +40,8 @@ ClipNames ClipNames::with_all() const {
 
 std::string ClipNames::wanted() const {
     std::string names;
-    if (videos_) names = fmt::format("{}", fmt::join(video_endings(), " "));
+    if (videos_) names = fmt::format("{}", fmt::join(video::video_endings(), " "));
     return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace vvr {
+namespace vvr::archive {
 
 /// Which files of an archive are clips, by their names.
 class ClipNames {
@@ -30,4 +30,4 @@ class ClipNames {
     bool videos_ = patterns_.empty();  ///< those with the endings of video files are clips too
 };
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -14,15 +14,15 @@
 #include "core/base/local_time.h"
 #include "core/base/plain_name.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
 /// When a clip begins, in seconds since 1970: as its name says, else when it was last written.
-std::int64_t begin_of(const Clip& clip, const RecorderNames& names) {
+std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
     const std::int64_t written = clip.modified / 1'000'000'000;
     const auto named = names.read(clip.path).begin;
-    const std::int64_t begin = named ? utc_of(*named, written) : written;
+    const std::int64_t begin = named ? video::utc_of(*named, written) : written;
     return can_be_time(begin) ? begin : written;
 }
 
@@ -37,7 +37,7 @@ bool can_be_folder(const std::string& path) {
 
 }  // namespace
 
-CameraDays group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, const Settling& settling) {
+CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling) {
     CameraDays grouped;
     std::map<std::string, CameraDay> days;
     std::map<std::string, std::int64_t> ahead;
@@ -79,4 +79,4 @@ CameraDays group_by_day(const std::vector<Clip>& clips, const RecorderNames& nam
     return grouped;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

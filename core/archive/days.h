@@ -7,7 +7,7 @@
 #include "core/archive/scan.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// All clips that a camera began on a day.
 struct CameraDay {
@@ -25,6 +25,6 @@ struct CameraDays {
 };
 
 /// Groups clips by camera and day. A clip of which nothing tells when it begins is of the day when it was last written.
-CameraDays group_by_day(const std::vector<Clip>& clips, const RecorderNames& names, const Settling& settling);
+CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling);
 
-}  // namespace vvr
+}  // namespace vvr::archive

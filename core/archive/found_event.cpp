@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -41,13 +41,13 @@ FoundEvent event_of(const Json& event, double width, double height) {
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
     found.still = tenths_of(still);
-    std::vector<WayPoint> way;
+    std::vector<events::WayPoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");
-        way.push_back(way_point(point.at("seconds").get<double>(),
-                                {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
+        way.push_back(events::way_point(point.at("seconds").get<double>(),
+                                        {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
     }
-    found.path = simplified(way);
+    found.path = events::simplified(way);
     return found;
 }
 
@@ -72,7 +72,7 @@ std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
 
 Json json_of(const FoundEvent& event) {
     Json json{std::string(1, event.kind), event.number, event.still};
-    for (const WayPoint& point : event.path) {
+    for (const events::WayPoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;
@@ -89,4 +89,4 @@ FoundEvent found_event_of(const Json& json) {
     return event;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -10,14 +10,14 @@
 
 #include "core/events/way.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// What an archive knows of an event of a clip.
 struct FoundEvent {
-    char kind = 'm';             ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
-    int number = 0;              ///< in the picture, the page and the report
-    int still = 0;               ///< tenths of a second for which it kept its place
-    std::vector<WayPoint> path;  ///< its way, from its first to its last moment
+    char kind = 'm';                     ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
+    int number = 0;                      ///< in the picture, the page and the report
+    int still = 0;                       ///< tenths of a second for which it kept its place
+    std::vector<events::WayPoint> path;  ///< its way, from its first to its last moment
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;
 };
@@ -32,4 +32,4 @@ nlohmann::ordered_json json_of(const FoundEvent& event);
 /// \throws nlohmann::json::exception for what `json_of` does not make
 FoundEvent found_event_of(const nlohmann::ordered_json& json);
 
-}  // namespace vvr
+}  // namespace vvr::archive

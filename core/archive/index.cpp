@@ -19,7 +19,7 @@
 #include "index_script.h"
 #include "shared_files.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -62,12 +62,12 @@ struct Place {
 };
 
 /// What `begin_of` goes by.
-ClockSource source_of_begin(const Sidecar& sidecar, const RecorderNames& names) {
+ClockSource source_of_begin(const Sidecar& sidecar, const video::RecorderNames& names) {
     if (!sidecar.day && names.read(sidecar.clip.path).begin) return ClockSource::file_name;
     return sidecar.recorded ? sidecar.recorded_by : ClockSource::modified;
 }
 
-Place place_of(const Sidecar& sidecar, const RecorderNames& names) {
+Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names),
             source_of_begin(sidecar, names)};
 }
@@ -96,7 +96,7 @@ constexpr int modified_bit = 1 << 11;   // when its file was last written, less 
 Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::string>& cameras, bool gone) {
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
     Json row{camera,
-             url_of_path(sidecar.clip.path),
+             page::url_of_path(sidecar.clip.path),
              place.begin,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
@@ -146,13 +146,13 @@ std::string day_of(std::int64_t utc) {
 
 }  // namespace
 
-std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
+std::int64_t begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     // When its file was last written. What a later try has seen of the clip, its files don't show.
     const std::int64_t end = shown_by(sidecar).clip.modified / 1'000'000'000;
     const std::int64_t written = std::clamp<std::int64_t>(end - std::llround(sidecar.seconds), 0, last_time - 1);
     const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
     if (named) {
-        if (const std::int64_t begin = utc_of(*named, written); can_be_time(begin)) return begin;
+        if (const std::int64_t begin = video::utc_of(*named, written); can_be_time(begin)) return begin;
     }
     if (sidecar.recorded) {
         if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
@@ -160,7 +160,7 @@ std::int64_t begin_of(const Sidecar& sidecar, const RecorderNames& names) {
     return written;
 }
 
-DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const RecorderNames& names) {
+DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
     // Where clips of a camera are there one by one, a picture of its whole day would tell of them again.
     std::set<std::string> one_by_one;
     for (const Sidecar& sidecar : sidecars) {
@@ -172,12 +172,12 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const RecorderName
         Json events = Json::array();
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
         Json& day = days[day_of(begin_of(sidecar, names))];
-        day.push_back({url_of_path(sidecar.clip.path), std::move(events)});
+        day.push_back({page::url_of_path(sidecar.clip.path), std::move(events)});
     }
     DayFiles files;
     for (const auto& [day, clips] : days) {
         files[fmt::format("{}{}{}", day_file_begin, day, day_file_end)] =
-            fmt::format("vvrDay(\"{}\",{});\n", day, script_json(json_text(clips, -1, true)));
+            fmt::format("vvrDay(\"{}\",{});\n", day, page::script_json(json_text(clips, -1, true)));
     }
     return files;
 }
@@ -191,7 +191,7 @@ bool is_day_file(std::string_view name) {
                               [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
 }
 
-std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames& names,
+std::string make_index(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names,
                        const std::set<std::string>& gone) {
     std::vector<Place> places;
     for (const Sidecar& sidecar : sidecars) places.push_back(place_of(sidecar, names));
@@ -215,16 +215,16 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const RecorderNames
     }
     json["days"] = days;
     const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);
-    const std::string script = joined(
+    const std::string script = page::joined(
         std::string(shared_files::common_js) + std::string(shared_files::place_js) + std::string(shared_files::ways_js),
         index_script::files);
-    return fill(index_files::index_html, {
-                                             {"script policy", policy_hash(script)},
-                                             {"style policy", policy_hash(style)},
-                                             {"style", style},
-                                             {"script", script},
-                                             {"data", script_json(json_text(json, -1, true))},
-                                         });
+    return page::fill(index_files::index_html, {
+                                                   {"script policy", page::policy_hash(script)},
+                                                   {"style policy", page::policy_hash(style)},
+                                                   {"style", style},
+                                                   {"script", script},
+                                                   {"data", page::script_json(json_text(json, -1, true))},
+                                               });
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

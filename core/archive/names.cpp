@@ -8,7 +8,7 @@
 
 #include "core/base/shown_text.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -59,4 +59,4 @@ fs::path sidecar_path(const fs::path& out, const std::string& clip) {
     return with_ending(out, clip, sidecar_ending);
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -6,7 +6,7 @@
 #include <string_view>
 
 // A clip is identified by its path below the archive's folder, in bytes: file systems have no encoding.
-namespace vvr {
+namespace vvr::archive {
 
 /// The path as valid UTF-8, from which `path_of_text` makes the same bytes again: bytes that are not UTF-8, control
 /// characters and `%` become `%FF`.
@@ -35,4 +35,4 @@ inline constexpr std::string_view index_name = "index.html";
 std::filesystem::path output_path(const std::filesystem::path& out, const std::string& clip, OutputKind kind);
 std::filesystem::path sidecar_path(const std::filesystem::path& out, const std::string& clip);
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file_lock.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -94,4 +94,4 @@ OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t m
     return own;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

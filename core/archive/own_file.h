@@ -8,7 +8,7 @@
 
 // The files that an archive has in its folder of pictures. Others may write there too: what stands in the place of such
 // a file and is none is named, and left alone.
-namespace vvr {
+namespace vvr::archive {
 
 /// What stands at a path where a file should: "a link", "a pipe"; nothing for a file, and where nothing is.
 std::optional<std::string_view> strange_at(const std::filesystem::path& path);
@@ -30,4 +30,4 @@ struct OwnText {
 /// or is too large no more is read.
 OwnText read_own(const std::filesystem::path& file, std::string_view beginning, std::size_t most);
 
-}  // namespace vvr
+}  // namespace vvr::archive

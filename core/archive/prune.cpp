@@ -19,7 +19,7 @@
 #include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -35,7 +35,7 @@ bool is_of_a_time(std::string_view folder) {
 /// The folder of a clip that is not there, if it may be a disk that is not mounted: one that is empty, a link that
 /// leads nowhere, or a camera's own at the top of the archive of which no clip is left.
 std::optional<std::string> what_is_away(const fs::path& in, const std::string& clip, const Present& present,
-                                        const RecorderNames& recorders) {
+                                        const video::RecorderNames& recorders) {
     fs::path missing;
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
@@ -124,7 +124,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
         if (!left) continue;
         const fs::path folder = file.parent_path();
         const std::string& name = left->second;
-        remove_leftovers(folder, written_names(name));
+        image::remove_leftovers(folder, written_names(name));
         remove_staging(staging_of(folder, name));
         std::error_code none;
         if (fs::exists(sidecar_path(folder, name), none)) continue;
@@ -138,7 +138,8 @@ void tidy(const fs::path& out, const Outputs& outputs) {
     }
 }
 
-Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& names, const RecorderNames& recorders) {
+Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& names,
+                    const video::RecorderNames& recorders) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
     // Without a time to wait for, none is left out.
     const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
@@ -149,7 +150,7 @@ Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& na
 }
 
 Whereabouts fate_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
-                    const RecorderNames& recorders) {
+                    const video::RecorderNames& recorders) {
     if (present.days.contains(sidecar.clip.path)) return {};
     if (sidecar.day && sidecar.day->files.empty()) return {Fate::unknown, {}};
     std::set<fs::path> looked_at;
@@ -175,4 +176,4 @@ void check_can_prune(const fs::path& in, const Present& present) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

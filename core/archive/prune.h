@@ -10,7 +10,7 @@
 #include "core/archive/sidecar.h"
 #include "core/video/recorder_names.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// The files in an archive's folder of pictures that belong to the archive.
 struct Outputs {
@@ -50,7 +50,7 @@ struct Present {
 /// Looks at all clips. That one is still being written, excluded or of a time that can't be makes none of them gone.
 /// \throws Error io when the folder can't be read
 Present look_at_all(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
-                    const RecorderNames& recorders);
+                    const video::RecorderNames& recorders);
 
 /// Whether a clip, or all clips of a day, have gone for certain.
 enum class Fate {
@@ -66,10 +66,10 @@ struct Whereabouts {
 };
 
 Whereabouts fate_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
-                    const RecorderNames& recorders);
+                    const video::RecorderNames& recorders);
 
 /// Refuses to prune where it can't be known what has gone.
 /// \throws Error io when there is no clip at all, or a part of the folder could not be read
 void check_can_prune(const std::filesystem::path& in, const Present& present);
 
-}  // namespace vvr
+}  // namespace vvr::archive

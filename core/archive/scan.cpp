@@ -21,7 +21,7 @@
 #include "core/base/plain_name.h"
 #include "core/video/playlist.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -133,7 +133,7 @@ class Walk {
         const bool clip = names_.matches(path);
         const bool link = type == fs::file_type::symlink;
         if (!clip && !link) return;
-        if (clip && is_playlist_name(path)) {
+        if (clip && video::is_playlist_name(path)) {
             scan_.problems.push_back({path, "it is a playlist, and an archive draws only video files; name those"});
             return;
         }
@@ -223,4 +223,4 @@ bool Settling::is_ahead(const Clip& clip) const {
     return modified >= now + settle && modified > now;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -9,7 +9,7 @@
 
 #include "core/archive/clip_names.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// A clip's file, as it is known without opening it.
 struct Clip {
@@ -52,4 +52,4 @@ Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& 
 /// The file's size and time now; nothing when it no longer exists.
 std::optional<Clip> look_at_clip(const std::filesystem::path& in, const std::string& path);
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -2,10 +2,10 @@
 
 #include "core/base/fnv.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 bool Shard::holds(std::string_view clip) const {
     return fnv1a(clip) % count == index;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

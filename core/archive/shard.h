@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::archive {
 
 /// A stable share of the clips: those whose path's FNV-1a hash, 64 bits, leaves `index` when divided by `count`.
 struct Shard {
@@ -13,4 +13,4 @@ struct Shard {
     bool holds(std::string_view clip) const;
 };
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -14,11 +14,11 @@
 #include "core/archive/limits.h"
 #include "core/archive/own_file.h"
 #include "core/base/error.h"
-#include "core/image/atomic_file.h"
 #include "core/base/json_text.h"
 #include "core/base/plain_name.h"
+#include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -236,7 +236,7 @@ void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
     const std::string text = format_sidecar(sidecar);
     const fs::path file = sidecar_path(out, sidecar.clip.path);
     check_own_place(file);
-    replace_file(file, std::as_bytes(std::span(text)), Links::replaced);
+    image::replace_file(file, std::as_bytes(std::span(text)), image::Links::replaced);
 }
 
 std::optional<Sidecar> read_sidecar(const fs::path& out, const std::string& clip) {
@@ -300,4 +300,4 @@ void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -11,7 +11,7 @@
 #include "core/archive/scan.h"
 #include "core/base/clock_source.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// What an archive knows about a clip, as a file beside its picture. Sidecars are the only database.
 struct Sidecar {
@@ -84,4 +84,4 @@ Sidecar::Shown shown_by(const Sidecar& sidecar);
 /// \throws Error io
 void remove_outputs(const std::filesystem::path& out, const Sidecar& sidecar);
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -4,7 +4,7 @@
 #include <array>
 #include <system_error>
 
-namespace vvr {
+namespace vvr::archive {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string_view name_of(Need need) {
     return row_of(need).name;
 }
 
-}  // namespace vvr
+}  // namespace vvr::archive

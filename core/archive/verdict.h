@@ -9,7 +9,7 @@
 
 #include "core/archive/sidecar.h"
 
-namespace vvr {
+namespace vvr::archive {
 
 /// Why a clip has to be drawn, or why not.
 enum class Need {
@@ -48,4 +48,4 @@ bool wants_work(Need need);
 /// One or two words for people.
 std::string_view name_of(Need need);
 
-}  // namespace vvr
+}  // namespace vvr::archive

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::bricks {
 
 std::vector<Brick> cut_into(std::int64_t layers, int bricks) {
     const std::int64_t k = std::clamp<std::int64_t>(bricks, 1, std::max<std::int64_t>(layers, 1));
@@ -46,4 +46,4 @@ std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks) {
     return pieces;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

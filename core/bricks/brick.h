@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// m consecutive layers of the volume as one 3D texture; §6's logical brick, two integers.
 struct Brick {
@@ -31,4 +31,4 @@ std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks);
 /// Cuts bricks where certain layers begin, ascending.
 std::vector<Brick> cut_at(std::span<const Brick> bricks, std::span<const std::int64_t> layers);
 
-}  // namespace vvr
+}  // namespace vvr::bricks

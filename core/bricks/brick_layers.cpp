@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -174,4 +174,4 @@ void BrickLayers::lay_out_identities(std::int64_t first, std::span<ColouredTexel
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

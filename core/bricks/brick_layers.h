@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 #include "core/bricks/brick.h"
 #include "core/bricks/identity.h"
 #include "core/bricks/volume.h"
-#include "core/base/pixel_box.h"
-#include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// What a voxel tells beside its scalar.
 enum class Beside { nothing, colour, identity };
@@ -38,7 +38,7 @@ class BrickLayers {
     bool coloured() const { return beside_ != Beside::nothing; }  ///< texels are ColouredTexels
 
     /// Whether there is something between two texels; else the nearest one is meant.
-    bool interpolated() const { return interpolates(volume_->values()); }
+    bool interpolated() const { return fields::interpolates(volume_->values()); }
 
     /// Of the layers' texels, columns of x_C and rows of y_C; never empty.
     const PixelBox& box() const { return box_; }
@@ -65,4 +65,4 @@ class BrickLayers {
     PixelBox box_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -138,10 +138,10 @@ std::array<double, 2> felt(Reach reach, std::int64_t count, double more) {
 
 }  // namespace
 
-BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout, double margin) {
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::Layout& layout, double margin) {
     const Size size = layers.size();
     // In x_C, y_C and t_C; along the arc where it is shortest.
-    const Basis basis = layout.basis({0, 0.5, 0.5});
+    const space::Basis basis = layout.basis({0, 0.5, 0.5});
     const glm::dvec3 around = margin / glm::dvec3(glm::length(basis.x), glm::length(basis.y), glm::length(basis.t));
     const int nx = cells_along(size.width, cell_side);
     const int ny = cells_along(size.height, cell_side);
@@ -183,4 +183,4 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& l
     return cells;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -6,7 +6,7 @@
 #include "core/bricks/brick_layers.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// The least and greatest value that interpolation can give within a cell.
 struct ValueRange {
@@ -55,7 +55,7 @@ struct BrickCells {
 /// and
 ///        weighted by how much of it a polygon covers: with half of a pixel's diagonal, cells cover the whole of each
 ///        pixel in whose centre something is seen, however the volume is cut.
-BrickCells brick_cells(const BrickLayers& layers, double t_span, const Layout& layout, double margin = 0);
+BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::Layout& layout, double margin = 0);
 
 /// The cells of a brick, and the part of the window's t_C that the brick takes.
 struct PlacedCells {
@@ -64,4 +64,4 @@ struct PlacedCells {
     double t_end = 1;
 };
 
-}  // namespace vvr
+}  // namespace vvr::bricks

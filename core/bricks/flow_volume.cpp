@@ -5,7 +5,7 @@
 
 #include <glm/gtc/packing.hpp>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -33,7 +33,7 @@ glm::dvec2 in_plane(const Plane<std::uint32_t>& packed, double column, double ro
 
 }  // namespace
 
-void FlowVolume::add(std::int64_t frame, const Flow& flow) {
+void FlowVolume::add(std::int64_t frame, const fields::Flow& flow) {
     Layer layer{frame, Plane<std::uint32_t>::for_overwrite(flow.u.size())};
     std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(), [](float u, float v) {
         return glm::packHalf2x16({u, v});
@@ -70,4 +70,4 @@ glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
                     share / static_cast<double>(after->frame - low.frame));
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

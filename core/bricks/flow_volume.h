@@ -6,17 +6,17 @@
 
 #include <glm/glm.hpp>
 
-#include "core/fields/field.h"
 #include "core/base/plane.h"
+#include "core/fields/field.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// The optical flow at some frames of the window: a vector field over (column, row, frame), which tracelines follow
 /// (§5.2). Half floats: their 11 bits are finer than any estimate of flow, in half the memory.
 class FlowVolume {
   public:
     /// Keeps the flow of `frame`, a later one than those before, all of one size.
-    void add(std::int64_t frame, const Flow& flow);
+    void add(std::int64_t frame, const fields::Flow& flow);
 
     /// Forgets the frames for which `gone` is true.
     void erase_if(const std::function<bool(std::int64_t)>& gone);
@@ -41,4 +41,4 @@ class FlowVolume {
     std::vector<Layer> layers_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace vvr {
+namespace vvr::bricks {
 
 struct Layer;
 
@@ -23,4 +23,4 @@ using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
 /// All is nobody's.
 inline const Identify nobodys;
 
-}  // namespace vvr
+}  // namespace vvr::bricks

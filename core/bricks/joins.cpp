@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -73,4 +73,4 @@ void Joins::join_least(std::vector<Layer>& layers, std::size_t idle) {
     if (!join_idle(layers)) join_at(layers, 0);
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

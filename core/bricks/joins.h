@@ -6,7 +6,7 @@
 
 #include "core/bricks/layer.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// Pixels times frames in which a layer shows something that was not there, more than its two halves do: what is lost
 /// when neighbours become one layer. A layer of n frames in which u pixels are ever occupied shows n·u. Nothing is lost
@@ -17,7 +17,7 @@ double loss_of_joining(const Layer& a, const Layer& b);
 class Joins {
   public:
     /// What the layers' values are, which says how two join.
-    void set_values(Values values) { values_ = values; }
+    void set_values(fields::Values values) { values_ = values; }
 
     /// A layer was added behind the others.
     void add(const std::vector<Layer>& layers);
@@ -34,7 +34,7 @@ class Joins {
   private:
     void join_at(std::vector<Layer>& layers, std::size_t i);
 
-    Values values_ = Values::strength;
+    fields::Values values_ = fields::Values::strength;
 
     std::vector<double> losses_;  ///< of each layer and the one after it
 };
@@ -44,4 +44,4 @@ inline bool is_idle(const Layer& layer) {
     return layer.moving == 0;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

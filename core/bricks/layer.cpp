@@ -2,17 +2,17 @@
 
 #include <span>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
 /// Pixel by pixel, where either has something.
-SparsePlane joined_planes(Values values, const SparsePlane& before, const SparsePlane& after) {
+SparsePlane joined_planes(fields::Values values, const SparsePlane& before, const SparsePlane& after) {
     SparsePlane result(before.size());
     const auto visit = [&](const SparsePlane& plane) {
         plane.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (std::size_t i = 0; i < run.size(); ++i, ++column) {
-                result.set(column, row, joined(values, before.at(column, row), after.at(column, row)));
+                result.set(column, row, fields::joined(values, before.at(column, row), after.at(column, row)));
             }
         });
     };
@@ -23,7 +23,7 @@ SparsePlane joined_planes(Values values, const SparsePlane& before, const Sparse
 
 }  // namespace
 
-void join(Layer& layer, const Layer& next, Values values) {
+void join(Layer& layer, const Layer& next, fields::Values values) {
     if (!next.colour.empty() || !next.owner.empty()) {
         next.scalar.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (const std::uint8_t value : run) {
@@ -35,7 +35,7 @@ void join(Layer& layer, const Layer& next, Values values) {
             }
         });
     }
-    if (values == Values::strength) {
+    if (values == fields::Values::strength) {
         layer.scalar.keep_greater(next.scalar);
     } else {
         layer.scalar = joined_planes(values, layer.scalar, next.scalar);
@@ -47,4 +47,4 @@ void join(Layer& layer, const Layer& next, Values values) {
     layer.last_pts = next.last_pts;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
+#include "core/base/plane.h"
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/values.h"
-#include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// One layer of the volume: of each pixel what its values in `frames` consecutive frames join to, the strongest one
 /// where they are strengths.
@@ -25,6 +25,6 @@ struct Layer {
 
 /// Joins a layer with the one after it; each voxel keeps the colour and the owner of the greater value, the first of
 /// two alike. \param values that say how two values join
-void join(Layer& layer, const Layer& next, Values values = Values::strength);
+void join(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
 
-}  // namespace vvr
+}  // namespace vvr::bricks

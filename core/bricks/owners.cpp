@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -38,12 +38,12 @@ void Owners::keep_only(const std::vector<bool>& used) {
     std::ranges::sort(free_, std::greater{});
 }
 
-OwnerPlane Owners::pixels_of(std::span<const LabelRun> runs, const SparsePlane& scalar) {
+OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const SparsePlane& scalar) {
     const Size size = scalar.size();
     OwnerPlane pixels(size);
     if (runs.empty()) return pixels;
     if (whole_.size() != size) whole_ = Plane<std::uint16_t>(size);
-    for (const LabelRun& run : runs) {
+    for (const fields::LabelRun& run : runs) {
         const std::uint16_t number = number_of(run.track);
         std::ranges::fill(whole_.row(run.row).subspan(static_cast<std::size_t>(run.first),
                                                       static_cast<std::size_t>(run.last - run.first)),
@@ -84,7 +84,7 @@ OwnerPlane Owners::pixels_of(std::span<const LabelRun> runs, const SparsePlane& 
         }
     });
     // Runs may name pixels of which the field has none.
-    for (const LabelRun& run : runs) {
+    for (const fields::LabelRun& run : runs) {
         std::ranges::fill(whole_.row(run.row).subspan(static_cast<std::size_t>(run.first),
                                                       static_cast<std::size_t>(run.last - run.first)),
                           std::uint16_t{0});
@@ -92,4 +92,4 @@ OwnerPlane Owners::pixels_of(std::span<const LabelRun> runs, const SparsePlane& 
     return pixels;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

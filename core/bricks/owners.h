@@ -6,11 +6,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/bricks/sparse_plane.h"
 #include "core/fields/label_run.h"
-#include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// Short numbers for tracks, as the owners of voxels are kept in 16 bits: 0 is nobody, else 1 + the place in a list.
 class Owners {
@@ -29,7 +29,7 @@ class Owners {
 
     /// Whose the pixels of a field are: its runs, and what lies within `reach` of them and isn't 0. What stands has a
     /// rim that is never quite still, and a filter's edges are soft: without that they would be nobody's.
-    OwnerPlane pixels_of(std::span<const LabelRun> runs, const SparsePlane& scalar);
+    OwnerPlane pixels_of(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
 
   private:
     static constexpr std::size_t most = 65'535;
@@ -40,4 +40,4 @@ class Owners {
     Plane<std::uint16_t> whole_;  ///< 0 between calls
 };
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <functional>
 
-namespace vvr {
+namespace vvr::bricks {
 
 template <class T>
 Sparse<T>::Sparse(Size size)
     : size_(size),
-      across_((size.width + tile_side - 1) / tile_side),
-      held_(static_cast<std::size_t>(across_) * static_cast<std::size_t>((size.height + tile_side - 1) / tile_side),
+      across_((size.width + fields::tile_side - 1) / fields::tile_side),
+      held_(static_cast<std::size_t>(across_) *
+                static_cast<std::size_t>((size.height + fields::tile_side - 1) / fields::tile_side),
             none) {}
 
 template <>
 SparsePlane::Sparse(const Plane<std::uint8_t>& whole) : Sparse(whole.size()) {
-    const Plane<std::uint8_t> occupied = occupied_tiles(whole);
+    const Plane<std::uint8_t> occupied = fields::occupied_tiles(whole);
     tiles_.reserve(static_cast<std::size_t>(std::ranges::count(occupied.pixels(), std::uint8_t{1})));
     for (std::size_t place = 0; place < held_.size(); ++place) {
         if (occupied.pixels()[place] == 0) continue;
         held_[place] = static_cast<std::int32_t>(tiles_.size());
         const PixelBox box = box_of(place);
         auto into = tiles_.emplace_back().begin();
-        for (int row = box.top; row < box.bottom; ++row, into += tile_side) {
+        for (int row = box.top; row < box.bottom; ++row, into += fields::tile_side) {
             std::ranges::copy_n(whole.row(row).begin() + box.left, box.width(), into);
         }
     }
@@ -29,9 +30,10 @@ SparsePlane::Sparse(const Plane<std::uint8_t>& whole) : Sparse(whole.size()) {
 
 template <class T>
 PixelBox Sparse<T>::box_of(std::size_t place) const {
-    const int left = static_cast<int>(place) % across_ * tile_side;
-    const int top = static_cast<int>(place) / across_ * tile_side;
-    return {left, top, std::min(left + tile_side, size_.width), std::min(top + tile_side, size_.height)};
+    const int left = static_cast<int>(place) % across_ * fields::tile_side;
+    const int top = static_cast<int>(place) / across_ * fields::tile_side;
+    return {left, top, std::min(left + fields::tile_side, size_.width),
+            std::min(top + fields::tile_side, size_.height)};
 }
 
 template <class T>
@@ -118,4 +120,4 @@ template std::int64_t count_of_either(const SparsePlane& a, const SparsePlane& b
 template bool operator==(const SparsePlane& a, const SparsePlane& b);
 template bool operator==(const OwnerPlane& a, const OwnerPlane& b);
 
-}  // namespace vvr
+}  // namespace vvr::bricks

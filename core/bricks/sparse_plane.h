@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "core/fields/tiles.h"
 #include "core/base/pixel_box.h"
 #include "core/base/plane.h"
+#include "core/fields/tiles.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// A picture that is 0 in most places, as the scalars of a layer are where nothing moves: only tiles in which something
 /// isn't 0 are held. Of a street that is a twentieth.
@@ -51,7 +51,7 @@ class Sparse {
             if (tile == nullptr) continue;
             const PixelBox box = box_of(place);
             std::span<const T> rows = *tile;
-            for (int row = box.top; row < box.bottom; ++row, rows = rows.subspan(tile_side)) {
+            for (int row = box.top; row < box.bottom; ++row, rows = rows.subspan(fields::tile_side)) {
                 visit(box.left, row, rows.first(static_cast<std::size_t>(box.width())));
             }
         }
@@ -67,13 +67,13 @@ class Sparse {
 
   private:
     static constexpr std::int32_t none = -1;
-    using Tile = std::array<T, tile_side * tile_side>;
+    using Tile = std::array<T, fields::tile_side * fields::tile_side>;
 
     std::size_t place_of(int i, int j) const {
-        return static_cast<std::size_t>(j / tile_side * across_ + i / tile_side);
+        return static_cast<std::size_t>(j / fields::tile_side * across_ + i / fields::tile_side);
     }
     static std::size_t within(int i, int j) {
-        return static_cast<std::size_t>(j % tile_side * tile_side + i % tile_side);
+        return static_cast<std::size_t>(j % fields::tile_side * fields::tile_side + i % fields::tile_side);
     }
     PixelBox box_of(std::size_t place) const;
     const Tile* tile_at(std::size_t place) const {
@@ -94,4 +94,4 @@ using SparsePlane = Sparse<std::uint8_t>;
 /// Whose each pixel is: a number of `Owners`, 0 = nobody's.
 using OwnerPlane = Sparse<std::uint16_t>;
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::bricks {
 
 std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
-                                  const std::optional<SeedFlags>& flags) {
+                                  const std::optional<fields::SeedFlags>& flags) {
     std::vector<FrameSeed> used;
     for (const FrameSeed& at : volume.seeds()) {
         const std::int64_t layer = at.frame / volume.step();
@@ -16,4 +16,4 @@ std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> b
     return used;
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 namespace {
 
@@ -35,7 +35,8 @@ Layer& Volume::add_layer(Layer layer) {
     return layers_.back();
 }
 
-void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const LabelRun> owners, bool moves) {
+void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span<const fields::LabelRun> owners,
+                 bool moves) {
     if (field.scalar.size() != size_) {
         throw Error(ErrorKind::not_video,
                     fmt::format("frame {} has a field of {}x{}, the volume's frames have {}x{}", field.index,
@@ -60,7 +61,7 @@ void Volume::add(const Field& field, const Plane<Bgr>& colour, std::span<const L
     }
     if (field.index % seed_interval_ == 0) {
         seeded_.push_back({frames_, field.index});
-        for (const Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
+        for (const fields::Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
         if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
@@ -142,7 +143,7 @@ std::int64_t Volume::step() const {
 }
 
 /// Whose the pixels of a field are; empty where that isn't kept.
-OwnerPlane Volume::owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar) {
+OwnerPlane Volume::owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar) {
     if (!keeps_owners_) return {};
     if (owners_.room() < runs.size()) {
         std::vector<bool> used(std::size_t{1} << 16U);
@@ -291,4 +292,4 @@ std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length) {
     return cut_by_turns(volume, [&](const Layer& layer) { return (layer.first_frame - first) / length; });
 }
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/base/plane.h"
 #include "core/bricks/brick.h"
 #include "core/bricks/flow_volume.h"
 #include "core/bricks/joins.h"
@@ -16,14 +17,13 @@
 #include "core/fields/field.h"
 #include "core/fields/label_run.h"
 #include "core/fields/values.h"
-#include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::bricks {
 
 /// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
 struct FrameSeed {
     std::int64_t frame = 0;
-    Seed seed;
+    fields::Seed seed;
 };
 
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
@@ -50,7 +50,7 @@ class Volume {
     void keep_owners() { keeps_owners_ = true; }
 
     /// What the values of the fields are, which says how frames share a layer. Before the first frame.
-    void set_values(Values values) {
+    void set_values(fields::Values values) {
         values_ = values;
         joins_.set_values(values);
     }
@@ -72,7 +72,7 @@ class Volume {
     /// \param colour the frame itself, for a volume in the video's colours: from the first frame on or never
     /// \param owners whose pixels are whose, of a volume that keeps that
     /// \param moves whether something moves in it, where layers are of unequal length
-    void add(const Field& field, const Plane<Bgr>& colour = {}, std::span<const LabelRun> owners = {},
+    void add(const fields::Field& field, const Plane<Bgr>& colour = {}, std::span<const fields::LabelRun> owners = {},
              bool moves = true);
 
     /// Adds a frame that never came, where time went on without one: nothing is to be seen in it.
@@ -100,7 +100,7 @@ class Volume {
     std::int64_t missing() const;  ///< of the frames, those that never came
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
-    Values values() const { return values_; }
+    fields::Values values() const { return values_; }
     bool keeps_owners() const { return keeps_owners_; }
 
     /// The track that a number of a layer's `owner` stands for; the number isn't 0.
@@ -143,7 +143,7 @@ class Volume {
     void join_pairs();
     void thin_seeds();
     std::int64_t room() const { return unequal_ ? capacity_ + capacity_ / 2 : capacity_; }
-    OwnerPlane owners_in(std::span<const LabelRun> runs, const SparsePlane& scalar);
+    OwnerPlane owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
 
     Size size_;
     std::int64_t capacity_;
@@ -152,7 +152,7 @@ class Volume {
     std::int64_t frames_ = 0;
     std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
-    Values values_ = Values::strength;
+    fields::Values values_ = fields::Values::strength;
     bool unequal_ = false;
     Joins joins_;
     std::int64_t next_thinning_ = 0;  ///< frames, of layers of unequal length
@@ -183,4 +183,4 @@ std::vector<Brick> cut_by_clock(const Volume& volume, double length, double cloc
 /// Cuts a volume where multiples of `length` frames pass.
 std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length);
 
-}  // namespace vvr
+}  // namespace vvr::bricks

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -80,4 +80,4 @@ double distance(const Appearance& a, const Appearance& b) {
     return std::sqrt(std::max(0.0, 1 - alike));
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

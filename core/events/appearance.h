@@ -5,7 +5,7 @@
 #include "core/events/patch.h"
 #include "core/events/sight.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What an object looks like: histograms of brightness and colour of its upper, middle and lower part. A person's coat
 /// and trousers are told apart by it, whichever way the person turns.
@@ -33,4 +33,4 @@ class Appearance {
 
 double distance(const Appearance& a, const Appearance& b);
 
-}  // namespace vvr
+}  // namespace vvr::events

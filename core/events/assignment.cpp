@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace vvr {
+namespace vvr::events {
 
 // Each row may also take a private column of cost `most`: then it stays without one.
 std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) {
@@ -63,4 +63,4 @@ std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) 
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Gives each row at most one column, so that the sum of the costs is the least that there is (the Hungarian method
 /// with potentials, after Kuhn and Munkres: O(rows² · columns)).
@@ -13,4 +13,4 @@ namespace vvr {
 /// \returns the column of each row
 std::vector<std::optional<int>> assign(const Plane<double>& costs, double most);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include "core/events/assignment.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -107,4 +107,4 @@ Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -8,7 +8,7 @@
 #include "core/events/event_options.h"
 #include "core/events/patch.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// A track, where it should be by now.
 struct Expected {
@@ -36,4 +36,4 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
 Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::span<const Appearance> looks,
                      const EventOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -188,4 +188,4 @@ std::vector<int> colours_of(std::span<const Event> events) {
     return colours;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// How many colours objects have: more can't be told apart by all eyes.
 inline constexpr int object_colours = 8;
@@ -15,4 +15,4 @@ inline constexpr int object_colours = 8;
 /// that last long and are large, choose first. The same events always get the same colours.
 std::vector<int> colours_of(std::span<const Event> events);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -12,7 +12,7 @@
 #include "core/events/linking.h"
 #include "core/events/path.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -31,7 +31,8 @@ enum class Thing { there, gone, light };
 
 class Conclusion {
   public:
-    Conclusion(std::vector<Tracklet> tracklets, const Span& span, const Planes& scene, const EventOptions& options)
+    Conclusion(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
+               const EventOptions& options)
         : tracklets_(std::move(tracklets)), span_(span), scene_(scene), options_(options) {}
 
     std::vector<Event> run() {
@@ -435,7 +436,7 @@ class Conclusion {
 
     std::vector<Tracklet> tracklets_;
     Span span_;
-    const Planes& scene_;
+    const fields::Planes& scene_;
     EventOptions options_;
     std::vector<Candidate> candidates_;
     std::vector<std::vector<std::size_t>> in_stretch_;  // places of the candidates in each
@@ -444,9 +445,9 @@ class Conclusion {
 
 }  // namespace
 
-std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const Planes& scene,
+std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
                             const EventOptions& options) {
     return Conclusion(std::move(tracklets), span, scene, options).run();
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -8,7 +8,7 @@
 #include "core/events/tracklet.h"
 #include "core/fields/planes.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Frames without a gap between them.
 struct Stretch {
@@ -31,7 +31,7 @@ struct Span {
 /// Makes events of all tracklets of a clip: joins those of one object, tells what kind each is, and leaves out what is
 /// none: pieces, flicker, ghosts.
 /// \param scene the empty scene; may be empty, and then nothing counts as taken
-std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const Planes& scene,
+std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
                             const EventOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::events

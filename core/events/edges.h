@@ -6,7 +6,7 @@
 
 #include "core/events/patch.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// How strong the edges of a picture are along the outline of a patch: the mean change of brightness across it, grey
 /// levels. A thing has its edges in the frame. A ghost, the place of something that belonged to the empty scene and
@@ -34,4 +34,4 @@ double edge_strength(const Patch& patch, Size picture, Brightness brightness) {
     return sum / std::max(1, count);
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -12,7 +12,7 @@
 #include "core/base/pixel_box.h"
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// A time for which something kept its place.
 struct Stay {
@@ -82,4 +82,4 @@ struct Event {
 /// Seconds for which it kept its place.
 double still_seconds(const Event& event);
 
-}  // namespace vvr
+}  // namespace vvr::events

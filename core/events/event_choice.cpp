@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-namespace vvr {
+namespace vvr::events {
 
 std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice) {
     std::vector<std::optional<std::size_t>> places(events.size());
@@ -24,4 +24,4 @@ std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& c
     return chosen;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Which events are wanted.
 struct EventChoice {
@@ -17,4 +17,4 @@ struct EventChoice {
 /// nobody.
 std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice);
 
-}  // namespace vvr
+}  // namespace vvr::events

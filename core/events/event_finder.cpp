@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -323,10 +323,10 @@ void EventFinder::give_portraits(const Moment& now) const {
     }
 }
 
-std::vector<Event> EventFinder::finish(const Planes& scene) {
+std::vector<Event> EventFinder::finish(const fields::Planes& scene) {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
     return conclude(std::move(ended_), {field_, first_, last_, stretches_}, scene, options_);
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

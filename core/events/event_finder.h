@@ -14,7 +14,7 @@
 #include "core/events/track.h"
 #include "core/fields/planes.h"
 
-namespace vvr {
+namespace vvr::events {
 
 using PortraitSink = std::function<void(std::size_t track, const Portrait& portrait)>;
 
@@ -49,7 +49,7 @@ class EventFinder {
 
     /// The events, by their first times. To be called once, after the last field.
     /// \param scene the empty scene that the fields were compared with; empty where there is none
-    std::vector<Event> finish(const Planes& scene = {});
+    std::vector<Event> finish(const fields::Planes& scene = {});
 
   private:
     bool comes_after_gap(const Moment& now) const;
@@ -91,4 +91,4 @@ class EventFinder {
     PortraitSink portrait_sink_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

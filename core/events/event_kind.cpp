@@ -2,7 +2,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -29,4 +29,4 @@ double still_seconds(const Event& event) {
     return still;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace vvr {
+namespace vvr::events {
 
 /// What counts as an event, and how far apart two sightings of one object may be. Seconds are those of the clip; the
 /// unit of a distance is the object's own length, so that one set of numbers serves near and far.
@@ -40,4 +40,4 @@ struct EventOptions {
     double settled_part = 0.6;  ///< share of steady pixels that makes an object a standing one
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -50,4 +50,4 @@ double Flicker::of(const Patch& patch) const {
     return static_cast<double>(sum) / once / std::max(1, patch.area);
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 #include "core/events/event.h"
 #include "core/events/patch.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Counts how often each pixel came to be part of an object of late. Tape in the wind, leaves and the digits of a
 /// camera's clock come and go at the same pixels; what walks through crosses each of them once.
@@ -26,4 +26,4 @@ class Flicker {
     Plane<std::uint8_t> counts_;  ///< in eighths
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

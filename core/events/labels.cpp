@@ -1,6 +1,6 @@
 #include "core/events/labels.h"
 
-namespace vvr {
+namespace vvr::events {
 
 void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels) {
     for (int j = 0; j < patch.box.height(); ++j) {
@@ -28,4 +28,4 @@ std::vector<std::optional<std::size_t>> events_of_tracks(std::span<const Event> 
     return table;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -9,7 +9,7 @@
 #include "core/events/patch.h"
 #include "core/fields/label_run.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Which pixels of a field belong to which track, as runs of columns; a pixel that no run names belongs to none.
 ///
@@ -18,7 +18,7 @@ namespace vvr {
 /// to be none. Runs of a busy frame take about a hundredth of its field.
 struct FrameLabels {
     Moment at;
-    std::vector<LabelRun> runs;
+    std::vector<fields::LabelRun> runs;
 };
 
 using LabelSink = std::function<void(const FrameLabels&)>;
@@ -29,4 +29,4 @@ void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels);
 /// The place in the list of the event that each track became a part of; none for those of no event. Indexed by track.
 std::vector<std::optional<std::size_t>> events_of_tracks(std::span<const Event> events);
 
-}  // namespace vvr
+}  // namespace vvr::events

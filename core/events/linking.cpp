@@ -7,7 +7,7 @@
 
 #include "core/events/assignment.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets
     return next;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -7,7 +7,7 @@
 #include "core/events/event_options.h"
 #include "core/events/tracklet.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What it costs to take `later` for the same object as `earlier`: by the gap, by how far it is from where motion led,
 /// and by looks. `EventOptions::link_cost` or more means that it is another.
@@ -18,4 +18,4 @@ double link_cost(const Tracklet& earlier, const Tracklet& later, const EventOpti
 /// \returns for each tracklet the place of the one that follows it
 std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets, const EventOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::events

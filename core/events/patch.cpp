@@ -6,7 +6,7 @@
 
 #include "core/base/cv_view.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -89,4 +89,4 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int 
     return blobs;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/events/event.h"
 #include "core/base/plane.h"
+#include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// The pixels of one object in one field: their values, and 0 where there are none of it.
 struct Patch {
@@ -63,4 +63,4 @@ Patch moved(Patch patch, const glm::ivec2& by);
 /// \param min_area pixels; of fewer, there is no object
 Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int min_area);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<PathPoint> thinned(std::vector<PathPoint> path) {
     return path;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -4,7 +4,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// The way of an object, in so few points that neither its limbs' swinging nor a day of it counts.
 class Path {
@@ -44,4 +44,4 @@ glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame);
 /// Every other point, as often as it takes to be no more than a path may have.
 std::vector<PathPoint> thinned(std::vector<PathPoint> path);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::optional<Scraps> find_scraps(std::span<const Event> events, Size field) {
     return scraps;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

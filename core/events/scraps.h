@@ -6,7 +6,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Small events that crowd one part of the picture: a screen, a flag, a far road, pieces of what stands there.
 struct Scraps {
@@ -21,4 +21,4 @@ struct Scraps {
 /// \returns nothing where they do not
 std::optional<Scraps> find_scraps(std::span<const Event> events, Size field);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::vector<Share> share_blob(const Patch& blob, const Sight& sight, std::span<c
     return shares;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

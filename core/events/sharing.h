@@ -6,7 +6,7 @@
 #include "core/events/patch.h"
 #include "core/events/sight.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What an object looked like when it was last seen alone.
 struct Template {
@@ -30,4 +30,4 @@ struct Share {
 std::vector<Share> share_blob(const Patch& blob, const Sight& sight, std::span<const Template* const> templates,
                               std::span<const glm::ivec2> expected);
 
-}  // namespace vvr
+}  // namespace vvr::events

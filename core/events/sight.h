@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What is seen at one moment: the field, and the frame of which it was made. The planes are of one size; a frame
 /// without colour or without a picture leaves those empty, and then objects are told apart by what is left.
@@ -25,4 +25,4 @@ struct Sight {
     }
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

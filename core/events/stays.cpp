@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vvr {
+namespace vvr::events {
 
 void Stays::add(const Moment& now, const glm::dvec2& place, const PixelBox& box, double reach) {
     if (open_ && glm::distance(place, open_->place) <= reach) {
@@ -30,4 +30,4 @@ void Stays::close() {
     open_.reset();
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Finds the times for which something that need not be quite still, as a person who waits, kept its place.
 class Stays {
@@ -33,4 +33,4 @@ class Stays {
     std::vector<Stay> found_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <span>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -61,4 +61,4 @@ void Steadiness::add(std::uint8_t value, Pixel& pixel, const Moment& now) const 
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

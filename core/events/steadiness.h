@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
-#include "core/events/event.h"
 #include "core/base/plane.h"
+#include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// Knows of each pixel since when its value has been about the same: of an object that was put down while somebody
 /// stood about it, that is when, though it was not to be told from the person then.
@@ -35,4 +35,4 @@ class Steadiness {
     Plane<std::uint8_t> levels_;  ///< those of the pixels, closer together
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

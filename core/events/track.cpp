@@ -8,7 +8,7 @@
 
 #include "core/events/edges.h"
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -365,4 +365,4 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

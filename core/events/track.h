@@ -14,7 +14,7 @@
 #include "core/events/steadiness.h"
 #include "core/events/tracklet.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What is going on with a track; docs/report.md has the diagram.
 enum class State {
@@ -186,4 +186,4 @@ class Track {
     double portrait_due_ = 0;  ///< seconds: when to look for a better one
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -7,7 +7,7 @@
 #include "core/events/appearance.h"
 #include "core/events/event.h"
 
-namespace vvr {
+namespace vvr::events {
 
 /// What is known of an object when it settled.
 struct Settled {
@@ -56,4 +56,4 @@ struct Tracklet {
     double seconds() const { return end.at.seconds - begin.at.seconds; }
 };
 
-}  // namespace vvr
+}  // namespace vvr::events

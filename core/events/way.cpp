@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace vvr {
+namespace vvr::events {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::vector<WayPoint> simplified(std::span<const WayPoint> way, double tolerance
     return points;
 }
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vvr {
+namespace vvr::events {
 
 /// Where an object was and when, in whole numbers: an archive keeps those of a hundred thousand events.
 struct WayPoint {
@@ -27,4 +27,4 @@ inline constexpr double way_tolerance = 12;
 /// As few of the points as keep every moment's place within `tolerance`, in the unit of the points.
 std::vector<WayPoint> simplified(std::span<const WayPoint> way, double tolerance = way_tolerance);
 
-}  // namespace vvr
+}  // namespace vvr::events

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 /// Neighbouring pixels of one row that are alike: columns first to last - 1.
@@ -195,4 +195,4 @@ void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differenc
     paint(plane, gaps, measured, is_wanted, options.value);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

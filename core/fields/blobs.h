@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 // A blob is a set of pixels that are not 0 and touch, corners included.
 
@@ -29,4 +29,4 @@ struct HoleOptions {
 /// \param differences grey levels, of the plane's size
 void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differences, const HoleOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::fields

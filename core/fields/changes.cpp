@@ -8,7 +8,7 @@
 
 #include "core/fields/tiles.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Mean differences of a tile, in grey levels. In no noise at all, what moves by a tenth of a pixel shows; in the worst
@@ -103,4 +103,4 @@ void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& h
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

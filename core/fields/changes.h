@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Copies to `changed` what of `object` lies in tiles of 8 × 8 pixels that differ between two frames by more than the
 /// camera's noise, or next to one. The noise is learnt from the quiet tiles of the same frames.
@@ -12,4 +12,4 @@ namespace vvr {
 void mark_changes(const Plane<std::uint8_t>& other, const Plane<std::uint8_t>& here, const Plane<std::uint8_t>& object,
                   Plane<std::uint8_t>& changed);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -5,7 +5,7 @@
 
 #include "core/fields/blobs.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 void clean(Plane<std::uint8_t>& plane, const CleanOptions& options, const Plane<std::uint8_t>& region) {
     std::uint8_t* const pixels = plane.pixels().data();
@@ -27,4 +27,4 @@ void clean(Plane<std::uint8_t>& plane, const CleanOptions& options, const Plane<
     remove_small_blobs(plane, options.min_area);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// How what a filter found becomes a scalar field.
 struct CleanOptions {
@@ -16,4 +16,4 @@ struct CleanOptions {
 /// \param region where it is 0, so becomes the plane; empty for everywhere
 void clean(Plane<std::uint8_t>& plane, const CleanOptions& options, const Plane<std::uint8_t>& region);
 
-}  // namespace vvr
+}  // namespace vvr::fields

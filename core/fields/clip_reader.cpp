@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-namespace vvr {
+namespace vvr::fields {
 
-ClipReader::ClipReader(FrameSource& source, const FrameSpan& span, int context, bool from_first)
+ClipReader::ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first)
     : source_(source),
       span_(span),
       context_(static_cast<std::size_t>(context)),
       from_first_(from_first),
-      scalers_([&source] { return Scaler(source); }) {}
+      scalers_([&source] { return video::Scaler(source); }) {}
 
-std::shared_ptr<DecodedFrame> ClipReader::read() {
-    std::shared_ptr<DecodedFrame> frame = source_.next();
+std::shared_ptr<video::DecodedFrame> ClipReader::read() {
+    std::shared_ptr<video::DecodedFrame> frame = source_.next();
     if (frame) {
         last_index_ = frame->index;
         last_pts_ = frame->pts;
@@ -25,7 +25,7 @@ std::shared_ptr<DecodedFrame> ClipReader::read() {
 void ClipReader::collect_context() {
     waiting_.clear();
     while (auto frame = read()) {
-        const bool counts = !is_before(span_, frame->index, frame->pts);
+        const bool counts = !video::is_before(span_, frame->index, frame->pts);
         waiting_.push_back(std::move(frame));
         if (counts) return;
         if (waiting_.size() > context_) waiting_.pop_front();
@@ -34,7 +34,7 @@ void ClipReader::collect_context() {
 }
 
 void ClipReader::go_to_span() {
-    if (from_first_ || span_ == FrameSpan{}) return;
+    if (from_first_ || span_ == video::FrameSpan{}) return;
     const double rate = source_.info().rate;
     if (rate > 0) {
         const double start = std::max(span_.start, static_cast<double>(span_.first) / rate);
@@ -50,7 +50,7 @@ void ClipReader::go_to_span() {
 
 FrameJob ClipReader::operator()() {
     if (!std::exchange(begun_, true)) go_to_span();
-    std::shared_ptr<DecodedFrame> decoded;
+    std::shared_ptr<video::DecodedFrame> decoded;
     if (waiting_.empty()) {
         decoded = read();
     } else {
@@ -58,8 +58,8 @@ FrameJob ClipReader::operator()() {
         waiting_.pop_front();
     }
     if (!decoded) return {};
-    if (is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
+    if (video::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
     return [this, decoded] { return scalers_.local()(*decoded); };
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

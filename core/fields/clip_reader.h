@@ -10,7 +10,7 @@
 #include "core/video/frame_span.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it
 /// gives.
@@ -18,7 +18,7 @@ class ClipReader {
   public:
     /// \param source at its first frame
     /// \param from_first whether all frames before the span are wanted too
-    ClipReader(FrameSource& source, const FrameSpan& span, int context, bool from_first);
+    ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first);
 
     /// The job of the next frame; an empty function at the end.
     FrameJob operator()();
@@ -28,20 +28,20 @@ class ClipReader {
     double last_pts() const { return last_pts_; }
 
   private:
-    std::shared_ptr<DecodedFrame> read();
+    std::shared_ptr<video::DecodedFrame> read();
     void go_to_span();
     void collect_context();
 
-    FrameSource& source_;
-    FrameSpan span_;
+    video::FrameSource& source_;
+    video::FrameSpan span_;
     std::size_t context_;
     bool begun_ = false;
     bool from_first_;
     std::size_t past_end_ = 0;
     std::int64_t last_index_ = -1;
     double last_pts_ = 0;
-    std::deque<std::shared_ptr<DecodedFrame>> waiting_;
-    oneapi::tbb::enumerable_thread_specific<Scaler> scalers_;
+    std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
+    oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

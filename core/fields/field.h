@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/fields/seed_flags.h"
 #include "core/base/plane.h"
+#include "core/fields/seed_flags.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Optical flow of one frame in field pixels per frame, u to the right, v down (the convention of .flo files).
 struct Flow {
@@ -35,4 +35,4 @@ struct Field {
     Plane<std::uint8_t> second{};  ///< what a second filter gives; empty where none was asked for
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

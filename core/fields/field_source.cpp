@@ -5,9 +5,9 @@
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 
-namespace vvr {
+namespace vvr::fields {
 
-ClipFields::ClipFields(std::unique_ptr<FrameSource> clip, FieldOptions options)
+ClipFields::ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options)
     : clip_(std::move(clip)), options_(std::move(options)) {}
 
 FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
@@ -21,4 +21,4 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     return compute_fields(*clip_, options, sink);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

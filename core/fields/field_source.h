@@ -6,7 +6,7 @@
 #include "core/fields/pipeline.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// What is wanted of the fields besides the scalar.
 struct FieldNeeds {
@@ -25,7 +25,7 @@ class FieldSource {
     FieldSource(const FieldSource&) = delete;
     FieldSource& operator=(const FieldSource&) = delete;
 
-    virtual const VideoInfo& info() const = 0;
+    virtual const video::VideoInfo& info() const = 0;
     virtual Size field_size() const = 0;
 
     /// How many fields there are as far as the clip's header tells; 0 = unknown.
@@ -45,17 +45,17 @@ class FieldSource {
 /// Fields computed from a clip.
 class ClipFields final : public FieldSource {
   public:
-    ClipFields(std::unique_ptr<FrameSource> clip, FieldOptions options);
+    ClipFields(std::unique_ptr<video::FrameSource> clip, FieldOptions options);
 
-    const VideoInfo& info() const override { return clip_->info(); }
+    const video::VideoInfo& info() const override { return clip_->info(); }
     Size field_size() const override { return clip_->field_size(); }
-    std::int64_t expected_frames() const override { return vvr::expected_frames(clip_->info(), options_.span); }
+    std::int64_t expected_frames() const override { return vvr::video::expected_frames(clip_->info(), options_.span); }
     FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
 
   private:
-    std::unique_ptr<FrameSource> clip_;
+    std::unique_ptr<video::FrameSource> clip_;
     FieldOptions options_;
     bool begun_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

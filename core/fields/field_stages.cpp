@@ -10,7 +10,7 @@
 #include "core/fields/seeds.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Grey levels by which an object differs from the empty scene, for filters that have no threshold of their own for
@@ -72,10 +72,10 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
-std::shared_ptr<Shot> FieldStages::begin(Frame frame) const {
+std::shared_ptr<Shot> FieldStages::begin(video::Frame frame) const {
     auto shot = std::make_shared<Shot>();
     if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
-    shot->frame = std::make_shared<const Frame>(std::move(frame));
+    shot->frame = std::make_shared<const video::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
     if (object_ && !object_->adapts()) take_object(*shot, object_->find(shot->smooth));
     if (flow_) shot->levels = quantiles_of(shot->frame->grey);
@@ -193,4 +193,4 @@ const FlowFrame& FieldStages::prepared(Shot& shot) const {
     return shot.flow_frame;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -15,11 +15,11 @@
 #include "core/fields/pipeline.h"
 #include "core/fields/stabilizer.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
 struct Shot {
-    SharedFrame frame;               ///< aligned with the reference where the camera shakes
+    video::SharedFrame frame;        ///< aligned with the reference where the camera shakes
     std::optional<Visible> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
@@ -50,7 +50,7 @@ class FieldStages {
     bool remembers() const { return remembers_; }
 
     /// Does what needs the frame alone. May be called from several threads at once.
-    std::shared_ptr<Shot> begin(Frame frame) const;
+    std::shared_ptr<Shot> begin(video::Frame frame) const;
 
     /// Does what needs the frames in order, one at a time.
     /// \param shot null after the last one
@@ -91,4 +91,4 @@ class FieldStages {
     std::deque<std::shared_ptr<Shot>> last_;  ///< the last 2 reach + 1 frames that were gathered
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

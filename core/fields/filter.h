@@ -12,11 +12,11 @@
 #include "core/fields/values.h"
 #include "core/video/frame.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// What a filter may look at. What its row doesn't ask for may be empty or null.
 struct FilterInput {
-    const Frame& frame;
+    const video::Frame& frame;
     const Planes& smooth;                        ///< the frame, smoothed as the options ask
     const Planes* previous;                      ///< the same of the frame before; null at the first
     const Plane<std::uint8_t>& object;           ///< the difference object
@@ -78,4 +78,4 @@ std::unique_ptr<Filter> make_luminance(const FieldOptions& options);
 std::unique_ptr<Filter> make_mog2(const FieldOptions& options);
 std::unique_ptr<Filter> make_knn(const FieldOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::fields

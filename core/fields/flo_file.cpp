@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
@@ -79,4 +79,4 @@ Flow read_flo(const std::string& path) {
     return decode_flo(read_file(path), path);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -5,7 +5,7 @@
 
 #include "core/fields/field.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// A flow in the format of Middlebury's benchmark (`.flo`, in docs/formats.md), which OpenCV's readOpticalFlow reads.
 std::string encode_flo(const Flow& flow);
@@ -18,4 +18,4 @@ Flow decode_flo(std::string_view bytes, const std::string& name);
 /// \throws Error io as above, or when the file can't be read
 Flow read_flo(const std::string& path);
 
-}  // namespace vvr
+}  // namespace vvr::fields

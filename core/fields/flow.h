@@ -9,7 +9,7 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// A frame as a flow method wants it: made once a frame, used for the flow of every frame near it.
 struct FlowFrame {
@@ -96,4 +96,4 @@ std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options);
 std::unique_ptr<FlowMethod> make_dis(const FlowOptions& options);
 std::unique_ptr<FlowMethod> make_farneback(const FlowOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::fields

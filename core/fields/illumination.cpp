@@ -13,7 +13,7 @@
 
 #include "core/base/cv_view.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Levels that say something: beyond them a camera cuts off.
@@ -273,4 +273,4 @@ std::span<const IlluminationRow> illuminations() {
     return rows;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -9,7 +9,7 @@
 
 #include "core/fields/planes.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// How the light, or the camera's exposure, has changed: a level L has become `gain` L + `offset`.
 struct Light {
@@ -52,4 +52,4 @@ struct IlluminationRow {
 /// "global", "local", "none". §8 of the paper names changing light as an unsolved weakness.
 std::span<const IlluminationRow> illuminations();
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Neighbouring pixels of one row that belong to one track: columns first to last - 1.
 struct LabelRun {
@@ -12,4 +12,4 @@ struct LabelRun {
     std::size_t track = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

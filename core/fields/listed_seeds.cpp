@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,7 +110,7 @@ FieldSummary ListedSeeds::read(const FieldNeeds& needs, const FieldSink& sink) {
     FieldNeeds rest = needs;
     rest.seeds = false;
     rest.flow = needs.flow || (needs.seeds && shared_);
-    return fields_->read(rest, [&](const SharedFrame& frame, Field&& field) {
+    return fields_->read(rest, [&](const video::SharedFrame& frame, Field&& field) {
         field.seeds.clear();
         const auto list = lists_.find(field.index);
         if (needs.seeds && list != lists_.end()) field.seeds = list->second.seeds;
@@ -119,4 +119,4 @@ FieldSummary ListedSeeds::read(const FieldNeeds& needs, const FieldSink& sink) {
     });
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -9,7 +9,7 @@
 #include "core/fields/field_source.h"
 #include "core/fields/seed_file.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Fields whose seeds stand in lists (the external list of §4.2), whatever else they come from.
 class ListedSeeds final : public FieldSource {
@@ -23,7 +23,7 @@ class ListedSeeds final : public FieldSource {
     ListedSeeds(std::unique_ptr<FieldSource> fields, const std::string& path, const SeedOptions& options,
                 bool on_object);
 
-    const VideoInfo& info() const override { return fields_->info(); }
+    const video::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
 
@@ -45,4 +45,4 @@ class ListedSeeds final : public FieldSource {
     bool on_object_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

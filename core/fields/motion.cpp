@@ -6,7 +6,7 @@
 
 #include "core/fields/tiles.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr double memory = 0.4;  // seconds over which something has to have moved
@@ -43,4 +43,4 @@ bool Motion::operator()(const Field& field) {
     return last_ && field.pts - *last_ <= lasting;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -7,7 +7,7 @@
 
 #include "core/fields/field.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Tells of the fields of a clip, in order, whether anything moves. What lies there without moving, a bag that was
 /// left, doesn't count, nor does noise.
@@ -26,4 +26,4 @@ class Motion {
     std::optional<double> last_;  ///< seconds, when something moved
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -10,7 +10,7 @@
 #include "core/base/cv_view.h"
 #include "core/fields/rank.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::size_t fewest_frames = 8;
@@ -31,11 +31,11 @@ constexpr int most_more = 2;
 
 }  // namespace
 
-Plane<std::uint8_t> noise_of(std::span<const Frame> frames, const Planes& scene, double smooth) {
+Plane<std::uint8_t> noise_of(std::span<const video::Frame> frames, const Planes& scene, double smooth) {
     std::vector<Plane<std::uint8_t>> differences((frames.size() + frame_step - 1) / frame_step);
     if (differences.size() < fewest_frames) return {};
     oneapi::tbb::parallel_for(std::size_t{0}, differences.size(), [&](std::size_t k) {
-        const Frame& frame = frames[k * frame_step];
+        const video::Frame& frame = frames[k * frame_step];
         differences[k] = largest_difference(smoothed(frame.grey, frame.colour, smooth), scene);
     });
     const auto place_of = [&](double part) {
@@ -61,4 +61,4 @@ Plane<std::uint8_t> noise_of(std::span<const Frame> frames, const Planes& scene,
     return noise;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

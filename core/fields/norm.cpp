@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 Plane<std::uint8_t> luminance_difference(const Planes& a, const Planes& b) {
@@ -58,4 +58,4 @@ const NormRow& find_norm(std::string_view name, const Planes& picture) {
                 {setting::norm.name});
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

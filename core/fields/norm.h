@@ -5,7 +5,7 @@
 
 #include "core/fields/planes.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// One row of the table of norms: how much two pictures differ at a pixel, in levels 0 to 255.
 struct NormRow {
@@ -22,4 +22,4 @@ std::span<const NormRow> norms();
 /// \throws Error usage when there is none, or it needs colour and the picture has none
 const NormRow& find_norm(std::string_view name, const Planes& picture);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -11,7 +11,7 @@
 #include "core/fields/settings.h"
 #include "core/fields/shadows.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr int gain = 2;
@@ -153,4 +153,4 @@ FoundObject ObjectFinder::find_and_adapt(const Planes& frame) {
     return found;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

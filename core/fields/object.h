@@ -9,7 +9,7 @@
 #include "core/fields/options.h"
 #include "core/fields/reference.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// The difference object of a frame.
 struct FoundObject {
@@ -60,4 +60,4 @@ class ObjectFinder {
     std::optional<RunningReference> running_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

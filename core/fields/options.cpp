@@ -16,7 +16,7 @@
 #include "core/fields/solvers.h"
 #include "core/fields/stabilizer.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 void validate(const FlowOptions& flow) {
@@ -38,7 +38,7 @@ void validate(const SeedOptions& seeds) {
     parse_seed_selection(seeds.select);
 }
 
-void validate(const FrameSpan& span) {
+void validate(const video::FrameSpan& span) {
     // Written so that a NaN is refused.
     if (!(span.start >= 0) || span.first < 0) {
         throw Error(
@@ -72,4 +72,4 @@ void validate(const FieldOptions& options) {
     validate_region(setting::mask.name, options.mask);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -6,7 +6,7 @@
 
 #include "core/video/frame_span.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// §4.1. Units: pixels of the field, grey levels 0..255.
 struct FlowOptions {
@@ -45,12 +45,12 @@ struct FieldOptions {
     std::string mask{};                   ///< where not to look: polygons or a picture; empty = nowhere
     FlowOptions flow{};
     SeedOptions seeds{};
-    FrameSpan span{};  ///< frames beside it serve as neighbours, but give no field
-    int threads = 0;   ///< 0 = one for each core
+    video::FrameSpan span{};  ///< frames beside it serve as neighbours, but give no field
+    int threads = 0;          ///< 0 = one for each core
 };
 
 /// Checks every value and every name; `compute_fields` does so first.
 /// \throws Error usage with the setting, what was found and what is allowed
 void validate(const FieldOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::fields

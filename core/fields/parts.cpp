@@ -5,7 +5,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/tiles.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Parts that cover more than this of the picture cost more, with their borders, than the picture.
@@ -71,4 +71,4 @@ std::vector<Rect> parts_about(const Plane<std::uint8_t>& object, int margin) {
     return parts;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -15,13 +15,13 @@
 #include <opencv2/core/utility.hpp>
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/fields/clip_reader.h"
 #include "core/fields/field_stages.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 using oneapi::tbb::filter_mode;
@@ -73,7 +73,7 @@ class FirstError {
 };
 
 struct Result {
-    SharedFrame frame;
+    video::SharedFrame frame;
     Field field;
 };
 
@@ -97,9 +97,10 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
     int turns_left = work.reach();  // empty ones after the last frame, so that the last ones get their neighbours
     bool ended = false;
     std::int64_t frames = 0;
-    const auto is_wanted = [&](const Frame& frame) {
-        return !is_before(options.span, frame.index, frame.pts) && !is_past(options.span, frame.index, frame.pts) &&
-               !is_between_parts(options.span, frame.pts);
+    const auto is_wanted = [&](const video::Frame& frame) {
+        return !video::is_before(options.span, frame.index, frame.pts) &&
+               !video::is_past(options.span, frame.index, frame.pts) &&
+               !video::is_between_parts(options.span, frame.pts);
     };
 
     FirstError first;
@@ -155,7 +156,7 @@ std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, co
     return run(read, work, options, sink);
 }
 
-FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
+FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink) {
     validate(options);
     EmptyScene scene{.reference = {},
                      .region = make_region(options, source.field_size(), source.info().size),
@@ -172,14 +173,14 @@ FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, co
     summary.problems = source.problems();
     summary.reference = std::move(scene.reference);
     // A stream may end with nothing but the frames that the reference took.
-    if (summary.frames == 0 && options.span != FrameSpan{}) {
+    if (summary.frames == 0 && options.span != video::FrameSpan{}) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
-                                source.info().name, text_of(options.span), counted(read.last_index() + 1, "frame"),
-                                read.last_pts()),
+                                source.info().name, video::text_of(options.span),
+                                counted(read.last_index() + 1, "frame"), read.last_pts()),
                     {setting::start.name, setting::end.name});
     }
     return summary;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -10,10 +10,10 @@
 #include "core/fields/reference.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Receives each frame with its field, in frame order, never from two threads at once.
-using FieldSink = std::function<void(const SharedFrame&, Field&&)>;
+using FieldSink = std::function<void(const video::SharedFrame&, Field&&)>;
 
 /// What a pass over a clip found.
 struct FieldSummary {
@@ -29,7 +29,7 @@ struct FieldSummary {
 /// where `options.span` cuts.
 ///
 /// \throws Error usage for options that can't be, not_video when not one frame decodes; whatever `sink` throws.
-FieldSummary compute_fields(FrameSource& source, const FieldOptions& options, const FieldSink& sink);
+FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& options, const FieldSink& sink);
 
 /// What is known of a scene before its first frame.
 struct EmptyScene {
@@ -42,7 +42,7 @@ struct EmptyScene {
 bool needs_reference(const FieldOptions& options);
 
 /// Makes one frame. Called once, from any thread.
-using FrameJob = std::function<Frame()>;
+using FrameJob = std::function<video::Frame()>;
 
 /// Gives the jobs of a clip's frames in order, never from two threads at once; an empty function at the end.
 using FrameReader = std::function<FrameJob()>;
@@ -52,4 +52,4 @@ using FrameReader = std::function<FrameJob()>;
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -8,7 +8,7 @@
 #include "core/base/cv_view.h"
 #include "core/kernels/byte_blur.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 template <class T>
@@ -16,8 +16,9 @@ Plane<T> smooth_plane(const Plane<T>& plane, double sigma) {
     if (plane.empty() || sigma <= 0) return plane;
     auto result = Plane<T>::for_overwrite(plane.size());
     const std::size_t count = plane.pixels().size_bytes();
-    blur_bytes(plane.size(), sizeof(T), sigma, {reinterpret_cast<const std::uint8_t*>(plane.pixels().data()), count},
-               {reinterpret_cast<std::uint8_t*>(result.pixels().data()), count});
+    kernels::blur_bytes(plane.size(), sizeof(T), sigma,
+                        {reinterpret_cast<const std::uint8_t*>(plane.pixels().data()), count},
+                        {reinterpret_cast<std::uint8_t*>(result.pixels().data()), count});
     return result;
 }
 
@@ -43,4 +44,4 @@ Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b) {
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Grey and, where there is any, colour of one picture.
 struct Planes {
@@ -21,4 +21,4 @@ Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, doubl
 /// The largest of the channels' differences at each pixel, or grey's where one of them has no colour.
 Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace vvr {
+namespace vvr::fields {
 
 /// At each place of some rows the largest value that at least `needed` of them reach: of n rows, (n + 1) / 2 gives the
 /// median. Found bit by bit, from the highest: a bit is set where enough values reach it. Every loop runs along the
@@ -25,4 +25,4 @@ inline void rank_rows(std::span<const std::uint8_t* const> rows, std::size_t nee
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

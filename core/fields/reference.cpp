@@ -16,15 +16,15 @@
 #include "core/base/choice.h"
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
+#include "core/base/read_file.h"
 #include "core/fields/filter.h"
 #include "core/fields/noise.h"
 #include "core/fields/rank.h"
 #include "core/fields/settings.h"
 #include "core/fields/stabilizer.h"
-#include "core/base/read_file.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 std::span<std::uint8_t> bytes(std::span<std::uint8_t> row) {
@@ -41,11 +41,12 @@ const std::uint8_t* first_byte(std::span<const Bgr> row) {
 }
 
 template <class Pixel>
-Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
+Plane<Pixel> median(std::span<const video::Frame> frames, Plane<Pixel> video::Frame::*plane) {
     Plane<Pixel> result((frames.front().*plane).size());
     oneapi::tbb::parallel_for(0, result.height(), [&](int j) {
         std::vector<const std::uint8_t*> rows(frames.size());
-        std::ranges::transform(frames, rows.begin(), [&](const Frame& f) { return first_byte((f.*plane).row(j)); });
+        std::ranges::transform(frames, rows.begin(),
+                               [&](const video::Frame& f) { return first_byte((f.*plane).row(j)); });
         rank_rows(rows, (rows.size() + 1) / 2, bytes(result.row(j)));
     });
     return result;
@@ -55,10 +56,10 @@ Plane<Pixel> median(std::span<const Frame> frames, Plane<Pixel> Frame::*plane) {
 constexpr int frames_for_median = 31;
 
 /// Frames brought to the light of the first: levels of one pixel can be compared only in one light.
-std::vector<Frame> in_one_light(std::vector<Frame> frames, const IlluminationRow& illumination) {
+std::vector<video::Frame> in_one_light(std::vector<video::Frame> frames, const IlluminationRow& illumination) {
     if (!illumination.compensates || frames.empty()) return frames;
     const Planes first{frames.front().grey, frames.front().colour};
-    oneapi::tbb::parallel_for_each(frames, [&](Frame& frame) {
+    oneapi::tbb::parallel_for_each(frames, [&](video::Frame& frame) {
         Planes picture{std::move(frame.grey), std::move(frame.colour)};
         picture = in_light(picture, light_between(picture, first));
         frame.grey = std::move(picture.grey);
@@ -67,17 +68,17 @@ std::vector<Frame> in_one_light(std::vector<Frame> frames, const IlluminationRow
     return frames;
 }
 
-std::vector<Frame> spread_over_clip(FrameSource& clip) {
+std::vector<video::Frame> spread_over_clip(video::FrameSource& clip) {
     return clip.sample(frames_for_median);
 }
 
 /// The clip's first frames, every `step`-th.
-std::vector<Frame> first_frames(FrameSource& clip, int count, int step) {
-    Scaler scale(clip);
-    std::vector<Frame> frames;
+std::vector<video::Frame> first_frames(video::FrameSource& clip, int count, int step) {
+    video::Scaler scale(clip);
+    std::vector<video::Frame> frames;
     clip.rewind();
     for (int f = 0; f < count * step; ++f) {
-        const std::unique_ptr<DecodedFrame> decoded = clip.next();
+        const std::unique_ptr<video::DecodedFrame> decoded = clip.next();
         if (!decoded) break;
         if (f % step == 0) frames.push_back(scale(*decoded));
     }
@@ -85,14 +86,14 @@ std::vector<Frame> first_frames(FrameSource& clip, int count, int step) {
     return frames;
 }
 
-std::vector<Frame> first_frame(FrameSource& clip) {
+std::vector<video::Frame> first_frame(video::FrameSource& clip) {
     return first_frames(clip, 1, 1);
 }
 
 // Nobody waits for a live stream: two seconds of 25 frames must do to begin with. Of a clip, which can be read again,
 // it is the first twenty seconds, so that people who pass are gone for most of them.
-std::vector<Frame> first_seconds(FrameSource& clip) {
-    const VideoInfo& info = clip.info();
+std::vector<video::Frame> first_seconds(video::FrameSource& clip) {
+    const video::VideoInfo& info = clip.info();
     constexpr double seconds = 20;
     const bool is_live = info.duration <= 0 && info.frames <= 0;
     if (is_live) return first_frames(clip, 25, 2);
@@ -186,8 +187,8 @@ Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<
     return ghosts;
 }
 
-Reference learnt(FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
-    std::vector<Frame> frames =
+Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
+    std::vector<video::Frame> frames =
         in_one_light(row.look(clip), choose(setting::illumination.name, options.illumination, illuminations()));
     Reference reference;
     // A filter that shows the video itself, or its motion, is to show the camera's too.
@@ -219,16 +220,16 @@ void validate_reference(const std::string& kind) {
     }
 }
 
-Reference make_reference(FrameSource& clip, const FieldOptions& options) {
+Reference make_reference(video::FrameSource& clip, const FieldOptions& options) {
     const std::string& kind = options.reference;
     validate_reference(kind);
     if (const ReferenceRow* const row = find_reference(kind)) return learnt(clip, *row, options);
-    SourceOptions like_clip;
+    video::SourceOptions like_clip;
     like_clip.field_size = clip.field_size();
     like_clip.colour = clip.colour();
     check_is_file(kind);
-    const auto picture = open_source(kind, like_clip);
-    Frame frame = Scaler(*picture)(*picture->next());
+    const auto picture = video::open_source(kind, like_clip);
+    video::Frame frame = video::Scaler(*picture)(*picture->next());
     return Planes{std::move(frame.grey), std::move(frame.colour)};
 }
 
@@ -277,9 +278,9 @@ void RunningReference::let_ghosts_go(const Planes& frame, const Plane<std::uint8
     }
 }
 
-Planes median_reference(std::span<const Frame> frames) {
+Planes median_reference(std::span<const video::Frame> frames) {
     if (frames.empty()) return {};
-    return {median(frames, &Frame::grey), median(frames, &Frame::colour)};
+    return {median(frames, &video::Frame::grey), median(frames, &video::Frame::colour)};
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

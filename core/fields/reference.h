@@ -13,7 +13,7 @@
 #include "core/video/frame.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// The empty scene that the difference filter compares with (§4, Fig. 4a).
 struct Reference : Planes {
@@ -28,10 +28,10 @@ struct Reference : Planes {
 struct ReferenceRow {
     std::string_view name;
     std::string_view help;
-    std::vector<Frame> (*look)(FrameSource& clip);   ///< frames to learn from, in order of time
-    Planes (*scene)(std::span<const Frame> frames);  ///< what they have in common
-    bool needs_whole_clip = false;                   ///< so a stream can't have it
-    bool adapts = false;                             ///< follows slow changes of the scene from frame to frame
+    std::vector<video::Frame> (*look)(video::FrameSource& clip);  ///< frames to learn from, in order of time
+    Planes (*scene)(std::span<const video::Frame> frames);        ///< what they have in common
+    bool needs_whole_clip = false;                                ///< so a stream can't have it
+    bool adapts = false;  ///< follows slow changes of the scene from frame to frame
 };
 
 /// "median", "first", "running".
@@ -44,7 +44,7 @@ const ReferenceRow* find_reference(std::string_view name);
 /// size. Where changes of light are made up for, so they are here; and frames of a camera that shakes are aligned.
 /// Leaves the clip at its first frame. \throws Error as validate_reference; io or not_video for a picture that can't be
 /// read
-Reference make_reference(FrameSource& clip, const FieldOptions& options);
+Reference make_reference(video::FrameSource& clip, const FieldOptions& options);
 
 /// \throws Error usage for what is neither in the table nor the name of a file
 void validate_reference(const std::string& kind);
@@ -52,13 +52,13 @@ void validate_reference(const std::string& kind);
 /// The median of every pixel over pictures, channel by channel: what was seen in more than half of them. With an
 /// even number of pictures it is the upper of the two middle values. All must be of one size; none gives an empty
 /// reference.
-Planes median_reference(std::span<const Frame> frames);
+Planes median_reference(std::span<const video::Frame> frames);
 
 /// The empty scene of pictures in order of time: at each pixel the median of the level that it showed first for at
 /// least a quarter of them, and where there is none the median of all. A passer-by is seldom anywhere for that long;
 /// and a bag that was left stays an object even when it lies there for most of the clip, which the median of all
 /// would take for the scene.
-Planes lasting_reference(std::span<const Frame> frames);
+Planes lasting_reference(std::span<const video::Frame> frames);
 
 /// A reference that follows slow changes of the scene for as long as a stream lasts. Where there is an object it
 /// waits, so a bag that was left behind is never swallowed. But somebody who stood there while the scene was learnt
@@ -87,4 +87,4 @@ class RunningReference {
     std::vector<float> colour_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

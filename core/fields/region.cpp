@@ -16,12 +16,12 @@
 #include "core/base/cv_view.h"
 #include "core/base/ending.h"
 #include "core/base/error.h"
-#include "core/fields/settings.h"
 #include "core/base/read_file.h"
+#include "core/fields/settings.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 using Polygon = std::vector<cv::Point2d>;
@@ -146,10 +146,10 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
         return plane;
     }
     check_is_file(text);
-    SourceOptions options;
+    video::SourceOptions options;
     options.field_size = field;
-    const auto picture = open_source(text, options);
-    Plane<std::uint8_t> plane = Scaler(*picture)(*picture->next()).grey;
+    const auto picture = video::open_source(text, options);
+    Plane<std::uint8_t> plane = video::Scaler(*picture)(*picture->next()).grey;
     for (std::uint8_t& p : plane.pixels()) p = p >= 128 ? 255 : 0;
     return plane;
 }
@@ -189,4 +189,4 @@ Plane<std::uint8_t> make_region(const FieldOptions& options, Size field, Size vi
     return region;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/fields/options.h"
 #include "core/base/plane.h"
+#include "core/fields/options.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Where to look, of the field's size: 255 inside `options.roi` and outside `options.mask`, 0 elsewhere. Empty when
 /// everything is to be looked at.
@@ -30,4 +30,4 @@ std::string polygon_list(std::string_view setting, const std::string& text);
 /// \throws Error usage naming `setting`, where the text is wrong, and what it must be; io for a file that can't be read
 void validate_region(std::string_view setting, const std::string& text);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::string_view first_line = "vvr-seeds 1";
@@ -145,4 +145,4 @@ SeedList read_seeds(const std::string& path) {
     return parse_seeds(read_file(path), path);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -7,7 +7,7 @@
 
 #include "core/fields/field.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// The seeds of one frame as they stand in a text file (§4.2: S_1, S_2, ...). The format is in docs/formats.md.
 struct SeedList {
@@ -29,4 +29,4 @@ SeedList parse_seeds(std::string_view text, const std::string& name);
 /// \throws Error io as above, or when the file can't be read
 SeedList read_seeds(const std::string& path);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -1,6 +1,6 @@
 #include "core/fields/seed_flags.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 std::optional<SeedFlags> SeedFlags::parse(std::string_view digits) {
     if (digits.empty() || digits.size() > most) return std::nullopt;
@@ -18,4 +18,4 @@ std::string SeedFlags::text() const {
     return digits;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace vvr {
+namespace vvr::fields {
 
 /// In which bricks a seed makes geometry (§6): a digit 0 or 1 per brick, from the clip's first brick on; after the last
 /// digit they begin again. By default it does in all.
@@ -29,4 +29,4 @@ class SeedFlags {
     int count_ = 1;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

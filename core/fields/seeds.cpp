@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 float magnitude(const SeedInput& input, int i, int j) {
@@ -145,4 +145,4 @@ std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options)
     return seeds;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -9,7 +9,7 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// What is known of one frame when its seeds are chosen. All planes are of one size.
 struct SeedInput {
@@ -58,4 +58,4 @@ SeedSelection parse_seed_selection(const std::string& text);
 /// frame's index and the seed number alone, and keep their order.
 std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::fields

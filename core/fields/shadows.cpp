@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // A shadow leaves at least this share of the light, for the sky still shines there. Dark clothes leave less.
@@ -176,4 +176,4 @@ void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel
     for (const ShadowPixel& p : enclosed) object.at(p.i, p.j) = p.value;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

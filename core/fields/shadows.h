@@ -7,7 +7,7 @@
 
 #include "core/fields/planes.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// One row of the table of shadows.
 struct ShadowRow {
@@ -40,4 +40,4 @@ std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes&
 void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
                         std::uint8_t faint);
 
-}  // namespace vvr
+}  // namespace vvr::fields

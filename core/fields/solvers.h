@@ -6,7 +6,7 @@
 
 #include "core/fields/flow.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// What a solver of Horn and Schunck's equations is told.
 struct SolverSettings {
@@ -37,4 +37,4 @@ std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings);
 /// many pixels per frame.
 std::unique_ptr<FlowMethod> make_pyramid(const SolverSettings& settings);
 
-}  // namespace vvr
+}  // namespace vvr::fields

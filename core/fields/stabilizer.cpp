@@ -13,7 +13,7 @@
 
 #include "core/base/cv_view.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::array rows{
@@ -92,7 +92,7 @@ void move_back(Plane<T>& plane, const Plane<T>& background, const Shift& shift) 
     plane = std::move(moved);
 }
 
-Planes planes_of(const Frame& frame) {
+Planes planes_of(const video::Frame& frame) {
     return {frame.grey, frame.colour};
 }
 
@@ -134,7 +134,7 @@ Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
     return most_agreed(shifts);
 }
 
-Visible Stabilizer::align(Frame& frame, const Shift& shift) const {
+Visible Stabilizer::align(video::Frame& frame, const Shift& shift) const {
     const int width = frame.grey.width();
     const int height = frame.grey.height();
     move_back(frame.grey, reference_.grey, shift);
@@ -155,7 +155,7 @@ void clear_beside(const Visible& visible, Plane<std::uint8_t>& plane) {
     }
 }
 
-bool camera_shakes(std::span<const Frame> frames) {
+bool camera_shakes(std::span<const video::Frame> frames) {
     if (frames.size() < 2) return false;
     const Stabilizer stabilizer(planes_of(frames.front()));
     const std::size_t count = std::min(frames.size() - 1, frames_to_tell);
@@ -167,7 +167,7 @@ bool camera_shakes(std::span<const Frame> frames) {
     return std::ranges::count(moved, 1) >= 2;
 }
 
-void align(std::span<Frame> frames) {
+void align(std::span<video::Frame> frames) {
     if (frames.empty()) return;
     const Stabilizer stabilizer(planes_of(frames.front()));
     std::vector<Shift> shifts(frames.size());
@@ -177,4 +177,4 @@ void align(std::span<Frame> frames) {
     each([&](std::size_t k) { stabilizer.align(frames[k], {shifts[k].x - middle.x, shifts[k].y - middle.y}); });
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -8,7 +8,7 @@
 #include "core/fields/planes.h"
 #include "core/video/frame.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// One row of the table of stabilizers.
 struct StabilizerRow {
@@ -48,7 +48,7 @@ class Stabilizer {
 
     /// Moves the frame back by `shift`. Where it shows nothing it becomes the reference.
     /// \returns what the frame did show
-    Visible align(Frame& frame, const Shift& shift) const;
+    Visible align(video::Frame& frame, const Shift& shift) const;
 
   private:
     struct Landmarks;
@@ -61,9 +61,9 @@ class Stabilizer {
 void clear_beside(const Visible& visible, Plane<std::uint8_t>& plane);
 
 /// Whether the camera moves by half a pixel or more between frames of one scene, most of the time or now and then.
-bool camera_shakes(std::span<const Frame> frames);
+bool camera_shakes(std::span<const video::Frame> frames);
 
 /// Moves all frames to where the camera looks in the middle of its motion.
-void align(std::span<Frame> frames);
+void align(std::span<video::Frame> frames);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -7,7 +7,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Side of the squares in which it is looked where something is, and where it moves.
 inline constexpr int tile_side = 8;
@@ -30,4 +30,4 @@ inline Plane<std::uint8_t> occupied_tiles(const Plane<std::uint8_t>& plane) {
     return result;
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace vvr {
+namespace vvr::fields {
 
 /// What the values of a scalar field are. 0 is nothing in each.
 enum class Values {
@@ -45,4 +45,4 @@ constexpr std::uint8_t joined(Values values, std::uint8_t before, std::uint8_t a
     return static_cast<std::uint8_t>(came_and_went ? Band::newly_covered : band_of(then, now));
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -4,7 +4,7 @@
 
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
@@ -30,29 +30,29 @@ PixelBox still_box(const PixelBox& object, Size frame) {
     return {left, top, left + side, top + side};
 }
 
-void Crops::keep(std::size_t track, const Portrait& portrait, const Frame& frame) {
+void Crops::keep(std::size_t track, const events::Portrait& portrait, const video::Frame& frame) {
     if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
     const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
     const PixelBox box = still_box(portrait.box, size);
-    const Plane<Bgr> part = frame.colour.empty() ? cut_out(picture_of(frame), box) : cut_out(frame.colour, box);
+    const Plane<Bgr> part = frame.colour.empty() ? cut_out(video::picture_of(frame), box) : cut_out(frame.colour, box);
     crops_[track] = {portrait.at, portrait.score, portrait.box.moved(-box.left, -box.top), part};
     if (crops_.size() <= most) return;
     crops_.erase(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score; }));
 }
 
-std::vector<Plane<Bgr>> portraits_of(std::span<const Event> events, const Crops& crops) {
+std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, const Crops& crops) {
     constexpr std::size_t many = 200;
     const int side = events.size() < many ? 72 : 40;
     std::vector<Plane<Bgr>> portraits;
     portraits.reserve(events.size());
-    for (const Event& event : events) {
+    for (const events::Event& event : events) {
         const Crop* const crop = crops.of(event);
-        portraits.push_back(crop == nullptr ? Plane<Bgr>() : resized(crop->picture, {side, side}));
+        portraits.push_back(crop == nullptr ? Plane<Bgr>() : image::resized(crop->picture, {side, side}));
     }
     return portraits;
 }
 
-const Crop* Crops::of(const Event& event) const {
+const Crop* Crops::of(const events::Event& event) const {
     const Crop* best = nullptr;
     for (const std::size_t track : event.tracks) {
         const auto found = crops_.find(track);
@@ -64,4 +64,4 @@ const Crop* Crops::of(const Event& event) const {
     return best;
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

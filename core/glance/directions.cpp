@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t most_objects = 16;
 
 /// Whether nobody saw it about a time: its path jumps from before to after.
-bool was_hidden(const Event& event, double seconds) {
+bool was_hidden(const events::Event& event, double seconds) {
     constexpr double longest_step = 1.5;  // seconds; points of a path are at most half a second apart, or a 128th of it
     const auto after =
-        std::ranges::upper_bound(event.path, seconds, {}, [](const PathPoint& p) { return p.at.seconds; });
+        std::ranges::upper_bound(event.path, seconds, {}, [](const events::PathPoint& p) { return p.at.seconds; });
     if (after == event.path.begin() || after == event.path.end()) return false;
     const double life = event.last.seconds - event.first.seconds;
     return after->at.seconds - (after - 1)->at.seconds > std::max(longest_step, life / 32);
@@ -22,18 +22,19 @@ bool was_hidden(const Event& event, double seconds) {
 
 }  // namespace
 
-std::vector<Glyph> direction_arrows(const Objects& objects, const Volume& volume, const Layout& layout, double length) {
+std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks::Volume& volume,
+                                           const space::Layout& layout, double length) {
     if (volume.layers() == 0) return {};
     const double begin = volume.layer(0).pts;
     const double end = volume.layer(volume.layers() - 1).last_pts;
     const double whole = end - begin;
     constexpr double arrows_along_arc = 16;
-    const Camera camera;
+    const space::Camera camera;
     const Trails trails(volume, layout, camera, {1, 1});
-    std::vector<Glyph> arrows;
+    std::vector<scene::Glyph> arrows;
     const std::vector<std::size_t> order = most_telling(objects.events);
     for (std::size_t i = 0; i < std::min(order.size(), most_objects); ++i) {
-        const Event& event = objects.events[order[i]];
+        const events::Event& event = objects.events[order[i]];
         const double first = std::max(begin, event.first.seconds);
         const double last = std::min(end, event.last.seconds);
         const double life = last - first;
@@ -62,4 +63,4 @@ std::vector<Glyph> direction_arrows(const Objects& objects, const Volume& volume
     return arrows;
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

@@ -9,28 +9,28 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
-double seconds_of(const Event& event) {
+double seconds_of(const events::Event& event) {
     return event.last.seconds - event.first.seconds;
 }
 
-double seconds_of(const Stay& stay) {
+double seconds_of(const events::Stay& stay) {
     return stay.last.seconds - stay.first.seconds;
 }
 
 /// How long a reader would look at it.
-double weight_of(const Event& event) {
+double weight_of(const events::Event& event) {
     constexpr double of_standing = 3;
-    const Stay* const stay = longest_stay(event);
+    const events::Stay* const stay = longest_stay(event);
     return seconds_of(event) + (stay != nullptr ? of_standing * seconds_of(*stay) : 0);
 }
 
 /// The way from its first place to its last, in the frame.
-std::vector<std::string> ways_of(const Event& event) {
-    if (event.path.empty()) return {std::string(name_of(event.kind))};
+std::vector<std::string> ways_of(const events::Event& event) {
+    if (event.path.empty()) return {std::string(events::name_of(event.kind))};
     const glm::dvec2 way = event.path.back().place - event.path.front().place;
     if (glm::length(way) < 0.2 * event.path_length) return {"to and fro", "⇄"};
     constexpr std::array<std::string_view, 8> arrows{"→", "↘", "↓", "↙", "←", "↖", "↑", "↗"};
@@ -41,65 +41,68 @@ std::vector<std::string> ways_of(const Event& event) {
 
 }  // namespace
 
-std::vector<std::size_t> most_telling(std::span<const Event> events) {
+std::vector<std::size_t> most_telling(std::span<const events::Event> events) {
     std::vector<std::size_t> order(events.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t k) {
-        const bool goes_alone = events[k].kind == EventKind::moved || events[k].kind == EventKind::stood;
+        const bool goes_alone =
+            events[k].kind == events::EventKind::moved || events[k].kind == events::EventKind::stood;
         return std::tuple(goes_alone, -weight_of(events[k]), k);
     };
     std::ranges::sort(order, {}, key);
     return order;
 }
 
-const Stay* longest_stay(const Event& event) {
-    const auto longest = std::ranges::max_element(event.stays, {}, [](const Stay& stay) { return seconds_of(stay); });
+const events::Stay* longest_stay(const events::Event& event) {
+    const auto longest =
+        std::ranges::max_element(event.stays, {}, [](const events::Stay& stay) { return seconds_of(stay); });
     return longest == event.stays.end() ? nullptr : &*longest;
 }
 
-glm::dvec2 place_at(const Event& event, double seconds) {
-    const std::vector<PathPoint>& path = event.path;
+glm::dvec2 place_at(const events::Event& event, double seconds) {
+    const std::vector<events::PathPoint>& path = event.path;
     if (path.empty())
         return {(event.box.left + event.box.right - 1) / 2.0, (event.box.top + event.box.bottom - 1) / 2.0};
-    const auto after = std::ranges::lower_bound(path, seconds, {}, [](const PathPoint& p) { return p.at.seconds; });
+    const auto after =
+        std::ranges::lower_bound(path, seconds, {}, [](const events::PathPoint& p) { return p.at.seconds; });
     if (after == path.begin()) return path.front().place;
     if (after == path.end()) return path.back().place;
-    const PathPoint& before = *(after - 1);
+    const events::PathPoint& before = *(after - 1);
     const double length = after->at.seconds - before.at.seconds;
     const double share = length > 0 ? (seconds - before.at.seconds) / length : 0;
     return glm::mix(before.place, after->place, share);
 }
 
-std::vector<std::string> deeds_of(const Event& event) {
+std::vector<std::string> deeds_of(const events::Event& event) {
     switch (event.kind) {
-        case EventKind::left:
+        case events::EventKind::left:
             return {"left behind", "left"};
-        case EventKind::taken:
+        case events::EventKind::taken:
             return {"taken away", "taken"};
-        case EventKind::stood:
-            if (const Stay* const stay = longest_stay(event)) {
-                const std::string length = format_length(seconds_of(*stay));
+        case events::EventKind::stood:
+            if (const events::Stay* const stay = longest_stay(event)) {
+                const std::string length = labels::format_length(seconds_of(*stay));
                 return {fmt::format("stood {}", length), "stood"};
             }
             break;
-        case EventKind::moved:
+        case events::EventKind::moved:
             break;
     }
     return ways_of(event);
 }
 
-std::vector<Stay> standing_times(const Event& event) {
-    if (event.kind != EventKind::left) return event.stays;
-    const Stay* const stay = longest_stay(event);
-    Stay whole = stay != nullptr ? *stay : Stay{};
+std::vector<events::Stay> standing_times(const events::Event& event) {
+    if (event.kind != events::EventKind::left) return event.stays;
+    const events::Stay* const stay = longest_stay(event);
+    events::Stay whole = stay != nullptr ? *stay : events::Stay{};
     whole.first = event.first;
     whole.last = event.last;
     return {whole};
 }
 
-std::vector<std::string> times_of(const Event& event, const WallClock& clock) {
-    const std::string begin = format_moment(event.first.seconds, clock);
-    return {fmt::format("{}–{}", begin, format_moment(event.last.seconds, clock)), begin};
+std::vector<std::string> times_of(const events::Event& event, const WallClock& clock) {
+    const std::string begin = labels::format_moment(event.first.seconds, clock);
+    return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

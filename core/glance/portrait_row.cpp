@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> want
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

@@ -8,7 +8,7 @@
 
 #include "core/base/pixel_box.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 /// A place on an object's trail that the line from its portrait may lead to.
 struct Anchor {
@@ -42,4 +42,4 @@ std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> want
 /// Whether two straight lines have a point in common.
 bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
-}  // namespace vvr
+}  // namespace vvr::glance

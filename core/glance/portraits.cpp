@@ -7,7 +7,7 @@
 
 #include "core/glance/portrait_row.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
@@ -16,12 +16,12 @@ constexpr std::size_t tried = 40;
 // Numbers on trails: with more, nobody finds one.
 constexpr std::size_t most_numbers = 24;
 
-Rgba opaque(const glm::vec3& colour) {
+image::Rgba opaque(const glm::vec3& colour) {
     return {colour.x, colour.y, colour.z, 1};
 }
 
 /// Places on the trail, those near the portrait's own moment first.
-std::vector<Anchor> anchors_of(const Event& event, double moment, const Trails& trails) {
+std::vector<Anchor> anchors_of(const events::Event& event, double moment, const Trails& trails) {
     constexpr int steps = 24;
     std::vector<Anchor> anchors;
     const double length = event.last.seconds - event.first.seconds;
@@ -39,7 +39,7 @@ struct Candidate {
 };
 
 /// Corners around the object in a still: others may be in it too.
-void mark_object(const Crop& crop, const PixelBox& still, const Rgba& colour, Lettering& lettering) {
+void mark_object(const Crop& crop, const PixelBox& still, const image::Rgba& colour, labels::Lettering& lettering) {
     const double scale = static_cast<double>(still.width()) / crop.picture.width();
     const glm::dvec2 low(still.left + 1, still.top + 1);
     const glm::dvec2 high(still.right - 2, still.bottom - 2);
@@ -51,7 +51,7 @@ void mark_object(const Crop& crop, const PixelBox& still, const Rgba& colour, Le
     const glm::dvec2 to = at(crop.object.right + around, crop.object.bottom + around);
     const double length = std::min({still.width() / 15.0, (to.x - from.x) / 3, (to.y - from.y) / 3});
     const double width = std::max(1.5, still.width() / 80.0);
-    for (const auto& [wide, ink] : {std::pair{2 * width, Rgba{1, 1, 1, 1}}, std::pair{width, colour}}) {
+    for (const auto& [wide, ink] : {std::pair{2 * width, image::Rgba{1, 1, 1, 1}}, std::pair{width, colour}}) {
         for (const double x : {from.x, to.x}) {
             for (const double y : {from.y, to.y}) {
                 const glm::dvec2 corner(x, y);
@@ -65,24 +65,26 @@ void mark_object(const Crop& crop, const PixelBox& still, const Rgba& colour, Le
 }
 
 /// A still with its number, deed and time above it.
-void letter_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still, const Sheet& sheet,
-                     const Rgba& ink, const Rgba& pale, Lettering& lettering) {
-    const Event& event = objects.events[candidate.event];
+void letter_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still,
+                     const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
+                     labels::Lettering& lettering) {
+    const events::Event& event = objects.events[candidate.event];
     const int size = sheet.small;
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
-    const Rgba colour = opaque(objects.colours[candidate.event]);
+    const image::Rgba colour = opaque(objects.colours[candidate.event]);
     lettering.pictures.push_back({still.grown(-border, -border), candidate.crop->picture, colour, border});
     mark_object(*candidate.crop, still.grown(-border, -border), colour, lettering);
     const double middle = still.top - 1.5 * line + size * 0.1;
-    Badge badge = make_badge(fmt::format("{}", objects.numbers[candidate.event]), {still.left, middle}, size, colour);
-    badge = make_badge(badge.label.text, {still.left + badge.size / 2, middle}, size, colour);
+    labels::Badge badge =
+        labels::make_badge(fmt::format("{}", objects.numbers[candidate.event]), {still.left, middle}, size, colour);
+    badge = labels::make_badge(badge.label.text, {still.left + badge.size / 2, middle}, size, colour);
     const int text_left = static_cast<int>(still.left + badge.size + size * 0.4);
     const int base = still.top - line - size / 4;
-    const auto write = [&](const std::vector<std::string>& texts, int x, int y, const Rgba& with) {
+    const auto write = [&](const std::vector<std::string>& texts, int x, int y, const image::Rgba& with) {
         const int width = still.right + size / 2 - x;
         for (const std::string& text : texts) {
-            const Label label = make_label(text, size, x, y, with);
+            const labels::Label label = labels::make_label(text, size, x, y, with);
             if (label.box.width() > width) continue;
             lettering.labels.push_back(label);
             return;
@@ -98,12 +100,13 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
 }  // namespace
 
 std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
-                                          const Sheet& sheet, const Rgba& ink, const Rgba& pale, Lettering& lettering) {
+                                          const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
+                                          labels::Lettering& lettering) {
     std::vector<Candidate> candidates;
     std::vector<WantedPortrait> wanted;
     for (const std::size_t k : most_telling(objects.events)) {
         if (candidates.size() == tried) break;
-        const Event& event = objects.events[k];
+        const events::Event& event = objects.events[k];
         const Crop* const crop = crops.of(event);
         if (crop == nullptr) continue;
         candidates.push_back({k, crop});
@@ -112,11 +115,11 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
     PixelBox row = sheet.portraits;
     row.top += 2 * (sheet.small * 4 / 3);
     std::vector<PixelBox> obstacles;
-    for (const Label& label : lettering.labels) obstacles.push_back(label.box.grown(2, 2));
+    for (const labels::Label& label : lettering.labels) obstacles.push_back(label.box.grown(2, 2));
     std::vector<std::size_t> shown;
     for (const PlacedPortrait& placed : place_portraits(wanted, row, sheet.small, obstacles)) {
         const Candidate& candidate = candidates[placed.wanted];
-        const Rgba colour = opaque(objects.colours[candidate.event]);
+        const image::Rgba colour = opaque(objects.colours[candidate.event]);
         const double width = std::max(1.0, sheet.small / 9.0);
         lettering.strokes.push_back({placed.from, placed.to, width, colour});
         lettering.strokes.push_back({placed.to, placed.to, 3.5 * width, colour});
@@ -126,15 +129,16 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
     return shown;
 }
 
-void letter_numbers(const Objects& objects, const Trails& trails, const Sheet& sheet, Lettering& lettering) {
+void letter_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                    labels::Lettering& lettering) {
     std::size_t written = 0;
     const int size = std::max(9, sheet.small - 2);
     for (const std::size_t k : most_telling(objects.events)) {
-        const Event& event = objects.events[k];
+        const events::Event& event = objects.events[k];
         for (const double share : {0.0, 0.04, 0.08, 0.15}) {
             const double at = std::lerp(event.first.seconds, event.last.seconds, share);
-            const Badge badge = make_badge(fmt::format("{}", objects.numbers[k]), trails.pixel(event, at), size,
-                                           opaque(objects.colours[k]));
+            const labels::Badge badge = labels::make_badge(fmt::format("{}", objects.numbers[k]),
+                                                           trails.pixel(event, at), size, opaque(objects.colours[k]));
             if (!sheet.between.holds(badge.box) || !lettering.is_free(badge.box)) continue;
             lettering.badges.push_back(badge);
             lettering.regions.push_back({badge.box, objects.numbers[k]});
@@ -145,21 +149,22 @@ void letter_numbers(const Objects& objects, const Trails& trails, const Sheet& s
     }
 }
 
-void letter_stays(const Objects& objects, const Trails& trails, const Sheet& sheet, const Rgba& background,
-                  Lettering& lettering) {
+void letter_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+                  const image::Rgba& background, labels::Lettering& lettering) {
     constexpr std::size_t most = 6;
     constexpr double least = 0.05;  // of the longest event: shorter stays are a dot on the trail
     double longest = 0;
-    for (const Event& event : objects.events) longest = std::max(longest, event.last.seconds - event.first.seconds);
+    for (const events::Event& event : objects.events)
+        longest = std::max(longest, event.last.seconds - event.first.seconds);
     const double width = sheet.small / 6.5;
     const glm::dvec2 up(0, sheet.small * 0.9);
     std::size_t marked = 0;
     for (const std::size_t k : most_telling(objects.events)) {
-        const Event& event = objects.events[k];
-        const Rgba colour = opaque(objects.colours[k]);
-        const std::vector<Stay> stays = standing_times(event);
+        const events::Event& event = objects.events[k];
+        const image::Rgba colour = opaque(objects.colours[k]);
+        const std::vector<events::Stay> stays = standing_times(event);
         const auto stay =
-            std::ranges::max_element(stays, {}, [](const Stay& s) { return s.last.seconds - s.first.seconds; });
+            std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
         if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, least * longest)) continue;
         if (marked++ == most) return;
         for (const Moment& at : {stay->first, stay->last}) {
@@ -167,8 +172,9 @@ void letter_stays(const Objects& objects, const Trails& trails, const Sheet& she
             lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
             lettering.strokes.push_back({place - up, place + up, width, colour});
             for (const double down : {-1.7, 1.7}) {
-                Label label = make_label_around(format_moment(at.seconds, objects.clock), sheet.small, place.x,
-                                                place.y + down * sheet.small, colour);
+                labels::Label label =
+                    labels::make_label_around(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
+                                              place.y + down * sheet.small, colour);
                 label.halo = background;
                 if (lettering.add(label, sheet.between, 1)) break;
             }
@@ -176,4 +182,4 @@ void letter_stays(const Objects& objects, const Trails& trails, const Sheet& she
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

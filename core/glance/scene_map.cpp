@@ -8,20 +8,20 @@
 
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
 // Of more paths nobody can tell which is which.
 constexpr std::size_t most_paths = 8;
-constexpr Rgba casing{1, 1, 1, 1};
+constexpr image::Rgba casing{1, 1, 1, 1};
 
-Rgba opaque(const glm::vec3& colour) {
+image::Rgba opaque(const glm::vec3& colour) {
     return {colour.x, colour.y, colour.z, 1};
 }
 
 /// Paler and greyer: what is drawn over it is to be seen first.
-Plane<Bgr> paled(Plane<Bgr> picture, const Rgba& towards) {
+Plane<Bgr> paled(Plane<Bgr> picture, const image::Rgba& towards) {
     const std::array<float, 3> background{towards.b * 255, towards.g * 255, towards.r * 255};
     for (int j = 0; j < picture.height(); ++j) {
         for (Bgr& pixel : picture.row(j)) {
@@ -37,7 +37,7 @@ Plane<Bgr> paled(Plane<Bgr> picture, const Rgba& towards) {
 
 class Map {
   public:
-    Map(const Objects& objects, Size field, const PixelBox& box, int text, Lettering& lettering)
+    Map(const Objects& objects, Size field, const PixelBox& box, int text, labels::Lettering& lettering)
         : objects_(objects), field_(field), box_(box), text_(text), lettering_(lettering) {}
 
     void draw() {
@@ -56,26 +56,26 @@ class Map {
                glm::clamp(share, 0.0, 1.0) * glm::dvec2(box_.width() - 1, box_.height() - 1);
     }
 
-    std::vector<glm::dvec2> points_of(const Event& event) const {
+    std::vector<glm::dvec2> points_of(const events::Event& event) const {
         std::vector<glm::dvec2> points;
-        for (const PathPoint& point : event.path) {
+        for (const events::PathPoint& point : event.path) {
             const glm::dvec2 at = pixel(point.place);
             if (points.empty() || glm::distance(points.back(), at) > 1.5) points.push_back(at);
         }
         return points;
     }
 
-    void draw_faint(const Event& event) {
+    void draw_faint(const events::Event& event) {
         const std::vector<glm::dvec2> points = points_of(event);
         for (std::size_t i = 1; i < points.size(); ++i) {
-            lettering_.strokes.push_back({points[i - 1], points[i], 1, Rgba{0.2F, 0.2F, 0.2F, 1} * 0.18F});
+            lettering_.strokes.push_back({points[i - 1], points[i], 1, image::Rgba{0.2F, 0.2F, 0.2F, 1} * 0.18F});
         }
     }
 
     void draw_path(std::size_t k) {
         const std::vector<glm::dvec2> points = points_of(objects_.events[k]);
         const double width = std::max(1.5, text_ / 7.0);
-        const Rgba colour = opaque(objects_.colours[k]);
+        const image::Rgba colour = opaque(objects_.colours[k]);
         for (const auto& [wide, ink] : {std::pair{width + 1.2, casing}, std::pair{width, colour}}) {
             for (std::size_t i = 1; i < points.size(); ++i)
                 lettering_.strokes.push_back({points[i - 1], points[i], wide, ink});
@@ -84,7 +84,7 @@ class Map {
     }
 
     /// Two short strokes where it went.
-    void draw_head(std::span<const glm::dvec2> points, double width, const Rgba& colour) {
+    void draw_head(std::span<const glm::dvec2> points, double width, const image::Rgba& colour) {
         const glm::dvec2 tip = points.back();
         const double length = text_ * 0.65;
         // The last step may be a pixel long and point anywhere.
@@ -107,7 +107,7 @@ class Map {
 
     /// A dot where it kept its place: the longer, the larger.
     void draw_stays(std::size_t k) {
-        for (const Stay& stay : standing_times(objects_.events[k])) {
+        for (const events::Stay& stay : standing_times(objects_.events[k])) {
             const double seconds = stay.last.seconds - stay.first.seconds;
             const double size = text_ * std::clamp(0.35 + 0.2 * std::log2(1 + seconds / 4), 0.4, 1.4);
             const glm::dvec2 at = pixel(stay.place);
@@ -118,10 +118,10 @@ class Map {
 
     /// Where it came from; beside the first places of others.
     void draw_number(std::size_t k) {
-        const Event& event = objects_.events[k];
-        const Rgba colour = opaque(objects_.colours[k]);
+        const events::Event& event = objects_.events[k];
+        const image::Rgba colour = opaque(objects_.colours[k]);
         const auto badge_at = [&](const glm::dvec2& middle) {
-            return make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ - 2), colour);
+            return labels::make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ - 2), colour);
         };
         const glm::dvec2 begin = pixel(event.path.empty() ? place_at(event, 0) : event.path.front().place);
         const double size = badge_at(begin).size;
@@ -149,17 +149,17 @@ class Map {
     Size field_;
     PixelBox box_;
     int text_;
-    Lettering& lettering_;
+    labels::Lettering& lettering_;
     std::vector<glm::dvec2> numbers_;
 };
 
 }  // namespace
 
 void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
-              const Rgba& background, Lettering& lettering) {
+              const image::Rgba& background, labels::Lettering& lettering) {
     if (scene.empty() || box.empty()) return;
-    lettering.pictures.push_back({box, paled(resized(scene, box.size()), background), {}, 0});
+    lettering.pictures.push_back({box, paled(image::resized(scene, box.size()), background), {}, 0});
     Map(objects, field, box, text, lettering).draw();
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/base/plane.h"
 #include "core/glance/objects.h"
 #include "core/labels/lettering.h"
-#include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 /// Draws the scene as the camera sees it, and where each object went: its path with a number where it came from and an
 /// arrow where it went, a dot where it stood or was left. Those that are too many to be told apart are thin grey lines.
@@ -14,6 +14,6 @@ namespace vvr {
 /// \param text size of the numbers
 /// \param background towards which the scene is paled
 void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
-              const Rgba& background, Lettering& lettering);
+              const image::Rgba& background, labels::Lettering& lettering);
 
-}  // namespace vvr
+}  // namespace vvr::glance

@@ -7,19 +7,19 @@
 
 #include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::glance {
 
 namespace {
 
-Rgba opaque(const glm::vec3& colour) {
+image::Rgba opaque(const glm::vec3& colour) {
     return {colour.x, colour.y, colour.z, 1};
 }
 
 /// A strip on a picture: which column is which time, and where the rows are.
 class Strip {
   public:
-    Strip(const Objects& objects, double begin, double end, bool still, const Sheet& sheet, const StripLook& look,
-          Lettering& lettering)
+    Strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
+          const StripLook& look, labels::Lettering& lettering)
         : objects_(objects),
           begin_(begin),
           end_(end),
@@ -57,26 +57,26 @@ class Strip {
         draw_line(rows_.left, rows_.right, rows_.bottom, thin, look_.lines);
         const int most = std::clamp(rows_.width() / (6 * sheet_.small), 2, 11);
         const int base = rows_.bottom + sheet_.small * 3 / 2;
-        for (const TimeTick& tick : time_ticks(begin_, end_, most, objects_.clock)) {
+        for (const labels::TimeTick& tick : labels::time_ticks(begin_, end_, most, objects_.clock)) {
             const int x = column(tick.seconds);
             if (x >= rows_.right) continue;
-            const Rgba pale = glm::mix(look_.lines, look_.background, 0.6F);
+            const image::Rgba pale = glm::mix(look_.lines, look_.background, 0.6F);
             lettering_.strokes.push_back({{x, rows_.top}, {x, rows_.bottom + sheet_.small / 3}, thin, pale});
-            Label label = make_label_around(tick.text, sheet_.small, x, 0, look_.pale);
-            label = make_label(tick.text, sheet_.small, std::max(rows_.left, label.box.left), base, look_.pale);
+            labels::Label label = labels::make_label_around(tick.text, sheet_.small, x, 0, look_.pale);
+            label = labels::make_label(tick.text, sheet_.small, std::max(rows_.left, label.box.left), base, look_.pale);
             lettering_.add(label, sheet_.strip, sheet_.small / 4);
         }
     }
 
     /// From column to column: its round ends are within.
-    void draw_line(double from, double to, double y, double width, const Rgba& colour) {
+    void draw_line(double from, double to, double y, double width, const image::Rgba& colour) {
         const double inset = std::min(width / 2, (to - from) / 2);
         lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
     }
 
     void draw_bar(const StripBar& bar) {
-        const Event& event = objects_.events[bar.event];
-        const Rgba colour = opaque(objects_.colours[bar.event]);
+        const events::Event& event = objects_.events[bar.event];
+        const image::Rgba colour = opaque(objects_.colours[bar.event]);
         const int bottom = rows_.bottom - 1 - bar.row * row_height_;
         const int high = row_height_ - 2;
         const int low = std::max(2, high / 3);
@@ -85,7 +85,7 @@ class Strip {
             draw_line(column(from), column(to), middle, height, colour);
         };
         add(event.first.seconds, event.last.seconds, low);
-        for (const Stay& stay : standing_times(event)) add(stay.first.seconds, stay.last.seconds, high);
+        for (const events::Stay& stay : standing_times(event)) add(stay.first.seconds, stay.last.seconds, high);
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});
@@ -96,20 +96,20 @@ class Strip {
     void letter_number(const StripBar& bar, int middle) {
         const int size = std::max(9, sheet_.small - 2);
         const std::string text = fmt::format("{}", objects_.numbers[bar.event]);
-        const Label measured = make_label(text, size, 0, 0, look_.ink);
+        const labels::Label measured = labels::make_label(text, size, 0, 0, look_.ink);
         const int x = column(objects_.events[bar.event].first.seconds);
         const int left = x - measured.box.width() - 3;
         if (left < sheet_.strip.left) return;
         lettering_.labels.push_back(
-            make_label_around(text, size, left + measured.box.width() / 2.0, middle, look_.ink));
+            labels::make_label_around(text, size, left + measured.box.width() / 2.0, middle, look_.ink));
     }
 
     void letter_quiet() {
         for (const Quiet& quiet : quiet_times(objects_.events, begin_, end_)) {
             const PixelBox room{column(quiet.begin), rows_.top, column(quiet.end), rows_.bottom};
             const std::string text = "nobody";
-            const Label label = make_label_around(text, sheet_.small, (room.left + room.right) / 2.0,
-                                                  (room.top + room.bottom) / 2.0, look_.pale);
+            const labels::Label label = labels::make_label_around(text, sheet_.small, (room.left + room.right) / 2.0,
+                                                                  (room.top + room.bottom) / 2.0, look_.pale);
             lettering_.add(label, room.grown(-sheet_.small / 3, 0), 2);
         }
     }
@@ -120,24 +120,24 @@ class Strip {
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
         if (objects_.events.empty())
             texts = {still_ ? "Nothing moved" : "Nothing was in sight for long enough to be an object"};
-        add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small, sheet_.strip,
-                            look_.pale, lettering_);
+        labels::add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small,
+                                    sheet_.strip, look_.pale, lettering_);
     }
 
     const Objects& objects_;
     double begin_;
     double end_;
     bool still_;
-    const Sheet& sheet_;
+    const labels::Sheet& sheet_;
     const StripLook& look_;
-    Lettering& lettering_;
+    labels::Lettering& lettering_;
     PixelBox rows_;
     int row_height_ = 0;
 };
 
 }  // namespace
 
-std::vector<StripBar> strip_bars(std::span<const Event> events, std::span<const std::size_t> order, int rows,
+std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart) {
     std::vector<std::vector<std::size_t>> taken(static_cast<std::size_t>(std::max(0, rows)));
     std::vector<StripBar> bars;
@@ -155,9 +155,9 @@ std::vector<StripBar> strip_bars(std::span<const Event> events, std::span<const 
     return bars;
 }
 
-std::vector<Quiet> quiet_times(std::span<const Event> events, double begin, double end) {
+std::vector<Quiet> quiet_times(std::span<const events::Event> events, double begin, double end) {
     std::vector<Quiet> busy;
-    for (const Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
+    for (const events::Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
     std::ranges::sort(busy, {}, &Quiet::begin);
     std::vector<Quiet> quiet;
     double until = begin;
@@ -169,9 +169,9 @@ std::vector<Quiet> quiet_times(std::span<const Event> events, double begin, doub
     return quiet;
 }
 
-void letter_strip(const Objects& objects, double begin, double end, bool still, const Sheet& sheet,
-                  const StripLook& look, Lettering& lettering) {
+void letter_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
+                  const StripLook& look, labels::Lettering& lettering) {
     Strip(objects, begin, end, still, sheet, look, lettering).letter();
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

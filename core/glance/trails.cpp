@@ -4,16 +4,17 @@
 #include <cmath>
 #include <limits>
 
-namespace vvr {
+namespace vvr::glance {
 
-glm::dvec3 Trails::point(const Event& event, double seconds) const {
+glm::dvec3 Trails::point(const events::Event& event, double seconds) const {
     const glm::dvec2 place = place_at(event, seconds);
     glm::dvec3 c = volume_.c_of({place.x, place.y, 0});
     c.z = volume_.t_of_seconds(seconds);
     return layout_.p_from_c(c);
 }
 
-PixelBox hollow_of(const Layout& layout, const Camera& camera, Size picture, const PixelBox& area, double aspect) {
+PixelBox hollow_of(const space::Layout& layout, const space::Camera& camera, Size picture, const PixelBox& area,
+                   double aspect) {
     constexpr int samples = 128;
     const double middle = (area.left + area.right) / 2.0;
     // By distance from the middle, down to which row the volume reaches.
@@ -49,4 +50,4 @@ PixelBox hollow_of(const Layout& layout, const Camera& camera, Size picture, con
     return best;
 }
 
-}  // namespace vvr
+}  // namespace vvr::glance

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -76,4 +76,4 @@ void AnimationFile::close() {
     encoder_.reset();
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

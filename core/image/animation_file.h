@@ -9,7 +9,7 @@
 #include "core/image/film_encoder.h"
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Endings of the animated files that can be written, with their dots.
 std::vector<std::string> animation_endings();
@@ -43,4 +43,4 @@ class AnimationFile {
     std::int64_t pictures_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -22,7 +22,7 @@
 #include "core/base/file_lock.h"
 #include "core/base/fnv.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -233,4 +233,4 @@ void remove_leftovers(const fs::path& folder, std::span<const std::string> names
     for (const fs::path& path : left) remove_if_left(path, true);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

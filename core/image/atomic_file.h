@@ -8,7 +8,7 @@
 
 #include "core/base/av_writer.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Checks that `replace_file` can write to `path`: its folder exists and takes new files, and at `path` there is
 /// nothing, or a file that may be overwritten.
@@ -40,4 +40,4 @@ void replace_file(const std::filesystem::path& path, const std::function<void(co
 /// has to make sure that no program is replacing them now.
 void remove_leftovers(const std::filesystem::path& folder, std::span<const std::string> names);
 
-}  // namespace vvr
+}  // namespace vvr::image

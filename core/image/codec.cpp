@@ -15,7 +15,7 @@
 #include "core/base/loading.h"
 #include "core/base/machine_memory.h"
 
-namespace vvr {
+namespace vvr::image {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
@@ -72,4 +72,4 @@ const PictureCodec& picture_codec() {
     return codec;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

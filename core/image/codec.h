@@ -13,7 +13,7 @@
 #include "core/image/picture.h"
 #include "core/image/samples.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// The type of a file's colour values.
 enum class Stored { uint8, uint16, half };
@@ -64,4 +64,4 @@ const PictureCodec& picture_codec();
 /// The one name that the library exports, of a function that returns a pointer to the codec.
 inline constexpr const char* picture_codec_symbol = "vvr_picture_codec";
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -139,4 +139,4 @@ Comparison compare(const Samples& a, const Samples& b, const Tolerance& toleranc
     return comparison;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -6,7 +6,7 @@
 
 #include "core/image/samples.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// The differences that two pictures may have and still count as the same. Values are 0..1, as in the files.
 struct Tolerance {
@@ -57,4 +57,4 @@ struct Comparison {
 
 Comparison compare(const Samples& a, const Samples& b, const Tolerance& tolerance = {});
 
-}  // namespace vvr
+}  // namespace vvr::image

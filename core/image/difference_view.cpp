@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string difference_letters(const Plane<float>& pixels, double level, int col
     return text + edge;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -5,7 +5,7 @@
 #include "core/image/compare.h"
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// The differences of two pictures over the first of them in pale grey: from yellow for the smallest, through red, to
 /// black for all of the range. Weak differences are amplified, so that all are visible.
@@ -16,4 +16,4 @@ Picture difference_picture(const Samples& a, const Comparison& comparison);
 /// ` ` for at most `level`, by way of `.:-=+*#%`, to `@` for all of the range.
 std::string difference_letters(const Plane<float>& pixels, double level, int columns = 60);
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::image {
 
 void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, double width, const Rgba& colour) {
     Plane<Rgba>& pixels = picture.pixels;
@@ -28,4 +28,4 @@ void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, d
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -19,7 +19,7 @@ extern "C" {
 #include "core/base/error.h"
 #include "core/image/palette.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -243,4 +243,4 @@ std::vector<std::byte> FilmEncoder::finish() {
     return std::move(parts_->memory);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -10,7 +10,7 @@
 #include "core/base/av_writer.h"
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// How libav encodes a film.
 struct FilmFormat {
@@ -62,4 +62,4 @@ class FilmEncoder {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

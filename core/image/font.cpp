@@ -9,7 +9,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
-namespace vvr {
+namespace vvr::image {
 namespace {
 
 struct CloseLibrary {
@@ -98,4 +98,4 @@ bool Font::draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int 
     });
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

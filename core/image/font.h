@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "core/image/picture.h"
 #include "core/base/pixel_box.h"
+#include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// A font file's letters, by FreeType. For one thread at a time.
 class Font {
@@ -31,4 +31,4 @@ class Font {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -4,7 +4,7 @@
 
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::image {
 namespace {
 
 template <class T>
@@ -28,4 +28,4 @@ std::vector<Plane<Bgr>> mip_levels(const Plane<Bgr>& picture) {
     return levels_of(picture);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/suggest.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::filesystem::path NamePattern::at(std::int64_t number) const {
     return path_.parent_path() / fmt::format("{}{:0{}}{}", before_, number, digits_, after_);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

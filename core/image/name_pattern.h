@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace vvr {
+namespace vvr::image {
 
 /// The name of an output file, with at most one field for a number. A field is in the last part of the path:
 /// `{frame:4}` or `{brick:4}` (at least 4 digits; without `:4`, as many as needed), `####` (two or more, one per digit)
@@ -41,4 +41,4 @@ class NamePattern {
     int digits_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/image/codec.h"
 
-namespace vvr {
+namespace vvr::image {
 namespace {
 
 OIIO::TypeDesc type_of(Stored stored) {
@@ -128,9 +128,9 @@ void read_bytes(const std::filesystem::path& path, Size size, int channels, std:
 }
 
 }  // namespace
-}  // namespace vvr
+}  // namespace vvr::image
 
-extern "C" __attribute__((visibility("default"))) const vvr::PictureCodec* vvr_picture_codec() {
-    static constexpr vvr::PictureCodec codec{vvr::encode, vvr::read, vvr::read_bytes};
+extern "C" __attribute__((visibility("default"))) const vvr::image::PictureCodec* vvr_picture_codec() {
+    static constexpr vvr::image::PictureCodec codec{vvr::image::encode, vvr::image::read, vvr::image::read_bytes};
     return &codec;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::uint8_t Palette::nearest(const Rgba& pixel) {
     return static_cast<std::uint8_t>(answer);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -6,7 +6,7 @@
 
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Up to 256 colours that represent those of a picture, for formats that hold no more.
 class Palette {
@@ -26,4 +26,4 @@ class Palette {
     std::vector<int> known_;  ///< earlier answers by the colour's upper bits; -1 = none
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -1,9 +1,9 @@
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 Picture to_picture(Plane<Rgba> drawn) {
     return {std::move(drawn), Encoding::srgb, {}};
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

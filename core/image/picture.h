@@ -8,7 +8,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Red, green, blue, alpha, 0..1, colours multiplied by alpha.
 using Rgba = glm::vec4;
@@ -43,4 +43,4 @@ Picture to_picture(Plane<Rgba> drawn);
 /// Settings of a picture: name and value, in the order given. In a file their names begin with `vvr:`.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-}  // namespace vvr
+}  // namespace vvr::image

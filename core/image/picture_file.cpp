@@ -12,14 +12,14 @@
 
 #include "core/base/ending.h"
 #include "core/base/error.h"
+#include "core/base/suggest.h"
+#include "core/base/version.h"
 #include "core/image/atomic_file.h"
 #include "core/image/codec.h"
 #include "core/image/pixel_data_channels.h"
 #include "core/image/png_text.h"
-#include "core/base/suggest.h"
-#include "core/base/version.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -226,4 +226,4 @@ Metadata settings_of(const Samples& file) {
     return settings;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

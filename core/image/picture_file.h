@@ -8,7 +8,7 @@
 #include "core/image/picture.h"
 #include "core/image/samples.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Endings of the picture files that can be written, with their dots.
 std::vector<std::string> picture_endings();
@@ -45,4 +45,4 @@ void write_picture(const std::filesystem::path& path, Picture picture, const Met
 /// The settings that `write_picture` left in a file.
 Metadata settings_of(const Samples& file);
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -5,7 +5,7 @@
 
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// One plane of a picture's pixel data, and the channel of a file that holds it.
 struct PixelDataChannel {
@@ -20,4 +20,4 @@ inline constexpr std::array pixel_data_channels{
     PixelDataChannel{"object", &PixelData::object},
 };
 
-}  // namespace vvr
+}  // namespace vvr::image

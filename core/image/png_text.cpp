@@ -10,7 +10,7 @@ extern "C" {
 #include <libavutil/intreadwrite.h>
 }
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png) {
     return marked;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -5,12 +5,12 @@
 #include "core/base/cv_view.h"
 #include "core/image/picture.h"
 
-namespace vvr {
-
 template <>
-struct CvType<Rgba> {
+struct vvr::CvType<vvr::image::Rgba> {
     static constexpr int value = CV_32FC4;
 };
+
+namespace vvr::image {
 
 template <class T>
 Plane<T> resized(const Plane<T>& plane, Size size) {
@@ -26,4 +26,4 @@ template Plane<std::uint8_t> resized(const Plane<std::uint8_t>&, Size);
 template Plane<Bgr> resized(const Plane<Bgr>&, Size);
 template Plane<Rgba> resized(const Plane<Rgba>&, Size);
 
-}  // namespace vvr
+}  // namespace vvr::image

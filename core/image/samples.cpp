@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/read_file.h"
 #include "core/image/codec.h"
 #include "core/image/pixel_data_channels.h"
-#include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -77,4 +77,4 @@ Samples without_pixel_data(Samples samples) {
     return samples;
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -7,7 +7,7 @@
 
 #include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// The values of a picture file: any number of channels, pixel by pixel, rows from the top.
 struct Samples {
@@ -38,4 +38,4 @@ Samples decode_samples(const std::filesystem::path& name, std::span<const std::b
 /// The same without the channels of pixel data, which are indices and seconds, or NaN, and not intensities.
 Samples without_pixel_data(Samples samples);
 
-}  // namespace vvr
+}  // namespace vvr::image

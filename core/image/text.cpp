@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/image/font.h"
 #include "core/base/read_file.h"
+#include "core/image/font.h"
 
-namespace vvr {
+namespace vvr::image {
 
 namespace {
 
@@ -149,4 +149,4 @@ bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, 
     return box && draw_text(picture, x - (box->left + box->right) / 2, y, text, size, colour);
 }
 
-}  // namespace vvr
+}  // namespace vvr::image

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/image/picture.h"
 #include "core/base/pixel_box.h"
+#include "core/image/picture.h"
 
-namespace vvr {
+namespace vvr::image {
 
 /// Text for one line: a space for each control character, `?` for each byte that is not UTF-8.
 std::string printable(const std::string& text);
@@ -38,4 +38,4 @@ bool draw_text_centred(Picture& picture, int x, int y, const std::string& text, 
 /// The files and folders that fontconfig reads to find a font, its caches among them. Some may not be there.
 std::vector<std::filesystem::path> font_places();
 
-}  // namespace vvr
+}  // namespace vvr::image

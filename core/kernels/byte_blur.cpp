@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace vvr::HWY_NAMESPACE {
+namespace vvr::kernels::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -64,11 +64,11 @@ void along(const std::uint16_t* in, std::size_t step, const std::uint16_t* taps,
 }
 
 }  // namespace
-}  // namespace vvr::HWY_NAMESPACE
+}  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vvr {
+namespace vvr::kernels {
 
 HWY_EXPORT(down);
 HWY_EXPORT(along);
@@ -112,5 +112,5 @@ void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels
 #endif

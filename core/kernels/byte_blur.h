@@ -5,7 +5,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// Smooths 8-bit values with a Gaussian of `sigma` pixels, cut off at 1.5 sigma and at 1 pixel at least; edges are
 /// repeated. Weights are in 1/256. cv::GaussianBlur takes half as long again and rounds otherwise:
@@ -14,4 +14,4 @@ namespace vvr {
 /// \param from, to size.width * size.height * channels values, row by row
 void blur_bytes(Size size, int channels, double sigma, std::span<const std::uint8_t> from, std::span<std::uint8_t> to);
 
-}  // namespace vvr
+}  // namespace vvr::kernels

@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace vvr::HWY_NAMESPACE {
+namespace vvr::kernels::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -68,11 +68,11 @@ void full_range_row(const std::uint8_t* luma, std::uint8_t* out, std::size_t pix
 }
 
 }  // namespace
-}  // namespace vvr::HWY_NAMESPACE
+}  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vvr {
+namespace vvr::kernels {
 
 HWY_EXPORT(bgr_row);
 HWY_EXPORT(full_range_row);
@@ -120,5 +120,5 @@ void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> o
     HWY_DYNAMIC_DISPATCH(full_range_row)(luma.data(), out.data(), luma.size());
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels
 #endif

@@ -9,7 +9,7 @@ extern "C" {
 #include <libavutil/pixfmt.h>
 }
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// From luma and chroma to blue, green and red, as factors of chroma in 1/8192.
 struct ColourMatrix {
@@ -31,4 +31,4 @@ void to_bgr(const ColourMatrix& matrix, std::span<const std::uint8_t> luma, std:
 /// A row of luma of 16..235 to 0..255; what lies outside is cut off.
 void to_full_range(std::span<const std::uint8_t> luma, std::span<std::uint8_t> out);
 
-}  // namespace vvr
+}  // namespace vvr::kernels

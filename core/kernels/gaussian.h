@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// Weights of a Gaussian of `sigma` at -radius ... radius; their sum is 1.
 /// \param sigma may be 0 where `radius` is
@@ -18,4 +18,4 @@ inline std::vector<double> gaussian_weights(double sigma, int radius) {
     return weights;
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels

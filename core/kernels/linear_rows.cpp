@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace vvr::HWY_NAMESPACE {
+namespace vvr::kernels::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -229,11 +229,11 @@ void interpolate(const float* near, const float* far, float* fine, int width) {
 }
 
 }  // namespace
-}  // namespace vvr::HWY_NAMESPACE
+}  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vvr {
+namespace vvr::kernels {
 
 HWY_EXPORT(relax);
 HWY_EXPORT(invert_rank_one);
@@ -271,5 +271,5 @@ void add_interpolated(const float* near, const float* far, float* fine, int coar
     HWY_DYNAMIC_DISPATCH(interpolate)(near, far, fine, coarse_width);
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels
 #endif

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// What a point of one grid needs for one step; all rows start on a cache line and may be read a vector beyond.
 struct RelaxRows {
@@ -42,4 +42,4 @@ void mean_of_pairs(const float* upper, const float* lower, float* out, int width
 /// points lie a quarter of their distance away, `far` three quarters. Both have a border of one value.
 void add_interpolated(const float* near, const float* far, float* fine, int coarse_width);
 
-}  // namespace vvr
+}  // namespace vvr::kernels

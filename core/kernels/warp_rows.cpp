@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace vvr::HWY_NAMESPACE {
+namespace vvr::kernels::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -137,11 +137,11 @@ void change_whole(const float* u, const float* v, const float* change, const flo
 }
 
 }  // namespace
-}  // namespace vvr::HWY_NAMESPACE
+}  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vvr {
+namespace vvr::kernels {
 
 HWY_EXPORT(warp);
 HWY_EXPORT(change_whole);
@@ -155,5 +155,5 @@ void whole_change(const float* u, const float* v, const float* change, const flo
     HWY_DYNAMIC_DISPATCH(change_whole)(u, v, change, known, gx, gy, gt, width);
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels
 #endif

@@ -2,7 +2,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// A row of two frames of which the second is moved back by the flow. All rows may be read and written a vector beyond
 /// their end.
@@ -25,4 +25,4 @@ void warp_row(const WarpRow& row);
 void whole_change(const float* u, const float* v, const float* change, const float* known, float* gx, float* gy,
                   float* gt, int width);
 
-}  // namespace vvr
+}  // namespace vvr::kernels

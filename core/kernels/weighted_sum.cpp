@@ -8,7 +8,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace vvr::HWY_NAMESPACE {
+namespace vvr::kernels::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -37,11 +37,11 @@ void sum(const float* const* inputs, const float* weights, std::size_t terms, fl
 }
 
 }  // namespace
-}  // namespace vvr::HWY_NAMESPACE
+}  // namespace vvr::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace vvr {
+namespace vvr::kernels {
 
 HWY_EXPORT(sum);
 
@@ -49,5 +49,5 @@ void weighted_sum(std::span<const float* const> inputs, std::span<const float> w
     HWY_DYNAMIC_DISPATCH(sum)(inputs.data(), weights.data(), weights.size(), out, count);
 }
 
-}  // namespace vvr
+}  // namespace vvr::kernels
 #endif

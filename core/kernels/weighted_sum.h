@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace vvr {
+namespace vvr::kernels {
 
 /// out[i] = Σ weights[k] · inputs[k][i] for i < count. With shifted pointers into one row it is a convolution along the
 /// row, with pointers to rows one along columns, with pointers into frames one along time.
@@ -10,4 +10,4 @@ namespace vvr {
 /// Reads and writes nothing beyond `count`; `out` must not be one of the inputs.
 void weighted_sum(std::span<const float* const> inputs, std::span<const float> weights, float* out, int count);
 
-}  // namespace vvr
+}  // namespace vvr::kernels

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vvr {
+namespace vvr::labels {
 
 namespace {
 
@@ -14,7 +14,7 @@ int base_line(const PixelBox& band, int text) {
 }
 
 int width_of(const std::string& text, int size) {
-    const auto box = measure_text(text, size);
+    const auto box = image::measure_text(text, size);
     return box ? box->width() : 0;
 }
 
@@ -30,7 +30,8 @@ int before_text(const LegendEntry& entry, int text) {
 }
 
 /// A wheel of spokes that touch each other at the rim.
-void draw_wheel(const std::vector<Rgba>& colours, const glm::dvec2& middle, double radius, Lettering& lettering) {
+void draw_wheel(const std::vector<image::Rgba>& colours, const glm::dvec2& middle, double radius,
+                Lettering& lettering) {
     const double turn = 2 * std::numbers::pi / static_cast<double>(colours.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const double angle = turn * static_cast<double>(i);
@@ -55,7 +56,7 @@ int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet) {
     return width_of(entries, &LegendEntry::brief, sheet.small);
 }
 
-void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const Rgba& colour,
+void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
                    Lettering& lettering) {
     const int text = sheet.small;
     if (sheet.text == 0 || sheet.legend.width() <= 0) return;
@@ -84,18 +85,18 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     }
 }
 
-void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet, const Rgba& colour,
-                  const Rgba& pale, Lettering& lettering) {
+void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
+                  const image::Rgba& colour, const image::Rgba& pale, Lettering& lettering) {
     const int text = sheet.text;
     if (text == 0 || sheet.title.width() <= 0) return;
     const int base = base_line(sheet.title, text);
     int x = sheet.title.left;
-    const auto write = [&](const std::string& words, int end, const Rgba& ink) {
-        const Label label = make_label(elide(printable(words), text, end - x), text, x, base, ink);
+    const auto write = [&](const std::string& words, int end, const image::Rgba& ink) {
+        const Label label = make_label(elide(image::printable(words), text, end - x), text, x, base, ink);
         if (lettering.add(label, sheet.title, 1)) x = label.box.right + text;
     };
     write(title, right, colour);
     write(rest, sheet.title.right, pale);
 }
 
-}  // namespace vvr
+}  // namespace vvr::labels

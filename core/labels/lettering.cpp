@@ -7,7 +7,7 @@
 #include "core/image/draw.h"
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::labels {
 
 namespace {
 
@@ -16,37 +16,38 @@ bool is_middle_of_character(char byte) {
 }
 
 /// How bright a colour looks, 0..1.
-float lightness(const Rgba& colour) {
+float lightness(const image::Rgba& colour) {
     return 0.299F * colour.r + 0.587F * colour.g + 0.114F * colour.b;
 }
 
-void fill(Picture& picture, const PixelBox& box, const Rgba& colour) {
+void fill(image::Picture& picture, const PixelBox& box, const image::Rgba& colour) {
     const PixelBox inside = common(box, {0, 0, picture.pixels.width(), picture.pixels.height()});
     for (int j = inside.top; j < inside.bottom; ++j) {
         for (int i = inside.left; i < inside.right; ++i) picture.pixels.at(i, j) = colour;
     }
 }
 
-void draw_pasted(Picture& picture, const PastedPicture& pasted) {
+void draw_pasted(image::Picture& picture, const PastedPicture& pasted) {
     if (pasted.border > 0) fill(picture, pasted.box.grown(pasted.border, pasted.border), pasted.colour);
-    const Plane<Bgr> scaled = resized(pasted.picture, pasted.box.size());
+    const Plane<Bgr> scaled = image::resized(pasted.picture, pasted.box.size());
     for (int j = 0; j < scaled.height(); ++j) {
         for (int i = 0; i < scaled.width(); ++i) {
             const Bgr& bgr = scaled.at(i, j);
-            picture.pixels.at(pasted.box.left + i, pasted.box.top + j) = Rgba(bgr[2], bgr[1], bgr[0], 255) / 255.0F;
+            picture.pixels.at(pasted.box.left + i, pasted.box.top + j) =
+                image::Rgba(bgr[2], bgr[1], bgr[0], 255) / 255.0F;
         }
     }
 }
 
-void draw_label(Picture& picture, const Label& label) {
+void draw_label(image::Picture& picture, const Label& label) {
     if (label.halo) {
         const int reach = std::max(1, label.size / 11);
         for (const int x : {-reach, 0, reach}) {
             for (const int y : {-reach, 0, reach})
-                draw_text(picture, label.x + x, label.y + y, label.text, label.size, *label.halo);
+                image::draw_text(picture, label.x + x, label.y + y, label.text, label.size, *label.halo);
         }
     }
-    draw_text(picture, label.x, label.y, label.text, label.size, label.colour);
+    image::draw_text(picture, label.x, label.y, label.text, label.size, label.colour);
 }
 
 }  // namespace
@@ -64,21 +65,21 @@ bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
     return true;
 }
 
-Label make_label(const std::string& text, int size, int x, int y, const Rgba& colour) {
-    const std::optional<PixelBox> box = measure_text(text, size);
+Label make_label(const std::string& text, int size, int x, int y, const image::Rgba& colour) {
+    const std::optional<PixelBox> box = image::measure_text(text, size);
     if (!box) return {};
     return {text, size, x - box->left, y, box->moved(x - box->left, y), colour};
 }
 
-Label make_label_around(const std::string& text, int size, double x, double y, const Rgba& colour) {
-    const std::optional<PixelBox> box = measure_text(text, size);
+Label make_label_around(const std::string& text, int size, double x, double y, const image::Rgba& colour) {
+    const std::optional<PixelBox> box = image::measure_text(text, size);
     if (!box) return {};
     const int left = static_cast<int>(std::lround(x - box->width() / 2.0)) - box->left;
     const int base = static_cast<int>(std::lround(y - box->height() / 2.0)) - box->top;
     return {text, size, left, base, box->moved(left, base), colour};
 }
 
-Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const Rgba& colour) {
+Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const image::Rgba& colour) {
     const float ink = lightness(colour) > 0.55F ? 0.0F : 1.0F;
     Badge badge{make_label_around(text, size, middle.x, middle.y, {ink, ink, ink, 1}), middle, size * 1.35, colour, {}};
     badge.size = std::max(badge.size, badge.label.box.width() + size * 0.5);
@@ -89,7 +90,7 @@ Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, co
 }
 
 void add_first_that_fits(std::span<const std::string> texts, int size, int x, int y, const PixelBox& area,
-                         const Rgba& colour, Lettering& lettering) {
+                         const image::Rgba& colour, Lettering& lettering) {
     for (const std::string& text : texts) {
         if (lettering.add(make_label(text, size, x, y, colour), area, 0)) return;
     }
@@ -97,7 +98,7 @@ void add_first_that_fits(std::span<const std::string> texts, int size, int x, in
 
 std::string elide(const std::string& text, int size, int width) {
     const auto fits = [&](const std::string& candidate) {
-        const std::optional<PixelBox> box = measure_text(candidate, size);
+        const std::optional<PixelBox> box = image::measure_text(candidate, size);
         return box && box->width() <= width;
     };
     // No letter is narrower than a pixel: of a text of any length so many bytes are measured at most.
@@ -112,7 +113,7 @@ std::string elide(const std::string& text, int size, int width) {
     return too_long == ends.begin() ? std::string() : text.substr(0, *std::prev(too_long)) + "…";
 }
 
-void draw(Picture& picture, const Lettering& lettering) {
+void draw(image::Picture& picture, const Lettering& lettering) {
     for (const PastedPicture& pasted : lettering.pictures) draw_pasted(picture, pasted);
     for (const ColourBar& bar : lettering.bars) {
         for (int i = bar.box.left; i < bar.box.right; ++i) {
@@ -122,13 +123,13 @@ void draw(Picture& picture, const Lettering& lettering) {
         }
     }
     for (const Stroke& stroke : lettering.strokes) {
-        draw_line(picture, stroke.from, stroke.to, stroke.width, stroke.colour);
+        image::draw_line(picture, stroke.from, stroke.to, stroke.width, stroke.colour);
     }
     for (const Badge& badge : lettering.badges) {
-        draw_line(picture, badge.middle, badge.middle, badge.size, badge.colour);
-        draw_text(picture, badge.label.x, badge.label.y, badge.label.text, badge.label.size, badge.label.colour);
+        image::draw_line(picture, badge.middle, badge.middle, badge.size, badge.colour);
+        image::draw_text(picture, badge.label.x, badge.label.y, badge.label.text, badge.label.size, badge.label.colour);
     }
     for (const Label& label : lettering.labels) draw_label(picture, label);
 }
 
-}  // namespace vvr
+}  // namespace vvr::labels

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/image/text.h"
 #include "core/base/plane.h"
+#include "core/image/text.h"
 
-namespace vvr {
+namespace vvr::labels {
 
 /// A line of text on a picture.
 struct Label {
@@ -18,22 +18,22 @@ struct Label {
     int x = 0;  ///< of the beginning of the baseline
     int y = 0;
     PixelBox box;  ///< of the letters
-    Rgba colour{};
-    std::optional<Rgba> halo{};  ///< around the letters, where they lie on something of any colour
+    image::Rgba colour{};
+    std::optional<image::Rgba> halo{};  ///< around the letters, where they lie on something of any colour
 };
 
 /// A bar of colours, from left to right.
 struct ColourBar {
     PixelBox box;
-    std::vector<Rgba> colours;
+    std::vector<image::Rgba> colours;
 };
 
 /// A small picture with a border around it.
 struct PastedPicture {
     PixelBox box;  ///< without its border
     Plane<Bgr> picture;
-    Rgba colour{};   ///< of the border
-    int border = 0;  ///< its width
+    image::Rgba colour{};  ///< of the border
+    int border = 0;        ///< its width
 };
 
 /// A straight line with round ends; of no length, a dot.
@@ -41,7 +41,7 @@ struct Stroke {
     glm::dvec2 from{};
     glm::dvec2 to{};
     double width = 1;
-    Rgba colour{};
+    image::Rgba colour{};
 };
 
 /// A short text on a disc.
@@ -49,7 +49,7 @@ struct Badge {
     Label label;
     glm::dvec2 middle{};
     double size = 0;  ///< diameter
-    Rgba colour{};
+    image::Rgba colour{};
     PixelBox box;
 };
 
@@ -79,21 +79,21 @@ struct Lettering {
 };
 
 /// A label whose baseline begins at `x`,`y`; without text if there is no font.
-Label make_label(const std::string& text, int size, int x, int y, const Rgba& colour);
+Label make_label(const std::string& text, int size, int x, int y, const image::Rgba& colour);
 
 /// The same with the middle of its box at a point.
-Label make_label_around(const std::string& text, int size, double x, double y, const Rgba& colour);
+Label make_label_around(const std::string& text, int size, double x, double y, const image::Rgba& colour);
 
 /// A badge with its middle at a point. Its text is white or black, whichever is easier to read on the colour.
-Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const Rgba& colour);
+Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const image::Rgba& colour);
 
 /// Writes the first of several texts that fits: a label that begins at `x`,`y` and stays in `area`.
 void add_first_that_fits(std::span<const std::string> texts, int size, int x, int y, const PixelBox& area,
-                         const Rgba& colour, Lettering& lettering);
+                         const image::Rgba& colour, Lettering& lettering);
 
 /// The text, shortened to at most `width` pixels, with "…" in place of its end.
 std::string elide(const std::string& text, int size, int width);
 
-void draw(Picture& picture, const Lettering& lettering);
+void draw(image::Picture& picture, const Lettering& lettering);
 
-}  // namespace vvr
+}  // namespace vvr::labels

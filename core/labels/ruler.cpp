@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::labels {
 
 namespace {
 
@@ -22,13 +22,13 @@ struct Mark {
     glm::dvec3 to;
 };
 
-Mark mark_at(const Layout& layout, const TimeEdge& edge, double t) {
+Mark mark_at(const space::Layout& layout, const TimeEdge& edge, double t) {
     return {layout.p_from_c(on_edge(edge, t, 0)), layout.p_from_c(on_edge(edge, t, mark_length))};
 }
 
 /// Writes a text at the end of the mark at `t`, on the side away from the volume.
-void write_beside(const std::string& text, double t, const Layout& layout, const TimeEdge& edge, const Camera& camera,
-                  const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+void write_beside(const std::string& text, double t, const space::Layout& layout, const TimeEdge& edge,
+                  const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     const Mark mark = mark_at(layout, edge, t);
     const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
     glm::dvec2 way = end - camera.pixel(mark.from, sheet.picture);
@@ -41,7 +41,7 @@ void write_beside(const std::string& text, double t, const Layout& layout, const
 
 }  // namespace
 
-TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture) {
+TimeEdge outer_edge(const space::Layout& layout, const space::Camera& camera, Size picture) {
     constexpr int samples = 32;
     const glm::dvec2 middle = {picture.width / 2.0, picture.height / 2.0};
     TimeEdge best;
@@ -60,16 +60,17 @@ TimeEdge outer_edge(const Layout& layout, const Camera& camera, Size picture) {
     return best;
 }
 
-std::vector<glm::dvec3> ruler_reach(const Layout& layout, const TimeEdge& edge) {
+std::vector<glm::dvec3> ruler_reach(const space::Layout& layout, const TimeEdge& edge) {
     constexpr int samples = 64;
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= samples; ++i) points.push_back(mark_at(layout, edge, static_cast<double>(i) / samples).to);
     return points;
 }
 
-std::vector<LineSegment> ruler_marks(const Volume& volume, const Layout& layout, const TimeEdge& edge,
-                                     const std::vector<TimeTick>& ticks, const glm::vec4& colour) {
-    std::vector<LineSegment> marks;
+std::vector<scene::LineSegment> ruler_marks(const bricks::Volume& volume, const space::Layout& layout,
+                                            const TimeEdge& edge, const std::vector<TimeTick>& ticks,
+                                            const glm::vec4& colour) {
+    std::vector<scene::LineSegment> marks;
     for (const TimeTick& tick : ticks) {
         const Mark mark = mark_at(layout, edge, volume.t_of_seconds(tick.seconds));
         marks.push_back({glm::vec3(mark.from), glm::vec3(mark.to), colour});
@@ -77,11 +78,11 @@ std::vector<LineSegment> ruler_marks(const Volume& volume, const Layout& layout,
     return marks;
 }
 
-std::vector<TimeGap> time_gaps(const Volume& volume) {
+std::vector<TimeGap> time_gaps(const bricks::Volume& volume) {
     std::vector<TimeGap> gaps;
     bool within = false;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        const Layer& layer = volume.layer(i);
+        const bricks::Layer& layer = volume.layer(i);
         const bool empty = layer.missing == layer.frames;
         const double share = volume.t_end() / static_cast<double>(volume.layers());
         if (empty && !within) gaps.push_back({share * static_cast<double>(i), 0, layer.pts});
@@ -94,10 +95,10 @@ std::vector<TimeGap> time_gaps(const Volume& volume) {
     return gaps;
 }
 
-std::vector<LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge,
-                                   const glm::vec4& colour) {
+std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const space::Layout& layout,
+                                          const TimeEdge& edge, const glm::vec4& colour) {
     constexpr double between = 0.006;  // t_C from one stroke to the next
-    std::vector<LineSegment> strokes;
+    std::vector<scene::LineSegment> strokes;
     for (const TimeGap& gap : gaps) {
         const int count = std::max(1, static_cast<int>((gap.t_end - gap.t_begin) / between));
         for (int i = 0; i <= count; ++i) {
@@ -110,21 +111,21 @@ std::vector<LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const Layou
     return strokes;
 }
 
-void letter_gaps(const std::vector<TimeGap>& gaps, const Layout& layout, const TimeEdge& edge, const Camera& camera,
-                 const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+void letter_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
+                 const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
         write_beside(gap.words, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
     }
 }
 
-std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClock& clock) {
+std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const WallClock& clock) {
     const double begin = volume.layer(0).pts;
     const double end = volume.layer(volume.layers() - 1).last_pts;
     constexpr int finest = 1024;  // times as many moments are tried
     const double apart = 0.8 * volume.t_end() / most;
-    const std::vector<Squeezed> squeezed = squeezed_stretches(volume);
+    const std::vector<bricks::Squeezed> squeezed = bricks::squeezed_stretches(volume);
     const auto is_squeezed = [&](double t) {
-        return std::ranges::any_of(squeezed, [&](const Squeezed& s) { return s.t_begin < t && t < s.t_end; });
+        return std::ranges::any_of(squeezed, [&](const bricks::Squeezed& s) { return s.t_begin < t && t < s.t_end; });
     };
     std::vector<TimeTick> kept;
     for (int factor = 1; factor <= finest; factor *= 2) {
@@ -141,9 +142,9 @@ std::vector<TimeTick> spread_ticks(const Volume& volume, int most, const WallClo
     return kept;
 }
 
-std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most) {
+std::vector<TimeBreak> time_breaks(const bricks::Volume& volume, std::size_t most) {
     std::vector<TimeBreak> breaks;
-    for (const Squeezed& stretch : squeezed_stretches(volume)) {
+    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) {
         breaks.push_back({(stretch.t_begin + stretch.t_end) / 2, stretch.seconds});
     }
     std::ranges::stable_sort(breaks, std::greater{}, &TimeBreak::seconds);
@@ -152,11 +153,11 @@ std::vector<TimeBreak> time_breaks(const Volume& volume, std::size_t most) {
     return breaks;
 }
 
-std::vector<LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
-                                     const glm::vec4& colour) {
+std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const space::Layout& layout,
+                                            const TimeEdge& edge, const glm::vec4& colour) {
     constexpr double lean = 0.004;  // in t_C
     constexpr double across = 0.5 * mark_length;
-    std::vector<LineSegment> strokes;
+    std::vector<scene::LineSegment> strokes;
     for (const TimeBreak& gap : breaks) {
         for (const double t : {gap.t - lean / 2, gap.t + lean / 2}) {
             strokes.push_back({glm::vec3(layout.p_from_c(on_edge(edge, std::max(0.0, t - lean / 2), -across))),
@@ -166,8 +167,8 @@ std::vector<LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const
     return strokes;
 }
 
-void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, const TimeEdge& edge,
-                   const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+void letter_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
+                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     std::vector<TimeBreak> longest = breaks;
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
     for (const TimeBreak& gap : longest) {
@@ -177,8 +178,9 @@ void letter_breaks(const std::vector<TimeBreak>& breaks, const Layout& layout, c
     }
 }
 
-void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& edge, const std::vector<TimeTick>& ticks,
-                  const Camera& camera, const Sheet& sheet, const Rgba& colour, Lettering& lettering) {
+void letter_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
+                  const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
+                  const image::Rgba& colour, Lettering& lettering) {
     const auto write = [&](const TimeTick& tick) {
         write_beside(tick.text, volume.t_of_seconds(tick.seconds), layout, edge, camera, sheet, colour, lettering);
     };
@@ -188,4 +190,4 @@ void letter_ruler(const Volume& volume, const Layout& layout, const TimeEdge& ed
     for (std::size_t i = 1; i + 1 < ticks.size(); ++i) write(ticks[i]);
 }
 
-}  // namespace vvr
+}  // namespace vvr::labels

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::labels {
 
 namespace {
 
@@ -104,7 +104,7 @@ Sheet arrange_sheet(Size picture, const SheetParts& wanted, double aspect) {
     arrange_bottom(inside, parts, aspect, sheet);
     sheet.volume = sheet.between;
     if (parts.ruler) {
-        const auto widest = measure_text("00:00:00", text);
+        const auto widest = image::measure_text("00:00:00", text);
         const int beside = widest ? widest->width() + text / 2 : 0;
         sheet.volume = {sheet.between.left + beside, sheet.between.top + text * 3 / 2, sheet.between.right - beside,
                         sheet.between.bottom - text / 2};
@@ -117,4 +117,4 @@ Sheet arrange_sheet(Size picture, const SheetParts& wanted, double aspect) {
     return sheet;
 }
 
-}  // namespace vvr
+}  // namespace vvr::labels

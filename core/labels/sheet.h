@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/image/text.h"
 #include "core/base/pixel_box.h"
+#include "core/image/text.h"
 
-namespace vvr {
+namespace vvr::labels {
 
 /// Which parts of a picture beside the volume need room.
 struct SheetParts {
@@ -38,4 +38,4 @@ struct Sheet {
 /// \param aspect width of a frame by its height
 Sheet arrange_sheet(Size picture, const SheetParts& parts, double aspect = 4.0 / 3);
 
-}  // namespace vvr
+}  // namespace vvr::labels

@@ -8,7 +8,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::labels {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::string format_span(double begin, double end, const WallClock& clock) {
     return clock->zone.empty() ? fmt::format("{} ({})", span, by) : fmt::format("{} ({}; {})", span, clock->zone, by);
 }
 
-}  // namespace vvr
+}  // namespace vvr::labels

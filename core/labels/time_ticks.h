@@ -7,7 +7,7 @@
 
 #include "core/base/wall_clock.h"
 
-namespace vvr {
+namespace vvr::labels {
 
 /// A moment on a time ruler.
 struct TimeTick {
@@ -35,4 +35,4 @@ std::string format_stretch(double begin, double end, const WallClock& clock = {}
 /// The same with the zone where it is known, and what tells the time: "… (CET, UTC+1; by file name)".
 std::string format_span(double begin, double end, const WallClock& clock = {});
 
-}  // namespace vvr
+}  // namespace vvr::labels

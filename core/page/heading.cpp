@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::string heading_of(const std::string& name, const WallClock& clock, double b
     return last.time == first.time ? heading : fmt::format("{}–{}", heading, last.time);
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

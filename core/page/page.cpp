@@ -7,18 +7,18 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
+#include "core/base/words.h"
 #include "core/events/way.h"
 #include "core/image/picture_file.h"
-#include "core/base/json_text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/heading.h"
 #include "core/page/text.h"
-#include "core/base/words.h"
 #include "page_files.h"
 #include "page_script.h"
 #include "shared_files.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -43,7 +43,7 @@ Json json_of_pixels(const Plane<float>& pixels, const ValueOf& value_of) {
         const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
         return Bgr{byte(0), byte(8), byte(16)};
     });
-    return {{"src", data_url("image/png", encode_picture("pixels.png", picture))}, {"sum", sum}};
+    return {{"src", data_url("image/png", image::encode_picture("pixels.png", picture))}, {"sum", sum}};
 }
 
 /// The frame of each pixel: 0 = none, else one more than the frame counted from `first`.
@@ -124,35 +124,35 @@ Json number_of(const std::optional<std::size_t>& place) {
 }
 
 /// Where an object was and when, as fractions of the picture's width and height: so the page needs no field size.
-Json json_of(const std::vector<PathPoint>& path, Size field) {
+Json json_of(const std::vector<events::PathPoint>& path, Size field) {
     const auto share = [](double place, int side) { return std::round((place + 0.5) / side * 1e4) / 1e4; };
     Json json = Json::array();
-    for (const PathPoint& point : path) {
+    for (const events::PathPoint& point : path) {
         json.push_back({point.at.frame, share(point.place.x, field.width), share(point.place.y, field.height)});
     }
     return json;
 }
 
 /// The way of an object as the index of an archive has it.
-Json way_of(const std::vector<PathPoint>& path, Size field, Size shown) {
+Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
     const glm::dvec2 size(shown.width, shown.height);
     const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
-    std::vector<WayPoint> way;
-    for (const PathPoint& point : path) {
-        way.push_back(way_point(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
+    std::vector<events::WayPoint> way;
+    for (const events::PathPoint& point : path) {
+        way.push_back(events::way_point(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
     }
     Json json = Json::array();
-    for (const WayPoint& point : simplified(way)) {
+    for (const events::WayPoint& point : events::simplified(way)) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;
 }
 
-Json json_of(const Event& event, Size field, Size shown) {
-    return {{"kind", name_of(event.kind)},
+Json json_of(const events::Event& event, Size field, Size shown) {
+    return {{"kind", events::name_of(event.kind)},
             {"first", event.first.frame},
             {"last", event.last.frame},
-            {"still", rounded(still_seconds(event))},
+            {"still", rounded(events::still_seconds(event))},
             {"from", number_of(event.from)},
             {"into", number_of(event.into)},
             {"by", number_of(event.by)},
@@ -162,12 +162,12 @@ Json json_of(const Event& event, Size field, Size shown) {
 
 Json json_of_portrait(const Plane<Bgr>& portrait) {
     if (portrait.empty()) return {};
-    return data_url("image/jpeg", encode_picture("portrait.jpg", portrait, still_quality));
+    return data_url("image/jpeg", image::encode_picture("portrait.jpg", portrait, still_quality));
 }
 
 Json json_of(const Still& still) {
     return {{"frame", still.frame},
-            {"src", data_url("image/jpeg", encode_picture("still.jpg", still.picture, still_quality))}};
+            {"src", data_url("image/jpeg", image::encode_picture("still.jpg", still.picture, still_quality))}};
 }
 
 Json json_of(const Film& film) {
@@ -177,7 +177,7 @@ Json json_of(const Film& film) {
 Json json_of_events(const PageContent& content) {
     if (!content.events) return {};
     Json json = Json::array();
-    for (const Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
+    for (const events::Event& event : *content.events) json.push_back(json_of(event, content.field, content.shown));
     for (std::size_t k = 0; k < std::min(content.colours.size(), json.size()); ++k) {
         json[k]["colour"] = css_of(content.colours[k]);
     }
@@ -227,19 +227,19 @@ Json json_of(const PageContent& content) {
 std::string moment_text(double seconds, const WallClock& clock) {
     const auto tenths = static_cast<std::int64_t>(std::floor(seconds * 10 + 1e-4));
     const std::int64_t whole = tenths / 10;
-    return fmt::format("{}.{}", format_moment(static_cast<double>(whole), clock), tenths % 10);
+    return fmt::format("{}.{}", labels::format_moment(static_cast<double>(whole), clock), tenths % 10);
 }
 
 /// What there is to read where no script runs: each event in a line.
 std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
-    for (const Event& event : *content.events) {
-        const double still = still_seconds(event);
+    for (const events::Event& event : *content.events) {
+        const double still = events::still_seconds(event);
         list += fmt::format(
             "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            event.kind == EventKind::left ? std::string_view("left behind") : name_of(event.kind),
+            event.kind == events::EventKind::left ? std::string_view("left behind") : events::name_of(event.kind),
             still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
     }
     return list;
@@ -248,9 +248,10 @@ std::string list_of(const PageContent& content) {
 /// The picture: as `-o FILE.png` writes it, or small where it is sent again and again.
 std::string url_of_picture(const PageContent& content) {
     constexpr int live_quality = 88;
-    if (!content.live) return data_url("image/png", encode_picture("page.png", content.picture, content.settings));
-    const Picture colours{content.picture.pixels, content.picture.encoding, {}};
-    return data_url("image/jpeg", encode_picture("page.jpg", colours, content.settings, live_quality));
+    if (!content.live)
+        return data_url("image/png", image::encode_picture("page.png", content.picture, content.settings));
+    const image::Picture colours{content.picture.pixels, content.picture.encoding, {}};
+    return data_url("image/jpeg", image::encode_picture("page.jpg", colours, content.settings, live_quality));
 }
 
 /// When the last frame has been shown.
@@ -272,8 +273,8 @@ std::string told_by(const PageContent& content) {
 }
 
 /// In which direction time runs in the picture, for people.
-std::string way_of_time(const Metadata& settings) {
-    const auto layout = std::ranges::find(settings, "layout", &Metadata::value_type::first);
+std::string way_of_time(const image::Metadata& settings) {
+    const auto layout = std::ranges::find(settings, "layout", &image::Metadata::value_type::first);
     const bool bent = layout == settings.end() || layout->second == "horseshoe";
     return bent ? "around the horseshoe, from its left end to its right" : "from left to right";
 }
@@ -302,8 +303,8 @@ std::string make_page(const PageContent& content) {
                     {"heading", shown(heading_of(content.camera.empty() ? content.name : content.camera, content.clock,
                                                  begin, end))},
                     {"file", shown(content.file)},
-                    {"summary", fmt::format("{} to {}, {}; {}", format_moment(std::floor(begin), content.clock),
-                                            format_moment(std::floor(end + 1e-4), content.clock),
+                    {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
+                                            labels::format_moment(std::floor(end + 1e-4), content.clock),
                                             counted(frames_in(content.moments.times), "frame"), told_by(content))},
                     {"way", way_of_time(content.settings)},
                     {"list", list_of(content)},
@@ -316,4 +317,4 @@ std::string make_page(const PageContent& content) {
                 });
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "core/base/clock_source.h"
+#include "core/base/wall_clock.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
 #include "core/page/watched_fields.h"
-#include "core/base/wall_clock.h"
 
-namespace vvr {
+namespace vvr::page {
 
 /// What the page of a stream says beside its picture.
 struct LiveState {
@@ -45,13 +45,13 @@ struct PageContent {
     WallClock clock;                 ///< that the picture shows
     Size shown;                      ///< size of the clip's picture
     Size field;                      ///< size of the field, whose pixels are the unit of events
-    Picture picture;                 ///< with its pixel data
-    Metadata settings;               ///< of the picture
+    image::Picture picture;          ///< with its pixel data
+    image::Metadata settings;        ///< of the picture
     Moments moments;
-    std::optional<std::vector<Event>> events;  ///< if they were searched for
-    std::vector<std::size_t> numbers;          ///< of the events in the picture; empty = their places, plus 1
-    std::vector<glm::vec3> colours;            ///< of the events in the picture, sRGB; empty where they have none
-    std::vector<Plane<Bgr>> portraits;         ///< of the events; empty where there is none
+    std::optional<std::vector<events::Event>> events;  ///< if they were searched for
+    std::vector<std::size_t> numbers;                  ///< of the events in the picture; empty = their places, plus 1
+    std::vector<glm::vec3> colours;     ///< of the events in the picture, sRGB; empty where they have none
+    std::vector<Plane<Bgr>> portraits;  ///< of the events; empty where there is none
     std::optional<PageIndex> index;
     std::optional<LiveState> live;  ///< of a stream
 
@@ -68,4 +68,4 @@ struct PageContent {
 /// content, same text.
 std::string make_page(const PageContent& content);
 
-}  // namespace vvr
+}  // namespace vvr::page

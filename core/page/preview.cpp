@@ -11,7 +11,7 @@
 #include "core/base/fit_into.h"
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -54,7 +54,7 @@ Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
 }
 
 void Preview::begin() {
-    const auto kind = std::ranges::find_if(kinds, has_encoder, &Kind::encoder);
+    const auto kind = std::ranges::find_if(kinds, image::has_encoder, &Kind::encoder);
     if (kind == kinds.end()) {
         given_up_ = true;
         return;
@@ -69,9 +69,9 @@ void Preview::begin() {
     const std::string limit =
         constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
     film_.type = kind->type;
-    encoder_ = std::make_unique<FilmEncoder>(
-        FilmFormat{kind->muxer, kind->encoder,
-                   fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
+    encoder_ = std::make_unique<image::FilmEncoder>(
+        image::FilmFormat{kind->muxer, kind->encoder,
+                          fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
         "preview", size_, ticks, pictures, key_seconds * pictures);
 }
 
@@ -101,7 +101,7 @@ void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& pictu
     std::int64_t tick = std::llround((seconds - film_.begin) * ticks);
     if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames have the same time
     last_tick_ = tick;
-    encoder_->add(resized(picture, size_), tick);
+    encoder_->add(image::resized(picture, size_), tick);
     ++taken_;
     if (encoder_->bytes() <= most_bytes && taken_ <= 2 * most_frames) return;
     given_up_ = true;
@@ -120,4 +120,4 @@ std::optional<Film> Preview::finish() {
     return std::move(film_);
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -9,7 +9,7 @@
 
 #include "core/image/film_encoder.h"
 
-namespace vvr {
+namespace vvr::page {
 
 /// A small film in a file format that browsers play.
 struct Film {
@@ -61,7 +61,7 @@ class Preview {
     Use use_;
     Size size_;
     ExpectedLength expected_;
-    std::unique_ptr<FilmEncoder> encoder_;
+    std::unique_ptr<image::FilmEncoder> encoder_;
     Film film_;
     std::int64_t taken_ = 0;
     std::int64_t first_frame_ = 0;
@@ -70,4 +70,4 @@ class Preview {
     std::string problem_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::page

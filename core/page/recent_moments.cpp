@@ -6,7 +6,7 @@
 #include "core/base/fit_into.h"
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -15,15 +15,15 @@ constexpr std::int64_t most_stills = 40;  // a page that is sent again and again
 
 }  // namespace
 
-RecentMoments::RecentMoments(std::unique_ptr<FieldSource> fields, std::int64_t frames)
+RecentMoments::RecentMoments(std::unique_ptr<fields::FieldSource> fields, std::int64_t frames)
     : fields_(std::move(fields)), frames_(std::max<std::int64_t>(1, frames)) {}
 
-FieldSummary RecentMoments::read(const FieldNeeds& needs, const FieldSink& sink) {
+fields::FieldSummary RecentMoments::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     times_.clear();
     stills_.clear();
-    FieldNeeds more = needs;
+    fields::FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const SharedFrame& frame, Field&& field) {
+    return fields_->read(more, [&](const video::SharedFrame& frame, fields::Field&& field) {
         look_at(*frame, field);
         sink(frame, std::move(field));
     });
@@ -41,15 +41,15 @@ Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
     return moments;
 }
 
-void RecentMoments::look_at(const Frame& frame, const Field& field) {
+void RecentMoments::look_at(const video::Frame& frame, const fields::Field& field) {
     times_.push_back({field.index, field.pts});
     if (std::ssize(times_) > frames_) times_.pop_front();
     while (!stills_.empty() && stills_.front().frame < times_.front().frame) stills_.pop_front();
     const std::int64_t apart = std::max<std::int64_t>(1, frames_ / most_stills);
     if (!stills_.empty() && field.index - stills_.back().frame < apart) return;
-    const Plane<Bgr> picture = picture_of(frame);
+    const Plane<Bgr> picture = video::picture_of(frame);
     if (picture.empty()) return;
-    stills_.push_back({field.index, field.pts, resized(picture, fit_into(info().size, still_side))});
+    stills_.push_back({field.index, field.pts, image::resized(picture, fit_into(info().size, still_side))});
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

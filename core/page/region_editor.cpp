@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/image/picture_file.h"
 #include "core/base/json_text.h"
+#include "core/image/picture_file.h"
 #include "core/page/text.h"
 #include "page_files.h"
 #include "shared_files.h"
 
-namespace vvr {
+namespace vvr::page {
 
 std::string make_region_editor(const RegionEditorContent& content) {
     constexpr int quality = 88;
@@ -28,11 +28,11 @@ std::string make_region_editor(const RegionEditorContent& content) {
                     {"moment", html_text(content.moment)},
                     {"style", style},
                     {"script", script},
-                    {"frame", data_url("image/jpeg", encode_picture("frame.jpg", content.frame, quality))},
+                    {"frame", data_url("image/jpeg", image::encode_picture("frame.jpg", content.frame, quality))},
                     {"width", fmt::to_string(content.frame.width())},
                     {"height", fmt::to_string(content.frame.height())},
                     {"data", script_json(json_text(data, -1, true))},
                 });
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

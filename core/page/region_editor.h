@@ -4,7 +4,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::page {
 
 /// What a page shows on which regions are drawn.
 struct RegionEditorContent {
@@ -19,4 +19,4 @@ struct RegionEditorContent {
 /// them. Same content, same text.
 std::string make_region_editor(const RegionEditorContent& content);
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -4,18 +4,18 @@
 
 #include "core/image/resized.h"
 
-namespace vvr {
+namespace vvr::page {
 
 void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
     if (kept_.empty() || in_last_ == stretch_) {
         if (kept_.size() == most_) join_neighbours();
-        kept_.push_back({{frame, seconds, resized(picture, size_)}, activity});
+        kept_.push_back({{frame, seconds, image::resized(picture, size_)}, activity});
         in_last_ = 1;
         return;
     }
     ++in_last_;
     Kept& last = kept_.back();
-    if (activity > last.activity) last = {{frame, seconds, resized(picture, size_)}, activity};
+    if (activity > last.activity) last = {{frame, seconds, image::resized(picture, size_)}, activity};
 }
 
 std::vector<Still> Stills::take() {
@@ -37,4 +37,4 @@ void Stills::join_neighbours() {
     stretch_ *= 2;
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -5,7 +5,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::page {
 
 /// A small picture of a moment.
 struct Still {
@@ -47,4 +47,4 @@ class Stills {
     std::vector<Kept> kept_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::page

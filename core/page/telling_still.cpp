@@ -7,7 +7,7 @@
 
 #include "core/glance/objects.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -15,9 +15,9 @@ constexpr Bgr mark{{15, 72, 217}};
 constexpr int line = 2;  // pixels
 
 /// What tells more is greater.
-auto worth(const Event& event) {
+auto worth(const events::Event& event) {
     constexpr std::array rank{0, 1, 3, 2};  // in the order of EventKind
-    return std::tuple(rank[static_cast<std::size_t>(event.kind)], still_seconds(event),
+    return std::tuple(rank[static_cast<std::size_t>(event.kind)], events::still_seconds(event),
                       event.last.seconds - event.first.seconds);
 }
 
@@ -38,7 +38,7 @@ void outline(Plane<Bgr>& picture, const PixelBox& box) {
 
 }  // namespace
 
-std::optional<Still> telling_still(std::span<const Still> stills, std::span<const Event> events, Size field) {
+std::optional<Still> telling_still(std::span<const Still> stills, std::span<const events::Event> events, Size field) {
     if (stills.empty()) return std::nullopt;
     const auto event = std::ranges::max_element(events, {}, worth);
     if (event == events.end() || event->path.empty()) return stills[stills.size() / 2];
@@ -47,11 +47,11 @@ std::optional<Still> telling_still(std::span<const Still> stills, std::span<cons
     if (still.frame < event->first.frame || still.frame > event->last.frame) return still;
     const double scale = static_cast<double>(still.picture.size().width) / field.width;
     const PixelBox& seen = event->portrait ? event->portrait->box : event->box;
-    const glm::dvec2 place = place_at(*event, still.seconds) * scale;
+    const glm::dvec2 place = glance::place_at(*event, still.seconds) * scale;
     const double half = std::max(8.0, 0.6 * scale * std::max(seen.width(), seen.height()));
     const auto at = [](double value) { return static_cast<int>(std::lround(value)); };
     outline(still.picture, {at(place.x - half), at(place.y - half), at(place.x + half), at(place.y + half)});
     return still;
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -12,7 +12,7 @@ extern "C" {
 
 #include "core/base/sha256.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::string joined(std::string_view before, std::span<const std::pair<std::strin
     return text;
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -9,7 +9,7 @@
 #include <vector>
 
 // How texts and bytes are written in a page. Names come from outside: nothing in them may act as HTML or script.
-namespace vvr {
+namespace vvr::page {
 
 /// Text for use between tags, or in a quoted attribute.
 std::string html_text(std::string_view text);
@@ -40,4 +40,4 @@ std::string fill(std::string_view text, const std::vector<std::pair<std::string_
 /// \param files name and text of each, as they are embedded
 std::string joined(std::string_view before, std::span<const std::pair<std::string_view, std::string_view>> files);
 
-}  // namespace vvr
+}  // namespace vvr::page

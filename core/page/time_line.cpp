@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace vvr {
+namespace vvr::page {
 
 void TimeLine::add(std::int64_t frame, double seconds) {
     ++frames_;
@@ -42,4 +42,4 @@ SteadyFrames TimeLine::current() const {
     return {first_, count_, begin_, count_ > 1 ? (least_ + most_) / 2 : 0};
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

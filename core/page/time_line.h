@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vvr {
+namespace vvr::page {
 
 /// Consecutive frames at a steady rate.
 struct SteadyFrames {
@@ -42,4 +42,4 @@ class TimeLine {
     double most_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::page

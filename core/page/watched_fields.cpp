@@ -7,7 +7,7 @@
 
 #include "core/base/fit_into.h"
 
-namespace vvr {
+namespace vvr::page {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::size_t few_stills =
     Stills::most / 2;  // where there is a film too, stills are only the first that is seen of a moment
 
 /// Whether all browsers of the last years play such a file.
-bool browsers_play(const VideoInfo& info) {
+bool browsers_play(const video::VideoInfo& info) {
     const auto is_one_of = [](const std::string& name, std::initializer_list<std::string_view> names) {
         return std::ranges::find(names, name) != names.end();
     };
@@ -27,14 +27,14 @@ bool browsers_play(const VideoInfo& info) {
 
 }  // namespace
 
-WatchedFields::WatchedFields(std::unique_ptr<FieldSource> fields, Film film)
+WatchedFields::WatchedFields(std::unique_ptr<fields::FieldSource> fields, Film film)
     : fields_(std::move(fields)), film_(film) {}
 
-FieldSummary WatchedFields::read(const FieldNeeds& needs, const FieldSink& sink) {
+fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     begin();
-    FieldNeeds more = needs;
+    fields::FieldNeeds more = needs;
     more.colour = needs.colour || has_pictures();
-    return fields_->read(more, [&](const SharedFrame& frame, Field&& field) {
+    return fields_->read(more, [&](const video::SharedFrame& frame, fields::Field&& field) {
         look_at(*frame, field);
         sink(frame, std::move(field));
     });
@@ -65,19 +65,19 @@ void WatchedFields::begin() {
                     has_film ? few_stills : Stills::most);
 }
 
-void WatchedFields::look_at(const Frame& frame, const Field& field) {
+void WatchedFields::look_at(const video::Frame& frame, const fields::Field& field) {
     times_.add(field.index, field.pts);
-    Plane<Bgr> picture = picture_of(frame);
+    Plane<Bgr> picture = video::picture_of(frame);
     if (picture.empty()) return;
     const auto quiet = std::ranges::count(field.scalar.pixels(), std::uint8_t{0});
     stills_->add(field.index, field.pts, picture, std::ssize(field.scalar.pixels()) - quiet);
     if (preview_) encode(field, std::move(picture));
 }
 
-void WatchedFields::encode(const Field& field, Plane<Bgr>&& picture) {
+void WatchedFields::encode(const fields::Field& field, Plane<Bgr>&& picture) {
     if (encoding_.valid()) encoding_.get();
     encoding_ = std::async(std::launch::async, [this, index = field.index, pts = field.pts,
                                                 shown = std::move(picture)] { preview_->add(index, pts, shown); });
 }
 
-}  // namespace vvr
+}  // namespace vvr::page

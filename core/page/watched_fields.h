@@ -11,7 +11,7 @@
 #include "core/page/stills.h"
 #include "core/page/time_line.h"
 
-namespace vvr {
+namespace vvr::page {
 
 /// What a page needs to know about the moments of a clip.
 struct Moments {
@@ -22,31 +22,31 @@ struct Moments {
 };
 
 /// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
-class WatchedFields final : public FieldSource {
+class WatchedFields final : public fields::FieldSource {
   public:
     enum class Film {
         none,
         preview,  ///< small where browsers play the clip itself
     };
 
-    WatchedFields(std::unique_ptr<FieldSource> fields, Film film);
+    WatchedFields(std::unique_ptr<fields::FieldSource> fields, Film film);
 
-    const VideoInfo& info() const override { return fields_->info(); }
+    const video::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
     std::int64_t expected_frames() const override { return fields_->expected_frames(); }
     std::int64_t interval(std::int64_t asked) const override { return fields_->interval(asked); }
     bool has_pictures() const override { return fields_->has_pictures(); }
-    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
 
     /// The moments of the last `read`. Call it once.
     Moments take();
 
   private:
     void begin();
-    void look_at(const Frame& frame, const Field& field);
-    void encode(const Field& field, Plane<Bgr>&& picture);
+    void look_at(const video::Frame& frame, const fields::Field& field);
+    void encode(const fields::Field& field, Plane<Bgr>&& picture);
 
-    std::unique_ptr<FieldSource> fields_;
+    std::unique_ptr<fields::FieldSource> fields_;
     Film film_;
     TimeLine times_;
     std::optional<Stills> stills_;
@@ -54,4 +54,4 @@ class WatchedFields final : public FieldSource {
     std::future<void> encoding_;  ///< of the frame before: an encoder takes as long as the fields do
 };
 
-}  // namespace vvr
+}  // namespace vvr::page

@@ -4,7 +4,7 @@
 #include "core/scene/object_looks.h"
 #include "core/scene/scene.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -25,7 +25,7 @@ Bgr bgr_of(const glm::vec3& colour) {
 
 }  // namespace
 
-FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour) {
+FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) {
     FloorShadow shadow;
     shadow.t_end = volume.t_end();
     shadow.colour = colour;
@@ -35,7 +35,7 @@ FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour) {
         volume.layer(row).scalar.each_run([&](int column, int, std::span<const std::uint8_t> values) {
             const auto under = into.subspan(static_cast<std::size_t>(column), values.size());
             std::ranges::transform(under, values, under.begin(), [&](std::uint8_t dark, std::uint8_t value) {
-                return std::max(dark, value != 0 && !interpolates(volume.values()) ? std::uint8_t{255} : value);
+                return std::max(dark, value != 0 && !fields::interpolates(volume.values()) ? std::uint8_t{255} : value);
             });
         });
         std::ranges::transform(into, into.begin(), [](std::uint8_t value) {
@@ -45,7 +45,7 @@ FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour) {
     return shadow;
 }
 
-FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identify& identify) {
+FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify) {
     FloorShadow shadow = floor_shadow(volume, theme.shadow);
     const glm::vec3 untinted(theme.shadow);
     const std::vector<glm::vec4> looks = looks_of(theme);
@@ -58,7 +58,7 @@ FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identif
     };
     std::vector<Strongest> columns;
     for (int row = 0; row < shadow.darkness.height(); ++row) {
-        const Layer& layer = volume.layer(row);
+        const bricks::Layer& layer = volume.layer(row);
         columns.assign(static_cast<std::size_t>(shadow.darkness.width()), {});
         layer.scalar.each_run([&](int column, int j, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
@@ -70,7 +70,7 @@ FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identif
         for (int i = 0; i < shadow.darkness.width(); ++i) {
             const std::uint16_t owner = columns[static_cast<std::size_t>(i)].owner;
             const bool is_asked = owner != 0 && identify;
-            const Identity identity = is_asked ? identify(volume.track_of(owner), layer) : Identity{};
+            const bricks::Identity identity = is_asked ? identify(volume.track_of(owner), layer) : bricks::Identity{};
             if (identity.look != 0) {
                 const glm::vec3 colour(looks[identity.look]);
                 shadow.tint.at(i, row) = bgr_of(glm::mix(untinted, colour, colour_part));
@@ -83,4 +83,4 @@ FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identif
     return shadow;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -54,11 +54,11 @@ GlyphMesh arrow_mesh(int sides) {
     return mesh;
 }
 
-std::vector<Glyph> arrows(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
-                          const GlyphOptions& options) {
+std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+                          const space::Layout& layout, const GlyphOptions& options) {
     std::vector<Glyph> glyphs;
     glyphs.reserve(seeds.size());
-    for (const FrameSeed& at : seeds) {
+    for (const bricks::FrameSeed& at : seeds) {
         const glm::dvec3 c = volume.c_of({at.seed.x, at.seed.y, static_cast<double>(at.frame)});
         const glm::dvec3 v_c = volume.c_vector({at.seed.u, at.seed.v, options.time_velocity});
         glm::dvec3 v_p = layout.basis(c).transform(v_c) * options.frames;
@@ -71,4 +71,4 @@ std::vector<Glyph> arrows(const Volume& volume, std::span<const FrameSeed> seeds
     return glyphs;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

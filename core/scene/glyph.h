@@ -9,7 +9,7 @@
 #include "core/bricks/volume.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A corner of the reference glyph: an arrow of length 1 along +z from the origin.
 struct GlyphVertex {
@@ -42,7 +42,7 @@ GlyphMesh arrow_mesh(int sides = 10);
 
 /// An arrow for each seed, oriented by the transformed vector (e_x, e_y, e_t) at the seed.
 /// \param seeds of the volume, those of which geometry is made
-std::vector<Glyph> arrows(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
-                          const GlyphOptions& options);
+std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+                          const space::Layout& layout, const GlyphOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::scene

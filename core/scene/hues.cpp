@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -43,4 +43,4 @@ std::vector<glm::vec4> time_colours() {
     return colours;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vvr {
+namespace vvr::scene {
 
 /// The colour (sRGB) of a hue in degrees: red lies near 30, green near 145, blue near 260. In OKLCH (Ottosson 2020), in
 /// which hues of one lightness and chroma look alike strong. What a screen can't show is cut off.
@@ -19,4 +19,4 @@ glm::vec3 direction_colour(const glm::dvec2& direction);
 /// The colours of time, from the first moment to the last: each later one is lighter and of another hue.
 std::vector<glm::vec4> time_colours();
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -1,6 +1,6 @@
 #include "core/scene/object_looks.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::vector<glm::vec4> looks_of(const Theme& theme) {
     return looks;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -8,7 +8,7 @@
 
 #include "core/scene/theme.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// How an object is while a voxel shows it.
 enum class Posture {
@@ -24,4 +24,4 @@ std::uint8_t look_of(int colour, Posture posture);
 /// All looks, that of what is nobody's first: colour, and a factor on the extinction.
 std::vector<glm::vec4> looks_of(const Theme& theme);
 
-}  // namespace vvr
+}  // namespace vvr::scene

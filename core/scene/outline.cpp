@@ -1,8 +1,8 @@
 #include "core/scene/scene.h"
 
-namespace vvr {
+namespace vvr::scene {
 
-std::vector<LineSegment> cross_section(const Layout& layout, double t, const glm::vec4& colour) {
+std::vector<LineSegment> cross_section(const space::Layout& layout, double t, const glm::vec4& colour) {
     const auto corner = [&](double x, double y) { return glm::vec3(layout.p_from_c({x, y, t})); };
     const glm::vec3 corners[] = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
     std::vector<LineSegment> border;
@@ -10,7 +10,7 @@ std::vector<LineSegment> cross_section(const Layout& layout, double t, const glm
     return border;
 }
 
-std::vector<LineSegment> volume_outline(const Layout& layout, const glm::vec4& colour) {
+std::vector<LineSegment> volume_outline(const space::Layout& layout, const glm::vec4& colour) {
     constexpr int steps = 96;
     std::vector<LineSegment> segments;
     const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
@@ -28,4 +28,4 @@ std::vector<LineSegment> volume_outline(const Layout& layout, const glm::vec4& c
     return segments;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -6,7 +6,7 @@
 
 #include "core/space/hexahedron.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -19,10 +19,10 @@ LineSegment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec
 }
 
 /// Where a plane at `depth` from the camera meets the box, in order around it.
-std::vector<glm::dvec3> cut_box(const AxisBox& box, const Camera& camera, double depth) {
+std::vector<glm::dvec3> cut_box(const AxisBox& box, const space::Camera& camera, double depth) {
     std::vector<glm::dvec3> points;
     glm::dvec3 middle(0);
-    for (const auto& [a, b] : hexahedron_edges) {
+    for (const auto& [a, b] : space::hexahedron_edges) {
         const glm::dvec3 from = corner(box, a);
         const glm::dvec3 to = corner(box, b);
         const double depth_from = glm::dot(from - camera.eye, camera.forward) - depth;
@@ -43,22 +43,23 @@ std::vector<glm::dvec3> cut_box(const AxisBox& box, const Camera& camera, double
 
 }  // namespace
 
-AxisBox layout_box(const Layout& layout) {
+AxisBox layout_box(const space::Layout& layout) {
     AxisBox box;
     for (const glm::dvec3& point : outline_points(layout)) box.add(point);
     return box;
 }
 
-AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, const TransferFunction& transfer) {
+AxisBox visible_box(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+                    const TransferFunction& transfer) {
     AxisBox box;
     const bool zero_is_empty = !transfer.visible({0, 0});
-    for (const PlacedCells& brick : bricks) {
-        const BrickCells& cells = *brick.cells;
+    for (const bricks::PlacedCells& brick : bricks) {
+        const bricks::BrickCells& cells = *brick.cells;
         for (int it = 0; it < cells.nt(); ++it) {
             for (int iy = 0; iy < cells.ny(); ++iy) {
                 for (int ix = 0; ix < cells.nx(); ++ix) {
                     if (!transfer.visible(cells.range(ix, iy, it))) continue;
-                    const CellBox part = cells.part(ix, iy, it, zero_is_empty);
+                    const bricks::CellBox part = cells.part(ix, iy, it, zero_is_empty);
                     for (int i = 0; i < 8; ++i) {
                         const double x = (i & 1) != 0 ? part.x_high : part.x_low;
                         const double y = (i >> 1 & 1) != 0 ? part.y_high : part.y_low;
@@ -81,12 +82,13 @@ std::vector<glm::dvec3> corners(const AxisBox& box) {
 std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour) {
     std::vector<LineSegment> segments;
     if (box.empty()) return segments;
-    for (const auto& [a, b] : hexahedron_edges) segments.push_back(segment(corner(box, a), corner(box, b), colour));
+    for (const auto& [a, b] : space::hexahedron_edges)
+        segments.push_back(segment(corner(box, a), corner(box, b), colour));
     return segments;
 }
 
-std::vector<LineSegment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
-                                        const glm::vec4& colour) {
+std::vector<LineSegment> slice_outlines(const AxisBox& box, const space::Camera& camera, const SliceStack& stack,
+                                        int shown, const glm::vec4& colour) {
     std::vector<LineSegment> segments;
     if (box.empty()) return segments;
     double low = std::numeric_limits<double>::infinity();
@@ -108,4 +110,4 @@ std::vector<LineSegment> slice_outlines(const AxisBox& box, const Camera& camera
     return segments;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

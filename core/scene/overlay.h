@@ -13,7 +13,7 @@
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A box along the axes of P-space; empty until it holds a point.
 struct AxisBox {
@@ -28,10 +28,11 @@ struct AxisBox {
 };
 
 /// The box of the whole layout: Fig. 5's box of P-space.
-AxisBox layout_box(const Layout& layout);
+AxisBox layout_box(const space::Layout& layout);
 
 /// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
-AxisBox visible_box(std::span<const PlacedCells> bricks, const Layout& layout, const TransferFunction& transfer);
+AxisBox visible_box(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+                    const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const AxisBox& box);
 
@@ -40,7 +41,7 @@ std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour);
 
 /// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
 /// every n-th, about `shown` of them.
-std::vector<LineSegment> slice_outlines(const AxisBox& box, const Camera& camera, const SliceStack& stack, int shown,
-                                        const glm::vec4& colour);
+std::vector<LineSegment> slice_outlines(const AxisBox& box, const space::Camera& camera, const SliceStack& stack,
+                                        int shown, const glm::vec4& colour);
 
-}  // namespace vvr
+}  // namespace vvr::scene

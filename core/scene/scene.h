@@ -4,14 +4,14 @@
 
 #include <glm/glm.hpp>
 
-#include "core/bricks/identity.h"
 #include "core/base/plane.h"
+#include "core/bricks/identity.h"
 #include "core/scene/glyph.h"
 #include "core/scene/theme.h"
 #include "core/scene/traceline.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A straight line in P-space.
 struct LineSegment {
@@ -46,16 +46,16 @@ struct Scene {
 };
 
 /// The shadow of all that is in a volume: of each column of a frame the strongest value.
-FloorShadow floor_shadow(const Volume& volume, const glm::vec4& colour);
+FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour);
 
 /// The same of a volume that keeps owners: the shadow of an object has something of its colour, so that one can be
 /// found from the other.
-FloorShadow floor_shadow(const Volume& volume, const Theme& theme, const Identify& identify);
+FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify);
 
 /// The border of the volume's cross-section at one time.
-std::vector<LineSegment> cross_section(const Layout& layout, double t, const glm::vec4& colour);
+std::vector<LineSegment> cross_section(const space::Layout& layout, double t, const glm::vec4& colour);
 
 /// The edges of the volume.
-std::vector<LineSegment> volume_outline(const Layout& layout, const glm::vec4& colour);
+std::vector<LineSegment> volume_outline(const space::Layout& layout, const glm::vec4& colour);
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -8,7 +8,7 @@
 
 #include "core/space/hexahedron.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -20,7 +20,7 @@ struct Piece {
 
 /// The part of a cell that is drawn: a hexahedron in P-space.
 struct Proxy {
-    CellBox box;  ///< in C-space; a side that was cut off meets no neighbour
+    bricks::CellBox box;  ///< in C-space; a side that was cut off meets no neighbour
     std::array<glm::dvec3, 8> corners;
     std::array<double, 8> depth{};  ///< in slices from the nearest slice
     float t_reference = 0;
@@ -39,8 +39,8 @@ struct Proxy {
 
   private:
     static std::array<std::size_t, 2> ends(std::size_t edge) {
-        return {static_cast<std::size_t>(hexahedron_edges[edge][0]),
-                static_cast<std::size_t>(hexahedron_edges[edge][1])};
+        return {static_cast<std::size_t>(space::hexahedron_edges[edge][0]),
+                static_cast<std::size_t>(space::hexahedron_edges[edge][1])};
     }
 };
 
@@ -53,11 +53,11 @@ struct Corner {
 };
 
 bool borders_on(std::size_t edge, int face) {
-    return hexahedron_edge_faces[edge][0] == face || hexahedron_edge_faces[edge][1] == face;
+    return space::hexahedron_edge_faces[edge][0] == face || space::hexahedron_edge_faces[edge][1] == face;
 }
 
 int other_face(std::size_t edge, int face) {
-    return hexahedron_edge_faces[edge][hexahedron_edge_faces[edge][0] == face ? 1 : 0];
+    return space::hexahedron_edge_faces[edge][space::hexahedron_edge_faces[edge][0] == face ? 1 : 0];
 }
 
 /// The polygon in which slice `slice` meets the proxy, its corners in order around it. Walks from edge to edge over the
@@ -65,18 +65,18 @@ int other_face(std::size_t edge, int face) {
 void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
     polygon.clear();
     std::array<bool, 12> crossed{};
-    std::size_t edge = hexahedron_edges.size();
-    for (std::size_t e = 0; e < hexahedron_edges.size(); ++e) {
+    std::size_t edge = space::hexahedron_edges.size();
+    for (std::size_t e = 0; e < space::hexahedron_edges.size(); ++e) {
         crossed[e] = proxy.crosses(e, slice);
         if (crossed[e]) edge = e;
     }
-    if (edge == hexahedron_edges.size()) return;
-    for (int face = hexahedron_edge_faces[edge][0];; face = other_face(edge, face)) {
+    if (edge == space::hexahedron_edges.size()) return;
+    for (int face = space::hexahedron_edge_faces[edge][0];; face = other_face(edge, face)) {
         polygon.push_back({proxy.crossing(edge, slice), face});
         crossed[edge] = false;
         std::size_t next = 0;
-        while (next < hexahedron_edges.size() && !(crossed[next] && borders_on(next, face))) ++next;
-        if (next == hexahedron_edges.size()) return;
+        while (next < space::hexahedron_edges.size() && !(crossed[next] && borders_on(next, face))) ++next;
+        if (next == space::hexahedron_edges.size()) return;
         edge = next;
     }
 }
@@ -98,7 +98,7 @@ void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>
         std::array<float, 2> places{};
         std::array<glm::vec3, 2> points;
         std::size_t found = 0;
-        for (std::size_t e = 0; e < hexahedron_edges.size() && found < 2; ++e) {
+        for (std::size_t e = 0; e < space::hexahedron_edges.size() && found < 2; ++e) {
             if (!borders_on(e, from.face ^ 1) || !beyond->crosses(e, slice)) continue;
             const glm::vec3 point = beyond->crossing(e, slice);
             const float place = glm::dot(point - from.p, way) / glm::dot(way, way);
@@ -122,9 +122,9 @@ unsigned outside_of(const glm::dvec4& p) {
 
 /// What all the proxies of a picture have in common.
 struct Cutting {
-    const Layout* layout;
+    const space::Layout* layout;
     const TransferFunction* transfer;
-    const Camera* camera;
+    const space::Camera* camera;
     const SliceStack* stack;
     glm::dmat4 clip_from_p;
     bool zero_is_empty;
@@ -133,11 +133,11 @@ struct Cutting {
 /// The cells of a brick between two of its borders in time.
 using Sheet = std::vector<Proxy>;
 
-Proxy make_proxy(const Cutting& cutting, const PlacedCells& brick, int ix, int iy, int it) {
-    const BrickCells& cells = *brick.cells;
+Proxy make_proxy(const Cutting& cutting, const bricks::PlacedCells& brick, int ix, int iy, int it) {
+    const bricks::BrickCells& cells = *brick.cells;
     Proxy proxy;
     if (!cutting.transfer->visible(cells.range(ix, iy, it))) return proxy;
-    const CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
+    const bricks::CellBox box = cells.part(ix, iy, it, cutting.zero_is_empty);
     const auto t_at = [&](double t_b) { return std::lerp(brick.t_begin, brick.t_end, t_b); };
     const double t_low = cells.t[static_cast<std::size_t>(it)];
     const double t_high = cells.t[static_cast<std::size_t>(it) + 1];
@@ -157,7 +157,7 @@ Proxy make_proxy(const Cutting& cutting, const PlacedCells& brick, int ix, int i
     return proxy;
 }
 
-Sheet make_sheet(const Cutting& cutting, const PlacedCells& brick, int it) {
+Sheet make_sheet(const Cutting& cutting, const bricks::PlacedCells& brick, int it) {
     Sheet sheet;
     for (int iy = 0; iy < brick.cells->ny(); ++iy) {
         for (int ix = 0; ix < brick.cells->nx(); ++ix) sheet.push_back(make_proxy(cutting, brick, ix, iy, it));
@@ -177,7 +177,7 @@ std::vector<Piece> farthest_first(const std::vector<Piece>& pieces, int slices) 
 
 }  // namespace
 
-SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing) {
+SliceStack stack_slices(const space::Camera& camera, const space::Layout& layout, int count, double spacing) {
     double low = std::numeric_limits<double>::infinity();
     double high = 0;
     for (const glm::dvec3& p : outline_points(layout)) {
@@ -193,10 +193,10 @@ SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, d
     return stack;
 }
 
-SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
-                     const TransferFunction& transfer, const Camera& camera, const SliceStack& stack) {
+SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
+                     const TransferFunction& transfer, const space::Camera& camera, const SliceStack& stack) {
     const Cutting cutting{&layout, &transfer, &camera, &stack, camera.clip_from_p(), !transfer.visible({0, 0})};
-    const PlacedCells& brick = bricks[number];
+    const bricks::PlacedCells& brick = bricks[number];
     const int nx = brick.cells->nx();
     const int ny = brick.cells->ny();
     const int nt = brick.cells->nt();
@@ -225,16 +225,18 @@ SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, co
                 const Proxy& proxy = sheet[at(ix, iy)];
                 if (!proxy.visible) continue;
                 // A box that was cut smaller than its cell doesn't reach the next one.
-                const auto touching = [&](bool exists, int x, int y, double CellBox::*far, double CellBox::*near) {
+                const auto touching = [&](bool exists, int x, int y, double bricks::CellBox::*far,
+                                          double bricks::CellBox::*near) {
                     const Proxy* const beside = exists ? drawn(sheet, at(x, y)) : nullptr;
                     return beside != nullptr && beside->box.*far == proxy.box.*near ? beside : nullptr;
                 };
-                const Neighbours neighbours = {touching(ix > 0, ix - 1, iy, &CellBox::x_high, &CellBox::x_low),
-                                               touching(ix + 1 < nx, ix + 1, iy, &CellBox::x_low, &CellBox::x_high),
-                                               touching(iy > 0, ix, iy - 1, &CellBox::y_high, &CellBox::y_low),
-                                               touching(iy + 1 < ny, ix, iy + 1, &CellBox::y_low, &CellBox::y_high),
-                                               drawn(before, at(ix, iy)),
-                                               drawn(after, at(ix, iy))};
+                const Neighbours neighbours = {
+                    touching(ix > 0, ix - 1, iy, &bricks::CellBox::x_high, &bricks::CellBox::x_low),
+                    touching(ix + 1 < nx, ix + 1, iy, &bricks::CellBox::x_low, &bricks::CellBox::x_high),
+                    touching(iy > 0, ix, iy - 1, &bricks::CellBox::y_high, &bricks::CellBox::y_low),
+                    touching(iy + 1 < ny, ix, iy + 1, &bricks::CellBox::y_low, &bricks::CellBox::y_high),
+                    drawn(before, at(ix, iy)),
+                    drawn(after, at(ix, iy))};
                 const auto [low, high] = std::ranges::minmax(proxy.depth);
                 const int first = std::max(0, static_cast<int>(std::ceil(low)));
                 const int last = std::min(stack.count - 1, static_cast<int>(std::floor(high)));
@@ -264,7 +266,7 @@ SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, co
     return mesh;
 }
 
-std::vector<glm::dvec3> outline_points(const Layout& layout) {
+std::vector<glm::dvec3> outline_points(const space::Layout& layout) {
     constexpr int steps = 64;
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= steps; ++i) {
@@ -275,4 +277,4 @@ std::vector<glm::dvec3> outline_points(const Layout& layout) {
     return points;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

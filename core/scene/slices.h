@@ -12,7 +12,7 @@
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// The planes perpendicular to the view direction that cut the volume, one spacing for all bricks.
 struct SliceStack {
@@ -36,15 +36,15 @@ struct SliceMesh {
 
 /// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space
 /// units apart.
-SliceStack stack_slices(const Camera& camera, const Layout& layout, int count, double spacing);
+SliceStack stack_slices(const space::Camera& camera, const space::Layout& layout, int count, double spacing);
 
 /// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:
 /// plane ∩ cell polygons, farthest first. Polygons that meet have the corners on their common side in common, across
 /// bricks too, so that each pixel belongs to one of them.
-SliceMesh cut_slices(std::span<const PlacedCells> bricks, std::size_t number, const Layout& layout,
-                     const TransferFunction& transfer, const Camera& camera, const SliceStack& stack);
+SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
+                     const TransferFunction& transfer, const space::Camera& camera, const SliceStack& stack);
 
 /// Points of P-space whose hull holds the whole volume: what a camera has to show.
-std::vector<glm::dvec3> outline_points(const Layout& layout);
+std::vector<glm::dvec3> outline_points(const space::Layout& layout);
 
-}  // namespace vvr
+}  // namespace vvr::scene

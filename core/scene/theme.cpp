@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::span<const Theme> themes() {
     return table;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-namespace vvr {
+namespace vvr::scene {
 
 /// The colours of all that isn't the video's.
 struct Theme {
@@ -27,4 +27,4 @@ struct Theme {
 /// The themes; the first is the default.
 std::span<const Theme> themes();
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -11,10 +11,10 @@ constexpr std::int64_t moments_of_unequal_layer = 64;
 
 }  // namespace
 
-TimeTable::TimeTable(const Volume& volume)
+TimeTable::TimeTable(const bricks::Volume& volume)
     : step_(volume.is_unequal() ? moments_of_unequal_layer : volume.step()), unequal_(volume.is_unequal()) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        const Layer& layer = volume.layer(i);
+        const bricks::Layer& layer = volume.layer(i);
         layers_.push_back({layer.first_frame, layer.last_frame, layer.frames, layer.pts, layer.last_pts});
     }
 }
@@ -33,4 +33,4 @@ Moment TimeTable::at(double frame) const {
     return {std::llround(frame_there), std::lerp(layer.begin, layer.end, share)};
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

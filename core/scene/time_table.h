@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/bricks/volume.h"
 #include "core/base/moment.h"
+#include "core/bricks/volume.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// Which frame of the clip a frame of a volume is, and when it was.
 class TimeTable {
   public:
-    explicit TimeTable(const Volume& volume);
+    explicit TimeTable(const bricks::Volume& volume);
 
     /// The frame nearest to a (fractional) number counted from the volume's first frame; beyond the ends, theirs.
     /// Between the first and the last frame of a layer times are linear, as only those two are known.
@@ -35,4 +35,4 @@ class TimeTable {
     std::vector<Entry> layers_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::scene

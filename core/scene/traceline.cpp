@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -43,7 +43,7 @@ void append(Tracelines& lines, const std::vector<TraceVertex>& points, double sp
 
 }  // namespace
 
-std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
+std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
     const glm::dvec3 low(-0.5);
     const glm::dvec3 high = glm::dvec3(volume.size().width, volume.size().height,
                                        volume.is_unequal() ? volume.frames() : volume.layers() * volume.step()) -
@@ -61,11 +61,11 @@ std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, con
     return points;
 }
 
-Tracelines tracelines(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
-                      const TraceOptions& options) {
+Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+                      const space::Layout& layout, const TraceOptions& options) {
     Tracelines lines;
     std::vector<TraceVertex> points;
-    for (const FrameSeed& at : seeds) {
+    for (const bricks::FrameSeed& at : seeds) {
         points.clear();
         const glm::dvec3 start = {at.seed.x, at.seed.y, static_cast<double>(at.frame)};
         for (const glm::dvec3& point : trace(volume, start, options)) {
@@ -78,4 +78,4 @@ Tracelines tracelines(const Volume& volume, std::span<const FrameSeed> seeds, co
     return lines;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

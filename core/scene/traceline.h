@@ -8,7 +8,7 @@
 #include "core/bricks/volume.h"
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A point of a traceline, as in the vertex buffer.
 struct TraceVertex {
@@ -35,11 +35,11 @@ struct TraceOptions {
 /// after the last step, where the flow rests, or exactly on the volume's border.
 /// \param start column and row in field pixels, frame counted from the volume's first
 /// \returns points like `start`, which is the first of them
-std::vector<glm::dvec3> trace(const Volume& volume, const glm::dvec3& start, const TraceOptions& options);
+std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options);
 
 /// A traceline from each seed, mapped to P-space. Lines without length are left out.
 /// \param seeds of the volume, those of which geometry is made
-Tracelines tracelines(const Volume& volume, std::span<const FrameSeed> seeds, const Layout& layout,
-                      const TraceOptions& options);
+Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
+                      const space::Layout& layout, const TraceOptions& options);
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/read_file.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 namespace {
 
@@ -165,4 +165,4 @@ TransferFunction find_transfer(const std::string& name_or_file) {
     return TransferFunction(choose("transfer", name_or_file, transfer_functions(), ", or the name of a file").points);
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -6,7 +6,7 @@
 
 #include "core/scene/transfer_function.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A transfer function that has a name.
 struct TransferRow {
@@ -36,4 +36,4 @@ TransferFunction parse_transfer(const std::string& text, const std::string& name
 /// \throws Error usage as `parse_transfer` and for what is neither name nor file, io for a file that can't be read
 TransferFunction find_transfer(const std::string& name_or_file);
 
-}  // namespace vvr
+}  // namespace vvr::scene

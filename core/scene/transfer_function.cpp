@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(std::move(points)) {
     if (points_.empty()) throw Error(ErrorKind::usage, "a transfer function needs at least one point");
@@ -39,7 +39,7 @@ glm::dvec4 TransferFunction::at(double value) const {
     return {glm::mix(low.colour, after->colour, share), std::lerp(low.extinction, after->extinction, share)};
 }
 
-bool TransferFunction::visible(const ValueRange& range) const {
+bool TransferFunction::visible(const bricks::ValueRange& range) const {
     if (range.high < range.low) return false;
     return visible_below_[static_cast<std::size_t>(range.high) + 1] > visible_below_[range.low];
 }
@@ -59,4 +59,4 @@ TransferFunction default_transfer_function() {
     });
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

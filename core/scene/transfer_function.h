@@ -8,7 +8,7 @@
 
 #include "core/bricks/cells.h"
 
-namespace vvr {
+namespace vvr::scene {
 
 /// A point of a transfer function: a scalar value in 0..255, its colour (sRGB, 0..1) and its extinction, the
 /// opacity per unit length of P-space: a slab of extinction σ and length L lets exp(-σL) through.
@@ -28,7 +28,7 @@ class TransferFunction {
     glm::dvec4 at(double value) const;
 
     /// Whether any value in the range has extinction.
-    bool visible(const ValueRange& range) const;
+    bool visible(const bricks::ValueRange& range) const;
 
     /// The same function with all extinctions multiplied.
     TransferFunction scaled(double opacity) const;
@@ -43,4 +43,4 @@ class TransferFunction {
 /// What moved, from faint to strong.
 TransferFunction default_transfer_function();
 
-}  // namespace vvr
+}  // namespace vvr::scene

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vvr {
+namespace vvr::scene {
 
 Plane<std::uint8_t> zebra_texels() {
     // How many times the wave overshoots black and white: the part of the period that the borders take.
@@ -18,4 +18,4 @@ Plane<std::uint8_t> zebra_texels() {
     return texels;
 }
 
-}  // namespace vvr
+}  // namespace vvr::scene

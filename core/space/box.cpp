@@ -2,7 +2,7 @@
 
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::space {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::unique_ptr<Layout> make_box(const LayoutShape& shape) {
     return std::make_unique<Box>(shape);
 }
 
-}  // namespace vvr
+}  // namespace vvr::space

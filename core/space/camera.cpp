@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace vvr {
+namespace vvr::space {
 
 namespace {
 
@@ -117,4 +117,4 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
     return camera;
 }
 
-}  // namespace vvr
+}  // namespace vvr::space

@@ -7,7 +7,7 @@
 #include "core/base/pixel_box.h"
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::space {
 
 /// Where the viewer is: at azimuth 0 in front of the open side, at positive azimuth further to the right.
 struct View {
@@ -43,4 +43,4 @@ struct Camera {
 /// The camera that looks from `view`'s direction and holds all `points` as large as the picture allows.
 Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size picture);
 
-}  // namespace vvr
+}  // namespace vvr::space

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace vvr {
+namespace vvr::space {
 
 /// The corners at both ends of each edge of a hexahedron. Corner i lies at the upper end along the first, second, third
 /// axis where bit 0, 1, 2 of i is set.
@@ -14,4 +14,4 @@ inline constexpr std::array<std::array<int, 2>, 12> hexahedron_edges = {
 inline constexpr std::array<std::array<int, 2>, 12> hexahedron_edge_faces = {
     {{2, 4}, {3, 4}, {2, 5}, {3, 5}, {0, 4}, {1, 4}, {0, 5}, {1, 5}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
 
-}  // namespace vvr
+}  // namespace vvr::space

@@ -4,7 +4,7 @@
 
 #include "core/space/layout.h"
 
-namespace vvr {
+namespace vvr::space {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape) {
     return std::make_unique<Horseshoe>(shape);
 }
 
-}  // namespace vvr
+}  // namespace vvr::space

@@ -2,7 +2,7 @@
 
 #include "core/base/choice.h"
 
-namespace vvr {
+namespace vvr::space {
 
 const std::vector<LayoutRow>& layouts() {
     static const std::vector<LayoutRow> table = {
@@ -31,4 +31,4 @@ std::vector<int> sections_towards(double t, std::span<const double> borders) {
     return order;
 }
 
-}  // namespace vvr
+}  // namespace vvr::space

@@ -10,7 +10,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::space {
 
 /// What can be chosen of a layout's shape, in P-space units.
 struct LayoutOptions {
@@ -106,4 +106,4 @@ std::unique_ptr<Layout> make_box(const LayoutShape& shape);
 /// the eye.
 std::vector<int> sections_towards(double t, std::span<const double> borders);
 
-}  // namespace vvr
+}  // namespace vvr::space

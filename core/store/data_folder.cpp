@@ -16,7 +16,7 @@
 #include "core/image/atomic_file.h"
 #include "core/store/grey_file.h"
 
-namespace vvr {
+namespace vvr::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +42,7 @@ void check_data_folder(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) {
         const fs::path whole = folder.lexically_normal();  // which may end in a slash
-        check_file_path(whole.has_filename() ? whole : whole.parent_path());
+        image::check_file_path(whole.has_filename() ? whole : whole.parent_path());
         return;
     }
     if (!fs::is_directory(folder)) {
@@ -55,7 +55,7 @@ void check_data_folder(const fs::path& folder) {
                                 "a new or an empty folder",
                                 folder.string()));
     }
-    check_file_path(folder / stored::manifest);
+    image::check_file_path(folder / stored::manifest);
 }
 
 DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
@@ -65,7 +65,7 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     made_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
     // From here on a run that is killed leaves a folder that the next one knows for its own.
-    replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
+    image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
         if (name == stored::colour && !colour_) continue;
@@ -102,14 +102,15 @@ void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) c
     if (std::fclose(out.release()) != 0) fail(path, errno);
 }
 
-void DataFolder::add(const Frame& frame, const Field& field) {
+void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
     StoredFrame stored{field.index, field.pts, {}};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
     if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
     // Some filters make flow at every frame, wanted or not.
     if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
-        write(stored::flow_file(field.index), bytes_of(encode_flo(field.flow)));
-        write(stored::seed_file(field.index), bytes_of(format_seeds({field.index, field.scalar.size(), field.seeds})));
+        write(stored::flow_file(field.index), bytes_of(fields::encode_flo(field.flow)));
+        write(stored::seed_file(field.index),
+              bytes_of(fields::format_seeds({field.index, field.scalar.size(), field.seeds})));
         stored.seeds = std::ssize(field.seeds);
     }
     if (frames_.empty()) write(stored::first, bytes_of(encode_colour(frame.colour)));
@@ -117,7 +118,7 @@ void DataFolder::add(const Frame& frame, const Field& field) {
     last_ = frame.colour;
 }
 
-void DataFolder::close(Manifest manifest, const Reference& reference) {
+void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
     write(stored::last, bytes_of(encode_colour(last_)));
     manifest.reference = !reference.grey.empty();
     if (manifest.reference) {
@@ -127,8 +128,8 @@ void DataFolder::close(Manifest manifest, const Reference& reference) {
     manifest.flow_every = flow_every_;
     manifest.colour = colour_;
     manifest.frames = frames_;
-    replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    image::replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
     closed_ = true;
 }
 
-}  // namespace vvr
+}  // namespace vvr::store

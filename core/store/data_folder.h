@@ -7,7 +7,7 @@
 #include "core/fields/reference.h"
 #include "core/store/manifest.h"
 
-namespace vvr {
+namespace vvr::store {
 
 /// Says whether data files could be written to `folder`: it isn't there, is empty, or holds an extraction of ours.
 /// \throws Error io with the next step
@@ -27,11 +27,11 @@ class DataFolder {
     DataFolder& operator=(const DataFolder&) = delete;
 
     /// The next frame, in colour, and its field.
-    void add(const Frame& frame, const Field& field);
+    void add(const video::Frame& frame, const fields::Field& field);
 
     /// Writes the rest, and the manifest last. What only this class knows is filled in here:
     /// its frames, their interval of flow, whether their pictures are kept, and whether there is a reference.
-    void close(Manifest manifest, const Reference& reference);
+    void close(Manifest manifest, const fields::Reference& reference);
 
   private:
     void write(const std::filesystem::path& file, std::span<const std::byte> bytes) const;
@@ -46,4 +46,4 @@ class DataFolder {
     Plane<Bgr> last_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::store

@@ -6,7 +6,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::store {
 
 /// A plane of 8-bit values as a PNG picture in grey, lossless; same values, same bytes.
 /// \throws Error io
@@ -21,4 +21,4 @@ Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size);
 /// The same for three channels.
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size);
 
-}  // namespace vvr
+}  // namespace vvr::store

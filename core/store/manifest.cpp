@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/fields/filter.h"
-#include "core/fields/settings.h"
 #include "core/base/json_text.h"
 #include "core/base/read_file.h"
 #include "core/base/version.h"
+#include "core/fields/filter.h"
+#include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::store {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -87,8 +87,8 @@ Size read_size(const Reader& reader, const char* width, const char* height) {
             static_cast<int>(reader.integer(height, 1, largest_side))};
 }
 
-VideoInfo read_clip(const Reader& reader) {
-    VideoInfo info;
+video::VideoInfo read_clip(const Reader& reader) {
+    video::VideoInfo info;
     if (reader.has("name")) info.title = reader.text("name");  // older extractions have none
     info.container = reader.text("container");
     info.codec = reader.text("codec");
@@ -99,15 +99,15 @@ VideoInfo read_clip(const Reader& reader) {
     return info;
 }
 
-Json json_of(const FrameSpan& span) {
+Json json_of(const video::FrameSpan& span) {
     Json json{{"start", span.start}, {"first", span.first}};
     if (span.end) json["end"] = *span.end;
     if (span.stop) json["stop"] = *span.stop;
     return json;
 }
 
-FrameSpan read_span(const Reader& reader) {
-    FrameSpan span;
+video::FrameSpan read_span(const Reader& reader) {
+    video::FrameSpan span;
     span.start = reader.seconds("start");
     span.first = reader.integer("first", 0, largest_count);
     if (reader.has("end")) span.end = reader.seconds("end");
@@ -164,7 +164,7 @@ std::filesystem::path seed_file(std::int64_t index) {
 }  // namespace stored
 
 std::string format_manifest(const Manifest& manifest) {
-    const VideoInfo& clip = manifest.clip;
+    const video::VideoInfo& clip = manifest.clip;
     Json settings = Json::object();
     for (const auto& [name, value] : manifest.settings) settings[name] = value;
     const Json head{{"format", format_name},
@@ -230,7 +230,8 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     for (const auto& [option, value] : reader.at("settings").items()) {
         manifest.settings.emplace_back(option, settings.text(option.c_str()));
         const std::string& given = manifest.settings.back().second;
-        if (option == setting::filter.name && std::ranges::count(filters(), given, &FilterRow::name) == 0) {
+        if (option == setting::filter.name &&
+            std::ranges::count(fields::filters(), given, &fields::FilterRow::name) == 0) {
             reader.fail(fmt::format("'settings.{}' is '{}', which this vvr does not have", option, given));
         }
     }
@@ -264,4 +265,4 @@ bool is_replaceable(const std::filesystem::path& folder) {
     return json && is_ours(*json);
 }
 
-}  // namespace vvr
+}  // namespace vvr::store

@@ -12,7 +12,7 @@
 #include "core/video/frame_source.h"
 #include "core/video/frame_span.h"
 
-namespace vvr {
+namespace vvr::store {
 
 /// One frame of a directory of data files.
 struct StoredFrame {
@@ -25,8 +25,8 @@ struct StoredFrame {
 
 /// What a directory of data files says of itself (`manifest.json`, in docs/formats.md).
 struct Manifest {
-    VideoInfo clip;  ///< of the whole clip, however little of it is here; of its name only the title
-    FrameSpan span;  ///< that was asked for
+    video::VideoInfo clip;  ///< of the whole clip, however little of it is here; of its name only the title
+    video::FrameSpan span;  ///< that was asked for
     Size field_size;
     std::int64_t flow_every = 1;
     std::int64_t damaged = 0;  ///< packets that did not decode, of these frames and their neighbours
@@ -72,4 +72,4 @@ bool is_data_folder(const std::filesystem::path& folder);
 /// Whether what is in `folder` is ours to replace: its manifest says so. One that can't be read says nothing.
 bool is_replaceable(const std::filesystem::path& folder);
 
-}  // namespace vvr
+}  // namespace vvr::store

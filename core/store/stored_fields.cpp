@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/base/read_file.h"
 #include "core/fields/flo_file.h"
 #include "core/fields/seed_file.h"
 #include "core/fields/settings.h"
-#include "core/base/read_file.h"
 #include "core/store/grey_file.h"
 
-namespace vvr {
+namespace vvr::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ std::string value_of(const Settings& settings, const std::string& option) {
     return found == settings.end() ? "" : found->second;
 }
 
-bool same_clip(const VideoInfo& a, const VideoInfo& b) {
+bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
     return a.container == b.container && a.codec == b.codec && a.size == b.size && a.rate == b.rate &&
            a.duration == b.duration && a.frames == b.frames;
 }
@@ -96,10 +96,10 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
 
 std::int64_t StoredFields::expected_frames() const {
     const Manifest& last = parts_.back().manifest;
-    FrameSpan span = parts_.front().manifest.span;
+    video::FrameSpan span = parts_.front().manifest.span;
     span.end = last.span.end;
     span.stop = last.span.stop;
-    return vvr::expected_frames(last.clip, span);
+    return vvr::video::expected_frames(last.clip, span);
 }
 
 std::int64_t StoredFields::interval(std::int64_t asked) const {
@@ -107,8 +107,9 @@ std::int64_t StoredFields::interval(std::int64_t asked) const {
     return (asked + every - 1) / every * every;
 }
 
-Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const FieldNeeds& needs) const {
-    Field field;
+fields::Field StoredFields::read_field(const Part& part, const StoredFrame& frame,
+                                       const fields::FieldNeeds& needs) const {
+    fields::Field field;
     field.index = frame.index;
     field.pts = frame.pts;
     field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
@@ -121,7 +122,7 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
     }
     if (asked && needs.seeds) {
         const fs::path file = part.folder / stored::seed_file(frame.index);
-        SeedList list = read_seeds(file.string());
+        fields::SeedList list = fields::read_seeds(file.string());
         if (list.frame != frame.index)
             fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
         if (list.size != field_size()) {
@@ -135,7 +136,7 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
     }
     if (needs.flow_of_each || (asked && needs.flow)) {
         const fs::path file = part.folder / stored::flow_file(frame.index);
-        field.flow = read_flo(file.string());
+        field.flow = fields::read_flo(file.string());
         if (field.flow.u.size() != field_size()) {
             fail(file, fmt::format("a flow of {}x{} where {}x{} is due", field.flow.u.width(), field.flow.u.height(),
                                    field_size().width, field_size().height));
@@ -144,7 +145,7 @@ Field StoredFields::read_field(const Part& part, const StoredFrame& frame, const
     return field;
 }
 
-FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) {
+fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     if (needs.flow_of_each && parts_.front().manifest.flow_every != 1) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
@@ -166,7 +167,7 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
                                 info_.name),
                     {"with-color"});
     }
-    FieldSummary summary;
+    fields::FieldSummary summary;
     for (const Part& part : parts_) summary.damaged += part.manifest.damaged;
     const Part& some = parts_.front();
     if (some.manifest.colour && some.manifest.reference) {
@@ -178,7 +179,7 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
     }
     for (const Part& part : parts_) {
         for (const StoredFrame& stored : part.manifest.frames) {
-            Frame frame{.index = stored.index, .pts = stored.pts, .grey = {}, .colour = {}};
+            video::Frame frame{.index = stored.index, .pts = stored.pts, .grey = {}, .colour = {}};
             const bool first = &stored == &parts_.front().manifest.frames.front();
             const bool last = &stored == &parts_.back().manifest.frames.back();
             if (needs.colour) {
@@ -190,10 +191,10 @@ FieldSummary StoredFields::read(const FieldNeeds& needs, const FieldSink& sink) 
                 frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
             }
             ++summary.frames;
-            sink(std::make_shared<const Frame>(std::move(frame)), read_field(part, stored, needs));
+            sink(std::make_shared<const video::Frame>(std::move(frame)), read_field(part, stored, needs));
         }
     }
     return summary;
 }
 
-}  // namespace vvr
+}  // namespace vvr::store

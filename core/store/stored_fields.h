@@ -8,17 +8,17 @@
 #include "core/fields/field_source.h"
 #include "core/store/manifest.h"
 
-namespace vvr {
+namespace vvr::store {
 
 /// Fields that `vvr extract` wrote, to one directory or to several with the consecutive parts of a clip.
-class StoredFields final : public FieldSource {
+class StoredFields final : public fields::FieldSource {
   public:
     /// Reads the manifests; the data files are read, and checked, when their turn comes.
     /// \throws Error io or not_video for a manifest that can't be, usage for parts that don't belong together
     explicit StoredFields(std::span<const std::string> folders);
 
     /// Of the whole clip, as its container told, where the parts begin and end where it does; else of what is here.
-    const VideoInfo& info() const override { return info_; }
+    const video::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return parts_.front().manifest.field_size; }
 
     /// What the clip itself would have given, so that both make the same picture.
@@ -28,7 +28,7 @@ class StoredFields final : public FieldSource {
 
     /// \throws Error io for a file that is missing or isn't what the manifest says, usage when flow or seeds are
     ///         needed and were not extracted
-    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override;
+    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
 
     /// The options that made the fields, of all parts together.
     const std::vector<std::pair<std::string, std::string>>& settings() const { return settings_; }
@@ -39,11 +39,11 @@ class StoredFields final : public FieldSource {
         Manifest manifest;
     };
 
-    Field read_field(const Part& part, const StoredFrame& frame, const FieldNeeds& needs) const;
+    fields::Field read_field(const Part& part, const StoredFrame& frame, const fields::FieldNeeds& needs) const;
 
     std::vector<Part> parts_;
     std::vector<std::pair<std::string, std::string>> settings_;
-    VideoInfo info_;
+    video::VideoInfo info_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::store

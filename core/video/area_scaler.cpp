@@ -13,7 +13,7 @@ extern "C" {
 #include "core/base/error.h"
 #include "core/video/av.h"
 
-namespace vvr {
+namespace vvr::video {
 
 void SwsFree::operator()(SwsContext* context) const {
     sws_freeContext(context);
@@ -62,4 +62,4 @@ void AreaScaler::prepare(cv::Size from, cv::Size to) {
     sizes_ = std::pair(from, to);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -9,7 +9,7 @@
 
 struct SwsContext;
 
-namespace vvr {
+namespace vvr::video {
 
 struct SwsFree {
     void operator()(SwsContext* context) const;
@@ -31,4 +31,4 @@ class AreaScaler {
     AvFrame scaled_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/video/frame_span.h"
 #include "core/base/words.h"
+#include "core/video/frame_span.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::string day_times_of(const FrameSpan& span, const WallClock& clock, const Vi
     return fmt::format("{} ({}{}{})", text, zone, zone.empty() ? "" : "; ", row_of(clock->source).words);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

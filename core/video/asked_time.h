@@ -8,7 +8,7 @@
 #include "core/base/wall_clock.h"
 
 // Stretches of a clip as people ask for them: by the clock on the wall that was there.
-namespace vvr {
+namespace vvr::video {
 
 struct FrameSpan;
 struct VideoInfo;
@@ -58,4 +58,4 @@ FrameSpan resolve(FrameSpan span, const WallClock& clock, const VideoInfo& info)
 /// or nobody knows.
 std::string day_times_of(const FrameSpan& span, const WallClock& clock, const VideoInfo& info);
 
-}  // namespace vvr
+}  // namespace vvr::video

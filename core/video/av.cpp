@@ -16,7 +16,7 @@ extern "C" {
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 
 void AvFrameFree::operator()(AVFrame* frame) const {
     av_frame_free(&frame);
@@ -141,4 +141,4 @@ std::string Log::text(int code) const {
 }
 
 }  // namespace av
-}  // namespace vvr
+}  // namespace vvr::video

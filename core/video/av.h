@@ -16,7 +16,7 @@ extern "C" {
 #include "core/video/watchdog.h"
 
 // Owners of libav's objects, and what libav says of its errors.
-namespace vvr::av {
+namespace vvr::video::av {
 
 struct Free {
     void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
@@ -84,4 +84,4 @@ class Log {
 /// No picture of more pixels is decoded: three times an 8K frame.
 inline constexpr std::int64_t max_pixels = 100'000'000;
 
-}  // namespace vvr::av
+}  // namespace vvr::video::av

@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -71,4 +71,4 @@ bool names_no_camera(std::string_view name) {
     return std::ranges::binary_search(common_words, word);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -5,7 +5,7 @@
 #include <string_view>
 
 // Which camera a file's folders tell.
-namespace vvr {
+namespace vvr::video {
 
 /// The folders before the first that is a date, else the first folder after the date that is neither date nor hour;
 /// empty where there is none.
@@ -15,4 +15,4 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped = 0);
 /// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
 bool names_no_camera(std::string_view name);
 
-}  // namespace vvr
+}  // namespace vvr::video

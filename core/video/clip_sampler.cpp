@@ -12,7 +12,7 @@
 #include "core/video/demuxer.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 /// Decodes the packets that a plan uses.
@@ -188,4 +188,4 @@ DecodedFrame ClipSampler::without_index(const Demuxer& demuxer, AvFrame image) c
     return {0, pts, clip_.orientation, std::move(image)};
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

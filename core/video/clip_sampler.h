@@ -11,7 +11,7 @@
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
 
-namespace vvr {
+namespace vvr::video {
 
 class StoredBytes;
 
@@ -73,4 +73,4 @@ class ClipSampler {
     Clip clip_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -1,6 +1,6 @@
 #include "core/video/clock.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr double clock_was_set = 1;  // seconds
@@ -23,4 +23,4 @@ double StampClock::next() const {
     return last_ ? *last_ + duration_ : 0;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

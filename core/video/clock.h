@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace vvr {
+namespace vvr::video {
 
 /// Makes the time stamps of a container into times that start at 0 and never run backwards.
 class StampClock {
@@ -28,4 +28,4 @@ class StampClock {
     std::optional<double> last_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

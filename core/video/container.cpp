@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/video/demuxer.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr std::array table{
@@ -91,4 +91,4 @@ std::string_view ending_for(const Input& clip, double rate) {
     return row == table.end() ? std::string_view() : row->name;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -8,7 +8,7 @@
 
 #include "core/video/input.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// One row of the table of containers that clips are written in.
 struct ContainerRow {
@@ -35,4 +35,4 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
 /// can.
 std::string_view ending_for(const Input& clip, double rate);
 
-}  // namespace vvr
+}  // namespace vvr::video

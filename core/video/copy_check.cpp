@@ -14,7 +14,7 @@ extern "C" {
 #include "core/video/demuxer.h"
 #include "core/video/file_source.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr double slack = 0.002;            // seconds; containers round times
@@ -95,4 +95,4 @@ void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> par
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

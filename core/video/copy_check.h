@@ -5,7 +5,7 @@
 
 #include "core/video/packet_copy.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Decodes the beginning of each part of a copy.
 /// \param copy what copy_pieces wrote
@@ -14,4 +14,4 @@ namespace vvr {
 void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const Copied& copied, double rate,
                 const std::filesystem::path& path);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
-#include "core/kernels/colour_rows.h"
 #include "core/base/plane.h"
+#include "core/kernels/colour_rows.h"
 
 struct AVFrame;
 
-namespace vvr {
+namespace vvr::video {
 
 struct AvFrameFree {
     void operator()(AVFrame* frame) const;
@@ -27,8 +27,8 @@ struct Orientation {
 
 /// A picture at the field size, not yet upright.
 struct ScaledPicture {
-    Plane<std::uint8_t> planes;            ///< luma in full range; in colour, below it Cb and Cr, of the same size
-    std::optional<ColourMatrix> matrix{};  ///< only in colour
+    Plane<std::uint8_t> planes;  ///< luma in full range; in colour, below it Cb and Cr, of the same size
+    std::optional<kernels::ColourMatrix> matrix{};  ///< only in colour
 
     int height() const { return matrix ? planes.height() / 3 : planes.height(); }
 };
@@ -42,4 +42,4 @@ struct DecodedFrame {
     std::optional<ScaledPicture> scaled{};  ///< where the clip was kept after it was sampled
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

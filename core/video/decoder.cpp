@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 // A stream of nothing but errors has to end some time; a quarter of an hour of them is no clip any more.
@@ -127,4 +127,4 @@ AvFrame Decoder::decode_alone(const AVPacket& packet) {
     return decoded ? std::move(frame) : nullptr;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -7,7 +7,7 @@
 #include "core/video/demuxer.h"
 #include "core/video/packet_scan.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Decodes the packets of one demuxer, in order. Must not outlive it.
 class Decoder {
@@ -52,4 +52,4 @@ class Decoder {
     bool stopped_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -16,7 +16,7 @@ extern "C" {
 #include "core/base/error.h"
 #include "core/video/playlist.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr int max_read_errors = 100;  // in a row
@@ -278,4 +278,4 @@ double Demuxer::frame_duration() const {
     return 1.0 / 25;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -8,7 +8,7 @@
 #include "core/video/input.h"
 #include "core/video/pipe_reader.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// The packets of one video stream of a container.
 class Demuxer {
@@ -58,4 +58,4 @@ class Demuxer {
     std::int64_t damaged_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

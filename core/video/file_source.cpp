@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/video/stream_info.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::vector<Frame> FileSource::sample(int count) {
     return frames;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

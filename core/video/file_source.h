@@ -12,7 +12,7 @@
 #include "core/video/packet_scan.h"
 #include "core/video/video_reader.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// The frames of one container: a file, a spooled stream or a URL.
 class FileSource final : public FrameSource {
@@ -52,4 +52,4 @@ class FileSource final : public FrameSource {
     std::optional<StoredClip> stored_;     ///< read instead of the file
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::video {
 
 Plane<Bgr> picture_of(const Frame& frame) {
     if (!frame.colour.empty()) return frame.colour;
@@ -13,4 +13,4 @@ Plane<Bgr> picture_of(const Frame& frame) {
     return picture;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -5,7 +5,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// One decoded image at the field size, with its index in the clip and its presentation time.
 struct Frame {
@@ -21,4 +21,4 @@ using SharedFrame = std::shared_ptr<const Frame>;
 /// The frame as people see it: in colour where there is some, else in grey.
 Plane<Bgr> picture_of(const Frame& frame);
 
-}  // namespace vvr
+}  // namespace vvr::video

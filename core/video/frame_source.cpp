@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/fit_into.h"
+#include "core/base/words.h"
 #include "core/video/av.h"
 #include "core/video/file_source.h"
 #include "core/video/input.h"
@@ -23,9 +24,8 @@
 #include "core/video/settings.h"
 #include "core/video/time_sampler.h"
 #include "core/video/video_files.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::video {
 
 std::vector<Frame> FrameSource::sample(int count) {
     rewind();
@@ -97,4 +97,4 @@ std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names,
     return open_source(names.front(), one);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -10,7 +10,7 @@
 #include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 
-namespace vvr {
+namespace vvr::video {
 
 class RecorderNames;
 
@@ -123,4 +123,4 @@ std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names,
 /// \throws Error usage for a size that isn't positive, limit for one that is too large
 Size field_size_for(Size shown, Size asked);
 
-}  // namespace vvr
+}  // namespace vvr::video

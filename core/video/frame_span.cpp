@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::int64_t expected_frames(const VideoInfo& info, const FrameSpan& span) {
     return std::llround(std::max(0.0, end - begin - left_out * rate));
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

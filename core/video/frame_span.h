@@ -8,7 +8,7 @@
 #include "core/video/asked_time.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// A stretch of a clip: the frames within all limits.
 struct FrameSpan {
@@ -45,4 +45,4 @@ std::string text_of(const FrameSpan& span);
 /// How many frames a span has as far as the clip's header tells; 0 = unknown.
 std::int64_t expected_frames(const VideoInfo& info, const FrameSpan& span);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -7,7 +7,7 @@
 
 #include <lz4.h>
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 using Bytes = Plane<std::uint8_t>;
@@ -70,4 +70,4 @@ std::optional<ScaledPicture> FrameStore::pop() {
     return popped_;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

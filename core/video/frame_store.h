@@ -7,7 +7,7 @@
 
 #include "core/video/decoded_frame.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Pictures in order, compressed: of each only how it differs from the one before. What comes out is what went in, byte
 /// for byte.
@@ -30,4 +30,4 @@ class FrameStore {
     std::size_t bytes_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

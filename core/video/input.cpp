@@ -16,7 +16,7 @@
 #include "core/base/shown_text.h"
 #include "core/video/spool.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr std::string_view file_protocol = "file:";
@@ -145,4 +145,4 @@ std::int64_t FileReader::seek(void* self, std::int64_t offset, int whence) {
     return reader.position_ = offset;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -6,7 +6,7 @@
 
 #include "core/video/av.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// An open file descriptor.
 class Descriptor {
@@ -66,4 +66,4 @@ class FileReader {
     av::Ptr<AVIOContext> context_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -9,7 +9,7 @@
 #include "core/video/picture_list.h"
 #include "core/video/video_files.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -73,4 +73,4 @@ Paths files_of_input(const std::string& name) {
     return files;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

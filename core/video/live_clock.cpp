@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 // A camera that sets its clock leaps. Further ahead of what has really passed than this, in seconds, is a leap; a
@@ -25,4 +25,4 @@ double LiveClock::step(const std::optional<double>& stamp, double arrival) const
     return *stamp - *stamp_;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace vvr {
+namespace vvr::video {
 
 /// Makes the time stamps of a stream that may break off and begin again into times that start at 0 and never run
 /// backwards. Within a connection the stamps tell how time goes on, across a gap the clock of the reader does.
@@ -27,4 +27,4 @@ class LiveClock {
     double arrival_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

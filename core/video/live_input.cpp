@@ -22,7 +22,7 @@ extern "C" {
 #include "core/video/settings.h"
 #include "core/video/watchdog.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 // libavdevice brings some hundred libraries with it, of windows and sound; so it is loaded only for a device, and is
@@ -100,4 +100,4 @@ Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdo
     return input;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -5,7 +5,7 @@
 
 #include "core/video/input.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Finds out what `name` is for one who reads it as it comes: `-` for stdin, a named pipe, a file, a URL, or a camera's
 /// device. Nothing is spooled. The name that it has from then on holds no password.
@@ -14,4 +14,4 @@ namespace vvr {
 /// a terminal or a device where libav's devices aren't installed
 Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -11,7 +11,7 @@
 #include "core/video/playlist.h"
 #include "core/video/stream_info.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr double gap = 1;                    // seconds from one frame to the next that are a gap
@@ -239,4 +239,4 @@ std::optional<LiveSource::Clock::time_point> LiveSource::arrival(std::int64_t in
     return found == arrivals_.end() ? std::nullopt : std::optional(found->when);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

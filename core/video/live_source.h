@@ -20,7 +20,7 @@
 #include "core/video/live_clock.h"
 #include "core/video/watchdog.h"
 
-namespace vvr {
+namespace vvr::video {
 
 struct LiveOptions {
     SourceOptions source;
@@ -117,4 +117,4 @@ class LiveSource final : public FrameSource {
     std::jthread reader_;  ///< last, so that it ends first
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 
 std::vector<std::string> matches_of(const std::string& pattern) {
     // The system's function calls itself for each part of a path, however many there are.
@@ -25,4 +25,4 @@ std::vector<std::string> matches_of(const std::string& pattern) {
     return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

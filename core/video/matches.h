@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::video {
 
 /// What a pattern of a shell (`day/*.mp4`) names, in order.
 /// \throws Error usage for one that is longer than any path
 std::vector<std::string> matches_of(const std::string& pattern);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 bool is_digit(char c) {
@@ -39,4 +39,4 @@ bool natural_less(std::string_view a, std::string_view b) {
     return a < b;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

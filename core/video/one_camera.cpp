@@ -16,11 +16,11 @@
 
 #include "core/base/error.h"
 #include "core/base/shown_text.h"
+#include "core/base/words.h"
 #include "core/video/input.h"
 #include "core/video/stream_info.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -212,4 +212,4 @@ void require_related(const Recording& recording) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -6,7 +6,7 @@
 #include "core/video/recording.h"
 
 // Files that are one recording together are of one camera.
-namespace vvr {
+namespace vvr::video {
 
 /// A file's path from the root, so that its folders tell the same wherever one stands; streams stay as they are.
 std::string whole_path(const std::string& name);
@@ -24,4 +24,4 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
 /// \throws Error usage
 void require_related(const Recording& recording);
 
-}  // namespace vvr
+}  // namespace vvr::video

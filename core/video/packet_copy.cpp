@@ -13,7 +13,7 @@
 #include "core/video/container.h"
 #include "core/video/demuxer.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 /// Sound lies beside its pictures, but some recorders write it seconds later.
@@ -285,4 +285,4 @@ Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::file
     return copied;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

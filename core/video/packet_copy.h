@@ -11,7 +11,7 @@
 #include "core/video/input.h"
 #include "core/video/piece.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Of a file's header: libav's keys, and what they say.
 using Tags = std::vector<std::pair<std::string, std::string>>;
@@ -40,4 +40,4 @@ struct Copied {
 Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
                    const WriteAt& write_at, const std::function<bool()>& stopped);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -10,7 +10,7 @@
 #include "core/video/clock.h"
 #include "core/video/time_sampler.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 std::optional<double> presentation(const Demuxer& demuxer, const AVPacket& packet) {
@@ -161,4 +161,4 @@ std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts) {
     return cut;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -7,7 +7,7 @@
 
 // What the packets of a clip tell without being decoded. Reading a file through costs little beside decoding it, and
 // needs neither an index nor a container that seeks well.
-namespace vvr {
+namespace vvr::video {
 
 /// Where decoding has to begin so that the first frame at or after a time comes out whole.
 struct Start {
@@ -80,4 +80,4 @@ DecodingPlan plan_decoding(const ClipPackets& clip, std::vector<std::int64_t> st
 /// frames one after another are the plan's.
 std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -13,7 +13,7 @@
 #include "core/video/matches.h"
 #include "core/video/natural_order.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 namespace fs = std::filesystem;
@@ -172,4 +172,4 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
     return files;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::video {
 
 /// The files that `name` means if it names a sequence of pictures, in natural order: a folder, a glob
 /// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Nothing if it is none of these, or if there is a file of that
@@ -17,4 +17,4 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name);
 /// Whether a file's name has the ending of a picture.
 bool is_picture_name(const std::string& name);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -17,7 +17,7 @@ extern "C" {
 #include "core/video/input.h"
 #include "core/video/scaler.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 struct Picture {
@@ -124,4 +124,4 @@ std::vector<Frame> PictureSource::sample(int count) {
     return FrameSource::sample(count);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -9,7 +9,7 @@
 
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Frames that are a picture file each. Some are decoded ahead of time, one in each thread.
 class PictureSource final : public FrameSource {
@@ -37,4 +37,4 @@ class PictureSource final : public FrameSource {
     std::int64_t damaged_ = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

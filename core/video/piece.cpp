@@ -13,7 +13,7 @@
 #include "core/video/demuxer.h"
 #include "core/video/video_reader.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr double clock_was_set = 1;    // seconds, as in StampClock
@@ -183,4 +183,4 @@ void throw_empty(const std::string& name, const FrameSpan& span, std::optional<d
                 fmt::format("'{}' has no frame {}; {}choose another piece", name, text_of(span), end));
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

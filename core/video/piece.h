@@ -7,7 +7,7 @@
 #include "core/video/frame_span.h"
 #include "core/video/input.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// A stretch of a clip that can be copied: packets of its video stream, from a key packet on. Times are seconds from
 /// the clip's first frame.
@@ -40,4 +40,4 @@ double length_of(const Input& input, double rate);
 /// \param last time of the clip's last frame, seconds; none = unknown
 [[noreturn]] void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last);
 
-}  // namespace vvr
+}  // namespace vvr::video

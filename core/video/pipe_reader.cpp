@@ -8,7 +8,7 @@
 
 #include "core/video/av.h"
 
-namespace vvr {
+namespace vvr::video {
 
 PipeReader::PipeReader(std::shared_ptr<const Descriptor> pipe, std::shared_ptr<const Watchdog> watchdog)
     : pipe_(std::move(pipe)), watchdog_(std::move(watchdog)), context_(av::make_reader(this, &PipeReader::read)) {}
@@ -28,4 +28,4 @@ int PipeReader::read(void* self, std::uint8_t* buffer, int size) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -6,7 +6,7 @@
 #include "core/video/av.h"
 #include "core/video/input.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// Gives libav the bytes of a pipe as they come, without a way back.
 class PipeReader {
@@ -23,4 +23,4 @@ class PipeReader {
     av::Ptr<AVIOContext> context_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

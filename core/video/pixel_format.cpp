@@ -15,7 +15,7 @@ extern "C" {
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 bool is_grey(AVPixelFormat format) {
@@ -108,4 +108,4 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     sws_setColorspaceDetails(context_.get(), coefficients, full, coefficients, 1, 0, 1 << 16, 1 << 16);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -8,7 +8,7 @@
 #include "core/video/av.h"
 
 // What libav's many pixel formats hold, and one format for those that don't have luma in a plane of 8 bits.
-namespace vvr {
+namespace vvr::video {
 
 /// Whether plane 0 is luma of 8 bits, and chroma, where there is any, lies in planes 1 and 2 or in pairs in plane 1.
 bool has_luma_plane(AVPixelFormat format);
@@ -36,4 +36,4 @@ class PixelConverter {
     AvFrame to_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -6,7 +6,7 @@
 
 #include "core/base/ending.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 constexpr std::array<std::string_view, 7> playlist_formats{
@@ -35,4 +35,4 @@ std::string formats_of_clips() {
     return names;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

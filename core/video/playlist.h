@@ -6,7 +6,7 @@
 
 // Files that name other files (HLS and the like) are read from servers alone. On this machine a folder, a pattern or a
 // list of vvr's own says the same, and none of them leads anywhere else.
-namespace vvr {
+namespace vvr::video {
 
 /// Whether a name is that of a playlist.
 bool is_playlist_name(const std::string& name);
@@ -17,4 +17,4 @@ bool is_playlist_format(const AVInputFormat& format);
 /// libav's names of all containers but those that name other files, as its `format_whitelist` wants them.
 std::string formats_of_clips();
 
-}  // namespace vvr
+}  // namespace vvr::video

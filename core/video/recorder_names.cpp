@@ -8,7 +8,7 @@
 #include "core/base/local_time.h"
 #include "core/video/camera_folders.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::vector<std::string> known_recorders() {
     return names;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -13,7 +13,7 @@
 
 // What the names of a recorder's files tell. Names are bytes that anybody may have written: they are matched, never
 // followed.
-namespace vvr {
+namespace vvr::video {
 
 /// The moment of a time in a name, in seconds since 1970 (UTC).
 /// \param near a moment that can't be far off, for the hour that comes twice when summer time ends
@@ -93,4 +93,4 @@ class RecorderNames {
 /// The names of the recorders whose layouts are known, for help texts.
 std::vector<std::string> known_recorders();
 
-}  // namespace vvr
+}  // namespace vvr::video

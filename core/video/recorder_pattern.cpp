@@ -12,7 +12,7 @@
 #include "core/base/choice.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -245,4 +245,4 @@ std::optional<NameFields> RecorderPattern::read(std::string_view path) const {
     return name;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -12,7 +12,7 @@ namespace re2 {
 class RE2;
 }
 
-namespace vvr {
+namespace vvr::video {
 
 /// A time as a name has it.
 struct NamedTime {
@@ -75,4 +75,4 @@ class RecorderPattern {
     std::vector<NameField> captures_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

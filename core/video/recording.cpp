@@ -16,6 +16,7 @@
 #include "core/base/ending.h"
 #include "core/base/error.h"
 #include "core/base/plain_name.h"
+#include "core/base/words.h"
 #include "core/video/input.h"
 #include "core/video/matches.h"
 #include "core/video/natural_order.h"
@@ -23,9 +24,8 @@
 #include "core/video/picture_list.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -294,4 +294,4 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     return recording;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -10,7 +10,7 @@
 #include "core/video/recorder_names.h"
 
 // A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.
-namespace vvr {
+namespace vvr::video {
 
 /// One file of a recording.
 struct Segment {
@@ -59,4 +59,4 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
 /// What the name of a single file tells.
 Segment look_at_name(const std::string& path, const RecorderNames& layouts);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -9,13 +9,13 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/video/decoder.h"
 #include "core/video/scaler.h"
 #include "core/video/stream_info.h"
 #include "core/video/time_sampler.h"
-#include "core/base/words.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace {
 
@@ -312,4 +312,4 @@ std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
     return frames;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

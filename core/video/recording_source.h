@@ -10,7 +10,7 @@
 #include "core/video/frame_source.h"
 #include "core/video/recording.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// The frames of a recording of several files as those of one clip. One file is open at a time, and read once; what is
 /// looked at before that to learn the empty scene are the headers of a few files, or one frame of each of a few.
@@ -63,4 +63,4 @@ class RecordingSource final : public FrameSource {
     std::vector<std::string> problems_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -17,7 +17,7 @@ extern "C" {
 #include "core/video/frame_source.h"
 #include "core/video/pixel_format.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 cv::Mat plane_of(const AVFrame& frame, int plane, Size size, int type) {
@@ -53,8 +53,8 @@ Frame finished(const DecodedFrame& decoded, Size size, bool colour) {
     const cv::Mat cr = part(2);
     const auto width = static_cast<std::size_t>(size.width);
     for (int j = 0; j < size.height; ++j) {
-        to_bgr(*scaled.matrix, frame.grey.row(j), {cb.ptr<std::uint8_t>(j), width}, {cr.ptr<std::uint8_t>(j), width},
-               frame.colour.row(j));
+        kernels::to_bgr(*scaled.matrix, frame.grey.row(j), {cb.ptr<std::uint8_t>(j), width},
+                        {cr.ptr<std::uint8_t>(j), width}, frame.colour.row(j));
     }
     return frame;
 }
@@ -93,7 +93,8 @@ DecodedFrame Scaler::shrink(const DecodedFrame& decoded) {
         luma.copyTo(part(0));
     } else {
         const auto width = static_cast<std::size_t>(stored.width);
-        for (int j = 0; j < stored.height; ++j) to_full_range({luma.ptr<std::uint8_t>(j), width}, scaled.planes.row(j));
+        for (int j = 0; j < stored.height; ++j)
+            kernels::to_full_range({luma.ptr<std::uint8_t>(j), width}, scaled.planes.row(j));
     }
     if (coloured) {
         scaled.matrix.emplace(colour_space(image), is_full_range(image));
@@ -115,4 +116,4 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     return decoded.scaled ? finished(decoded, size_, colour_) : finished(shrink(decoded), size_, colour_);
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

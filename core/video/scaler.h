@@ -5,7 +5,7 @@
 #include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 
-namespace vvr {
+namespace vvr::video {
 
 class FrameSource;
 
@@ -40,4 +40,4 @@ class Scaler {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

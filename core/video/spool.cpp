@@ -14,7 +14,7 @@
 
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 std::string folder() {
@@ -72,4 +72,4 @@ std::shared_ptr<const Descriptor> spool(const Descriptor& from, const std::strin
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

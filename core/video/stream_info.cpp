@@ -11,7 +11,7 @@ extern "C" {
 #include <libavutil/parseutils.h>
 }
 
-namespace vvr {
+namespace vvr::video {
 namespace {
 
 /// Pixels are made square by widening the narrower way, so that no detail is lost.
@@ -83,4 +83,4 @@ ClipHeader header_of(const Demuxer& demuxer) {
     return header;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

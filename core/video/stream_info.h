@@ -7,7 +7,7 @@
 #include "core/video/demuxer.h"
 #include "core/video/frame_source.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// What the container says of the video stream, with the size of its first frame as it is to be seen.
 VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
@@ -28,4 +28,4 @@ ClipHeader header_of(const Demuxer& demuxer);
 /// How the container wants the stream's pictures turned: the nearest quarter turn, mirrored or not.
 Orientation orientation_of(const AVStream& stream);
 
-}  // namespace vvr
+}  // namespace vvr::video

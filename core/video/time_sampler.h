@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace vvr {
+namespace vvr::video {
 
 /// Keeps at most `capacity` items spread evenly in time over a stream whose length nobody knows: when it is full, the
 /// gap between items grows and those that stand too close are dropped.
@@ -53,4 +53,4 @@ class TimeSampler {
     std::vector<std::pair<double, Item>> kept_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

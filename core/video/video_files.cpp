@@ -8,7 +8,7 @@
 #include "core/base/ending.h"
 #include "core/base/error.h"
 
-namespace vvr {
+namespace vvr::video {
 
 namespace fs = std::filesystem;
 
@@ -45,4 +45,4 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
     return files;
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace vvr {
+namespace vvr::video {
 
 /// The endings that video files have, with their dots, in lower case and in order.
 const std::vector<std::string>& video_endings();
@@ -17,4 +17,4 @@ bool is_video_name(const std::string& name);
 /// \throws Error io when the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vvr {
+namespace vvr::video {
 
 VideoReader::VideoReader(Input input, double rate, int threads)
     : input_(std::move(input)), rate_(rate), threads_(threads) {
@@ -78,4 +78,4 @@ void VideoReader::go_on_with_one_thread() {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -10,7 +10,7 @@
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
 
-namespace vvr {
+namespace vvr::video {
 
 /// The frames of one container in order, with their times. Decodes with several threads until the first damage, and
 /// with one from there on, so that a damaged clip gives the same frames at every run.
@@ -69,4 +69,4 @@ class VideoReader {
     std::optional<double> pass_until_;  ///< decode and skip frames up to this time, itself included
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <chrono>
 
-namespace vvr {
+namespace vvr::video {
 
 /// Ends reads of a live stream from outside: when somebody asks for it, or when nothing has come for too long. A reader
 /// asks `bites`, from any thread.
@@ -30,4 +30,4 @@ class Watchdog {
     std::atomic<bool> stopped_ = false;
 };
 
-}  // namespace vvr
+}  // namespace vvr::video

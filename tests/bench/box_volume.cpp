@@ -27,7 +27,7 @@ nlohmann::json as_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-nlohmann::json colours(const TransferFunction& transfer) {
+nlohmann::json colours(const scene::TransferFunction& transfer) {
     nlohmann::json table = nlohmann::json::array();
     for (int value = 0; value < 256; ++value) {
         const glm::dvec4 at = transfer.at(value);
@@ -37,20 +37,20 @@ nlohmann::json colours(const TransferFunction& transfer) {
 }
 
 void compare_box(const std::filesystem::path& folder, const std::string& backend, int runs) {
-    const std::shared_ptr<Context> context = open_context(backend);
-    const Volume volume = bench::left_bag_volume("difference");
-    RenderJob job = bench::paper_job({800, 600}, 8);
+    const std::shared_ptr<gl::Context> context = gl::open_context(backend);
+    const bricks::Volume volume = bench::left_bag_volume("difference");
+    app::RenderJob job = bench::paper_job({800, 600}, 8);
     job.layout = "box";
     job.picture.view = {-20, 25, 30, 0.04};
-    const double voxel = shape_for(volume.size()).y_s / volume.size().height;
+    const double voxel = space::shape_for(volume.size()).y_s / volume.size().height;
     {
         bench::Drawing probe(context, volume, job);
-        const SliceStack stack = probe.renderer().slices(probe.window(), probe.renderer().camera());
+        const scene::SliceStack stack = probe.renderer().slices(probe.window(), probe.renderer().camera());
         job.picture.slices = static_cast<int>(std::ceil(stack.count * stack.spacing / voxel));
     }
     bench::Drawing drawing(context, volume, job);
-    Renderer& renderer = drawing.renderer();
-    write_picture(folder / "vvr.png", to_picture(renderer.draw(drawing.window())));
+    gl::Renderer& renderer = drawing.renderer();
+    image::write_picture(folder / "vvr.png", image::to_picture(renderer.draw(drawing.window())));
     const auto seconds = bench::in_turn({{{}, [&] { drawing.draw(); }}}, runs);
 
     std::vector<std::byte> raw;
@@ -61,9 +61,9 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
                 raw.push_back(std::byte{volume.layer(i).scalar.at(k, j)});
         }
     }
-    replace_file(folder / "volume.raw", raw);
+    image::replace_file(folder / "volume.raw", raw);
 
-    const Camera& camera = renderer.camera();
+    const space::Camera& camera = renderer.camera();
     const glm::dvec3 far_corner = drawing.layout().p_from_c({1, 1, 1});
     const nlohmann::json scene{{"voxels", {volume.size().width, volume.size().height, volume.layers()}},
                                {"size", {job.picture.size.width, job.picture.size.height}},
@@ -75,11 +75,11 @@ void compare_box(const std::filesystem::path& folder, const std::string& backend
                                {"shift", {camera.projection[2][0], camera.projection[2][1]}},
                                {"step", voxel},
                                {"slices", job.picture.slices},
-                               {"colours", colours(default_transfer_function())},
+                               {"colours", colours(scene::default_transfer_function())},
                                {"renderer", context->renderer()},
                                {"seconds", seconds.front()}};
     const std::string text = scene.dump();
-    replace_file(folder / "scene.json", std::as_bytes(std::span(text)));
+    image::replace_file(folder / "scene.json", std::as_bytes(std::span(text)));
 }
 
 }  // namespace

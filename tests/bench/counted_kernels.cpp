@@ -30,8 +30,8 @@ using namespace vvr;
 constexpr Size size{384, 288};
 
 /// Noise, and a square that goes to the right.
-Frame frame_of(int index) {
-    Frame frame{index, index / 25.0, Plane<std::uint8_t>(size), Plane<Bgr>(size)};
+video::Frame frame_of(int index) {
+    video::Frame frame{index, index / 25.0, Plane<std::uint8_t>(size), Plane<Bgr>(size)};
     std::uint32_t state = 12345U + static_cast<std::uint32_t>(index);
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
@@ -48,40 +48,40 @@ Frame frame_of(int index) {
 }
 
 void jacobi() {
-    const std::vector<float> taps = gaussian_taps(1.5);
+    const std::vector<float> taps = fields::gaussian_taps(1.5);
     std::vector<Plane<float>> smooth;
-    for (int f = 0; f < 15; ++f) smooth.push_back(smoothed(frame_of(f).grey, taps));
+    for (int f = 0; f < 15; ++f) smooth.push_back(fields::smoothed(frame_of(f).grey, taps));
     std::vector<const Plane<float>*> frames;
     for (const Plane<float>& plane : smooth) frames.push_back(&plane);
-    PlaneStack derivatives;
-    barron_derivatives(frames, taps, {0, 0, size}, derivatives);
-    LinearSystem system(size, 100);
+    fields::PlaneStack derivatives;
+    fields::barron_derivatives(frames, taps, {0, 0, size}, derivatives);
+    fields::LinearSystem system(size, 100);
     system.load(derivatives);
     system.clear();
     vvr_counted([&] { system.relax(60); });
 }
 
 void flow() {
-    const auto method = make_flow({});
-    const std::vector<Frame> clip{frame_of(0), frame_of(1), frame_of(2)};
+    const auto method = fields::make_flow({});
+    const std::vector<video::Frame> clip{frame_of(0), frame_of(1), frame_of(2)};
     vvr_counted([&] {
-        std::vector<FlowFrame> prepared;
-        for (const Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
-        (*method)(std::vector<const FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]}, {0, 0, size});
+        std::vector<fields::FlowFrame> prepared;
+        for (const video::Frame& frame : clip) prepared.push_back(method->prepare(frame.grey));
+        (*method)(std::vector<const fields::FlowFrame*>{&prepared[0], &prepared[1], &prepared[2]}, {0, 0, size});
     });
 }
 
 void fields() {
-    FieldOptions options;
+    fields::FieldOptions options;
     options.flow.method = "none";
-    EmptyScene scene;
-    const Frame empty = frame_of(-60);
-    scene.reference = Planes{empty.grey, empty.colour};
-    FieldStages work(scene, options);
-    std::vector<Frame> clip;
+    fields::EmptyScene scene;
+    const video::Frame empty = frame_of(-60);
+    scene.reference = fields::Planes{empty.grey, empty.colour};
+    fields::FieldStages work(scene, options);
+    std::vector<video::Frame> clip;
     for (int f = 0; f < 4; ++f) clip.push_back(frame_of(f));
     vvr_counted([&] {
-        for (const Frame& frame : clip) work.finish(work.gather(work.begin(frame)));
+        for (const video::Frame& frame : clip) work.finish(work.gather(work.begin(frame)));
     });
 }
 
@@ -89,14 +89,14 @@ struct Kernel {
     const char* name;
     void (*run)();
 };
-constexpr Kernel kernels[] = {{"jacobi", jacobi}, {"flow", flow}, {"fields", fields}};
+constexpr Kernel counted[] = {{"jacobi", jacobi}, {"flow", flow}, {"fields", fields}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
     // The widest vectors that valgrind knows.
     hwy::SetSupportedTargetsForTest(HWY_AVX2);
-    for (const Kernel& kernel : kernels) {
+    for (const Kernel& kernel : counted) {
         if (argc != 2 || argv[1] != std::string(kernel.name)) continue;
         kernel.run();
         return 0;

@@ -6,8 +6,8 @@
 
 namespace vvr::bench {
 
-RenderJob paper_job(Size size, int bricks, const Parts& show) {
-    RenderJob job;
+app::RenderJob paper_job(Size size, int bricks, const app::Parts& show) {
+    app::RenderJob job;
     job.bricks.window = bricks;
     job.look.show = show;
     job.picture.size = size;
@@ -15,19 +15,19 @@ RenderJob paper_job(Size size, int bricks, const Parts& show) {
     return job;
 }
 
-Drawing::Drawing(std::shared_ptr<Context> context, const Volume& volume, RenderJob job)
+Drawing::Drawing(std::shared_ptr<gl::Context> context, const bricks::Volume& volume, app::RenderJob job)
     : job_(std::move(job)),
       volume_(&volume),
-      bricks_(cut_into(volume.layers(), job_.bricks.window)),
-      tiles_(cut_tiles(job_.picture.size, job_.picture.tile_samples)) {
+      bricks_(bricks::cut_into(volume.layers(), job_.bricks.window)),
+      tiles_(gl::cut_tiles(job_.picture.size, job_.picture.tile_samples)) {
     drawing_.context = std::move(context);
-    make_renderer(job_, volume.size(), job_.picture.tile_samples, drawing_);
-    const int textures = textures_of({.series = true}, static_cast<int>(cut_into_pieces(bricks_).size()));
-    drawing_.window = std::make_unique<BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
+    app::make_renderer(job_, volume.size(), job_.picture.tile_samples, drawing_);
+    const int textures = app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_pieces(bricks_).size()));
+    drawing_.window = std::make_unique<gl::BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
     show();
-    const Frame none;
-    Scene scene = build_scene(job_, volume, {none, none}, layout(), drawing_.framing, {}, {});
-    add_overlays(job_, drawing_, bricks_, volume.layers(), scene);
+    const video::Frame none;
+    scene::Scene scene = app::build_scene(job_, volume, {none, none}, layout(), drawing_.framing, {}, {});
+    app::add_overlays(job_, drawing_, bricks_, volume.layers(), scene);
     renderer().set_scene(std::move(scene));
 }
 
@@ -43,8 +43,8 @@ void Drawing::draw() {
 }
 
 void Drawing::show() {
-    const std::int64_t pieces_of_brick = std::ssize(cut_into_pieces(std::array{bricks_.front()}));
-    window().show(*volume_, cut_into_pieces(bricks_), oldest_ * pieces_of_brick);
+    const std::int64_t pieces_of_brick = std::ssize(bricks::cut_into_pieces(std::array{bricks_.front()}));
+    window().show(*volume_, bricks::cut_into_pieces(bricks_), oldest_ * pieces_of_brick);
 }
 
 }  // namespace vvr::bench

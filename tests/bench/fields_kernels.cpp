@@ -30,8 +30,8 @@ constexpr Size size{384, 288};
 constexpr float alpha = 10;
 constexpr int steps = 60;
 
-Frame frame_of(const scene::Scene& scene, int index) {
-    Frame frame{index, index / 25.0, Plane<std::uint8_t>(scene.size()), scene.frame(index)};
+video::Frame frame_of(const generator::Scene& scene, int index) {
+    video::Frame frame{index, index / 25.0, Plane<std::uint8_t>(scene.size()), scene.frame(index)};
     std::ranges::transform(frame.colour.pixels(), frame.grey.pixels().begin(), [](const Bgr& p) {
         return static_cast<std::uint8_t>(std::lround(0.114 * p[0] + 0.587 * p[1] + 0.299 * p[2]));
     });
@@ -39,24 +39,24 @@ Frame frame_of(const scene::Scene& scene, int index) {
 }
 
 /// Frames of people walking, in colour.
-const std::vector<Frame>& walkers() {
-    static const std::vector<Frame> frames = [] {
-        const scene::Scene scene = scene::make_walkers();
-        std::vector<Frame> result;
+const std::vector<video::Frame>& walkers() {
+    static const std::vector<video::Frame> frames = [] {
+        const generator::Scene scene = generator::make_walkers();
+        std::vector<video::Frame> result;
         for (int f = 0; f < 100; ++f) result.push_back(frame_of(scene, 200 + f));
         return result;
     }();
     return frames;
 }
 
-PlaneStack derivatives() {
-    const std::vector<float> taps = gaussian_taps(1.5);
+fields::PlaneStack derivatives() {
+    const std::vector<float> taps = fields::gaussian_taps(1.5);
     std::vector<Plane<float>> smooth;
-    for (int f = 0; f < 15; ++f) smooth.push_back(smoothed(walkers()[static_cast<std::size_t>(f)].grey, taps));
+    for (int f = 0; f < 15; ++f) smooth.push_back(fields::smoothed(walkers()[static_cast<std::size_t>(f)].grey, taps));
     std::vector<const Plane<float>*> frames;
     for (const Plane<float>& plane : smooth) frames.push_back(&plane);
-    PlaneStack result;
-    barron_derivatives(frames, taps, {0, 0, size}, result);
+    fields::PlaneStack result;
+    fields::barron_derivatives(frames, taps, {0, 0, size}, result);
     return result;
 }
 
@@ -66,9 +66,9 @@ double milliseconds(std::chrono::steady_clock::time_point since) {
 
 // Both in turn, so that whatever else the machine does falls on both: `ratio` is that of the medians.
 void JacobiAgainstPlainLoop(benchmark::State& state) {
-    const PlaneStack d = derivatives();
-    const Plane<float> x = d.plane(along_x), y = d.plane(along_y), t = d.plane(along_t);
-    LinearSystem system(size, alpha * alpha);
+    const fields::PlaneStack d = derivatives();
+    const Plane<float> x = d.plane(fields::along_x), y = d.plane(fields::along_y), t = d.plane(fields::along_t);
+    fields::LinearSystem system(size, alpha * alpha);
     system.load(d);
     std::vector<double> fast, plain;
     for (auto _ : state) {
@@ -104,9 +104,9 @@ BENCHMARK(Roofline)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 // `residual` is what is left of the equations' residual; 60 steps take it down by about 40.
 void MultigridAgainstJacobi(benchmark::State& state) {
-    const PlaneStack d = derivatives();
-    LinearSystem system(size, alpha * alpha);
-    Multigrid grids;
+    const fields::PlaneStack d = derivatives();
+    fields::LinearSystem system(size, alpha * alpha);
+    fields::Multigrid grids;
     std::vector<double> jacobi, multigrid;
     double start_residual = 0, end_residual = 0, jacobi_residual = 0;
     for (auto _ : state) {
@@ -136,16 +136,16 @@ BENCHMARK(MultigridAgainstJacobi)->Iterations(30)->Unit(benchmark::kMillisecond)
 
 /// The whole flow of a frame by one method, without what is done once a frame.
 void flow_of_a_frame(benchmark::State& state, const std::string& name, const std::string& solver) {
-    FlowOptions options;
+    fields::FlowOptions options;
     options.method = name;
     options.solver = solver;
-    const auto method = make_flow(options);
-    std::vector<FlowFrame> prepared;
+    const auto method = fields::make_flow(options);
+    std::vector<fields::FlowFrame> prepared;
     for (int f = 0; f < 2 * method->reach() + 1; ++f) {
         prepared.push_back(method->prepare(walkers()[static_cast<std::size_t>(f)].grey));
     }
-    std::vector<const FlowFrame*> about;
-    for (const FlowFrame& frame : prepared) about.push_back(&frame);
+    std::vector<const fields::FlowFrame*> about;
+    for (const fields::FlowFrame& frame : prepared) about.push_back(&frame);
     for (auto _ : state) benchmark::DoNotOptimize((*method)(about, {0, 0, size}));
 }
 BENCHMARK_CAPTURE(flow_of_a_frame, jacobi, "horn-schunck", "jacobi")->Unit(benchmark::kMillisecond);
@@ -156,25 +156,26 @@ BENCHMARK_CAPTURE(flow_of_a_frame, farneback, "farneback", "pyramid")->Unit(benc
 
 /// All fields of frames that are in memory, by two threads: difference, flow and seeds.
 void fields_of_frames(benchmark::State& state, bool colour, const std::string& flow) {
-    EmptyScene scene;
-    const Frame empty = frame_of(scene::make_still(), 0);
+    fields::EmptyScene scene;
+    const video::Frame empty = frame_of(generator::make_still(), 0);
     scene.reference.grey = empty.grey;
     if (colour) scene.reference.colour = empty.colour;
-    std::vector<Frame> frames = walkers();
-    for (Frame& frame : frames) {
+    std::vector<video::Frame> frames = walkers();
+    for (video::Frame& frame : frames) {
         if (!colour) frame.colour = {};
     }
-    FieldOptions options;
+    fields::FieldOptions options;
     options.flow.method = flow;
     options.threads = 2;
     std::int64_t done = 0;
     for (auto _ : state) {
-        const FrameReader read = [&, next = std::size_t{0}]() mutable -> FrameJob {
+        const fields::FrameReader read = [&, next = std::size_t{0}]() mutable -> fields::FrameJob {
             if (next == frames.size()) return {};
             return [&frame = frames[next++]] { return frame; };
         };
-        done += compute_fields(read, scene, options,
-                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.seeds); });
+        done += fields::compute_fields(read, scene, options, [](const video::SharedFrame&, fields::Field&& field) {
+            benchmark::DoNotOptimize(field.seeds);
+        });
     }
     state.SetItemsProcessed(done);
 }
@@ -184,27 +185,28 @@ BENCHMARK_CAPTURE(fields_of_frames, colour_without_flow, true, "none")->UseRealT
 
 /// Every filter on frames in colour that are in memory, by one thread.
 void filter_of_frames(benchmark::State& state, const std::string& name) {
-    EmptyScene scene;
-    const Frame empty = frame_of(scene::make_still(), 0);
-    scene.reference = Planes{empty.grey, empty.colour};
-    FieldOptions options;
+    fields::EmptyScene scene;
+    const video::Frame empty = frame_of(generator::make_still(), 0);
+    scene.reference = fields::Planes{empty.grey, empty.colour};
+    fields::FieldOptions options;
     options.filter = name;
     options.threads = 1;
-    if (!find_filter(name).traits.flow) options.flow.method = "none";
+    if (!fields::find_filter(name).traits.flow) options.flow.method = "none";
     std::int64_t done = 0;
     for (auto _ : state) {
-        const FrameReader read = [next = std::size_t{0}]() mutable -> FrameJob {
+        const fields::FrameReader read = [next = std::size_t{0}]() mutable -> fields::FrameJob {
             if (next == 20) return {};
             return [&frame = walkers()[next++]] { return frame; };
         };
-        done += compute_fields(read, scene, options,
-                               [](const SharedFrame&, Field&& field) { benchmark::DoNotOptimize(field.pts); });
+        done += fields::compute_fields(read, scene, options, [](const video::SharedFrame&, fields::Field&& field) {
+            benchmark::DoNotOptimize(field.pts);
+        });
     }
     state.SetItemsProcessed(done);
 }
 
 const bool filters_registered = [] {
-    for (const FilterRow& row : filters()) {
+    for (const fields::FilterRow& row : fields::filters()) {
         const std::string name(row.name);
         benchmark::RegisterBenchmark(("filter_of_frames/" + name).c_str(), filter_of_frames, name)
             ->Unit(benchmark::kMillisecond);
@@ -213,10 +215,10 @@ const bool filters_registered = [] {
 }();
 
 void seeds_of_a_frame(benchmark::State& state) {
-    const Flow flow{Plane<float>(size, 1.F), Plane<float>(size, -0.5F)};
+    const fields::Flow flow{Plane<float>(size, 1.F), Plane<float>(size, -0.5F)};
     const Plane<std::uint8_t> object(size, 255);
     const Plane<std::uint16_t> age(size, 3);
-    for (auto _ : state) benchmark::DoNotOptimize(make_seeds({0, flow, object, age}, {}));
+    for (auto _ : state) benchmark::DoNotOptimize(fields::make_seeds({0, flow, object, age}, {}));
 }
 BENCHMARK(seeds_of_a_frame)->Unit(benchmark::kMicrosecond);
 

@@ -18,18 +18,19 @@ namespace {
 using namespace vvr;
 
 double frames_a_second(const std::string& clip, const std::string& filter, const std::string& flow, bool colour) {
-    SourceOptions input;
+    video::SourceOptions input;
     input.threads = 2;
     input.colour = colour;
-    const auto source = open_source(clip, input);
-    FieldOptions options;
+    const auto source = video::open_source(clip, input);
+    fields::FieldOptions options;
     options.filter = filter;
     options.flow.method = flow;
     options.threads = 2;
     // The reference frame is made before the first frame and takes its own pass over the clip.
     options.reference = "first";
     const auto start = std::chrono::steady_clock::now();
-    const FieldSummary summary = compute_fields(*source, options, [](const SharedFrame&, Field&&) {});
+    const fields::FieldSummary summary =
+        fields::compute_fields(*source, options, [](const video::SharedFrame&, fields::Field&&) {});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     return static_cast<double>(summary.frames) / seconds.count();
 }

@@ -26,24 +26,24 @@ using namespace vvr;
 /// What one point of a curve draws.
 struct Point {
     double x;
-    const Volume* volume;
+    const bricks::Volume* volume;
     int bricks;
     Size size;
 };
 
-bench::Drawing drawing_of(const std::shared_ptr<Context>& context, const Point& point) {
+bench::Drawing drawing_of(const std::shared_ptr<gl::Context>& context, const Point& point) {
     return {context, *point.volume, bench::paper_job(point.size, point.bricks)};
 }
 
 /// What the renderer holds to draw a point and read its picture back, beside the volume itself.
-double megabytes_of(const std::shared_ptr<Context>& context, const Point& point) {
+double megabytes_of(const std::shared_ptr<gl::Context>& context, const Point& point) {
     const bench::PeakMemory peak;
     bench::Drawing drawing = drawing_of(context, point);
     drawing.renderer().draw(drawing.window());
     return peak.megabytes();
 }
 
-nlohmann::json measure(const std::shared_ptr<Context>& context, const std::vector<Point>& points, int runs) {
+nlohmann::json measure(const std::shared_ptr<gl::Context>& context, const std::vector<Point>& points, int runs) {
     std::vector<double> megabytes;
     for (const Point& point : points) megabytes.push_back(megabytes_of(context, point));
     std::vector<std::unique_ptr<bench::Drawing>> drawings;
@@ -60,10 +60,10 @@ nlohmann::json measure(const std::shared_ptr<Context>& context, const std::vecto
     return curve;
 }
 
-nlohmann::json measure_all(const std::shared_ptr<Context>& context, int runs, double scale) {
+nlohmann::json measure_all(const std::shared_ptr<gl::Context>& context, int runs, double scale) {
     const int frames = bench::scaled(1600, scale);
     const Size common_size = bench::scaled(Size{800, 600}, scale);
-    const Volume bag = bench::left_bag_volume("difference", scale);
+    const bricks::Volume bag = bench::left_bag_volume("difference", scale);
     std::vector<Point> pixels;
     for (const int width : {640, 896, 1280, 1792, 2560}) {
         const Size size = bench::scaled(Size{width, width * 3 / 4}, scale);
@@ -72,17 +72,17 @@ nlohmann::json measure_all(const std::shared_ptr<Context>& context, int runs, do
     std::vector<Point> bricks;
     for (const int k : {1, 2, 4, 8, 16, 32}) bricks.push_back({static_cast<double>(k), &bag, k, common_size});
 
-    std::vector<Volume> coarse_to_fine;
+    std::vector<bricks::Volume> coarse_to_fine;
     for (const int width : {96, 192, 288, 384, 576}) {
         coarse_to_fine.push_back(bench::lit_volume(bench::scaled(Size{width, width * 3 / 4}, scale), frames / 4, 0.1));
     }
     std::vector<Point> voxels;
-    for (const Volume& volume : coarse_to_fine) {
+    for (const bricks::Volume& volume : coarse_to_fine) {
         voxels.push_back({1e-3 * volume.size().width * volume.size().height, &volume, 8, common_size});
     }
 
     const std::vector<double> shares{0, 0.125, 0.25, 0.5, 0.75, 1};
-    std::vector<Volume> lit;
+    std::vector<bricks::Volume> lit;
     const Size coarse = bench::scaled(Size{192, 144}, scale);
     for (const double share : shares) lit.push_back(bench::lit_volume(coarse, frames / 2, share));
     std::vector<Point> occupied;
@@ -97,7 +97,7 @@ nlohmann::json measure_all(const std::shared_ptr<Context>& context, int runs, do
 
 int main(int argc, char** argv) {
     try {
-        const std::shared_ptr<Context> context = open_context(argc > 1 ? argv[1] : "auto");
+        const std::shared_ptr<gl::Context> context = gl::open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 5;
         const double scale = argc > 3 ? std::stod(argv[3]) : 1;
         fmt::print("{}\n", measure_all(context, runs, scale).dump());

@@ -10,24 +10,24 @@
 
 namespace vvr::bench {
 
-Volume left_bag_volume(const std::string& filter, double scale) {
-    scene::Options scene;
+bricks::Volume left_bag_volume(const std::string& filter, double scale) {
+    generator::Options scene;
     scene.frames = scaled(1600, scale);
     scene.size = scaled(scene.size, scale);
-    SourceOptions in_colour;
+    video::SourceOptions in_colour;
     in_colour.colour = true;
-    FieldOptions options;
+    fields::FieldOptions options;
     options.filter = filter;
-    ClipFields fields(scene::open_scene(scene::make_left_bag(scene), in_colour), options);
-    const RenderJob job = paper_job({}, 1, {Part::volume, Part::arrows, Part::tracelines});
-    const FieldNeeds needs = needs_of(job, fields, scene.frames);
-    Volume volume(fields.field_size(), scene.frames, 1, needs.every);
+    fields::ClipFields fields(generator::open_scene(generator::make_left_bag(scene), in_colour), options);
+    const app::RenderJob job = paper_job({}, 1, {app::Part::volume, app::Part::arrows, app::Part::tracelines});
+    const fields::FieldNeeds needs = app::needs_of(job, fields, scene.frames);
+    bricks::Volume volume(fields.field_size(), scene.frames, 1, needs.every);
     volume.keep_flow();
-    fields.read(needs, [&](const SharedFrame&, const Field& field) { volume.add(field); });
+    fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) { volume.add(field); });
     return volume;
 }
 
-double occupied_share(const Volume& volume) {
+double occupied_share(const bricks::Volume& volume) {
     std::int64_t lit = 0;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         volume.layer(i).scalar.each_run([&](int, int, std::span<const std::uint8_t> values) {

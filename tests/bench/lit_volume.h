@@ -5,6 +5,6 @@
 namespace vvr::bench {
 
 /// A volume of which the left `share` of each frame is lit.
-Volume lit_volume(Size size, int frames, double share, bool coloured = false);
+bricks::Volume lit_volume(Size size, int frames, double share, bool coloured = false);
 
 }  // namespace vvr::bench

@@ -36,22 +36,22 @@ constexpr Method methods[] = {{"Horn–Schunck, pyramid (the default)", "horn-sc
 
 struct Case {
     std::string name;
-    scene::Scene scene;
+    generator::Scene scene;
 };
 
 std::vector<Case> cases() {
     const auto shifted = [](double u, double v) {
-        scene::Options options;
+        generator::Options options;
         options.u = u;
         options.v = v;
         options.noise = 1;
-        return scene::make_shifted_texture(options);
+        return generator::make_shifted_texture(options);
     };
-    scene::Options noisy;
+    generator::Options noisy;
     noisy.noise = 1;
     return {{"texture, 0.8 px", shifted(0.7, 0.4)},
             {"texture, 4 px", shifted(3.5, -2)},
-            {"spinning disc", scene::make_spinning_sphere(noisy)}};
+            {"spinning disc", generator::make_spinning_sphere(noisy)}};
 }
 
 Plane<std::uint8_t> grey_of(const Plane<Bgr>& picture) {
@@ -63,7 +63,7 @@ Plane<std::uint8_t> grey_of(const Plane<Bgr>& picture) {
 }
 
 /// Degrees between (u, v, 1) and the truth, mean over what moves.
-double error_of(const Flow& flow, const scene::Truth& truth) {
+double error_of(const fields::Flow& flow, const generator::Truth& truth) {
     constexpr int border = 16;
     double sum = 0;
     int count = 0;
@@ -81,16 +81,16 @@ double error_of(const Flow& flow, const scene::Truth& truth) {
 
 /// A method with all that its flow of one frame takes.
 struct Estimate {
-    std::unique_ptr<FlowMethod> method;
+    std::unique_ptr<fields::FlowMethod> method;
     std::vector<Plane<std::uint8_t>> frames;
-    std::vector<FlowFrame> prepared;
-    Flow flow;
+    std::vector<fields::FlowFrame> prepared;
+    fields::Flow flow;
 
-    Estimate(const Method& row, const scene::Scene& scene, int middle) {
-        FlowOptions options;
+    Estimate(const Method& row, const generator::Scene& scene, int middle) {
+        fields::FlowOptions options;
         options.method = row.method;
         options.solver = row.solver;
-        method = make_flow(options);
+        method = fields::make_flow(options);
         for (int k = -method->reach(); k <= method->reach(); ++k) frames.push_back(grey_of(scene.frame(middle + k)));
         for (const Plane<std::uint8_t>& frame : frames) prepared.push_back(method->prepare(frame));
     }
@@ -98,8 +98,8 @@ struct Estimate {
     // One frame is made ready for each flow: the others were for the frames before.
     void run() {
         prepared.back() = method->prepare(frames.back());
-        std::vector<const FlowFrame*> about;
-        for (const FlowFrame& frame : prepared) about.push_back(&frame);
+        std::vector<const fields::FlowFrame*> about;
+        for (const fields::FlowFrame& frame : prepared) about.push_back(&frame);
         flow = (*method)(about, {0, 0, frames.front().size()});
     }
 };
@@ -114,7 +114,7 @@ void flow() {
         std::vector<bench::Work> works;
         for (Estimate& estimate : estimates) works.push_back({{}, [&estimate] { estimate.run(); }});
         const auto seconds = bench::in_turn(works, runs);
-        const scene::Truth truth = c.scene.truth(middle);
+        const generator::Truth truth = c.scene.truth(middle);
         for (std::size_t i = 0; i < estimates.size(); ++i) {
             report.push_back({{"scene", c.name},
                               {"method", methods[i].name},

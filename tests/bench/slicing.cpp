@@ -38,7 +38,7 @@ using namespace vvr;
 
 constexpr int k = 8;
 
-using Query = GlObject<GenTraits<&GladGLContext::GenQueries, &GladGLContext::DeleteQueries>>;
+using Query = gl::GlObject<gl::GenTraits<&GladGLContext::GenQueries, &GladGLContext::DeleteQueries>>;
 
 // The bare shaders. The map is undone at the corners of polygons only, so what is fetched is the same within a texel,
 // and nothing is left to do for a sample but to fetch and to blend.
@@ -67,29 +67,30 @@ layout(location = 0) out vec4 colour;
 void main() { colour = vec4(value); }
 )";
 
-ProgramSource bare_program(const char* name, const Layout& layout, std::string_view fragment) {
-    return {name, {shader_piece(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
+gl::ProgramSource bare_program(const char* name, const space::Layout& layout, std::string_view fragment) {
+    return {name, {gl::shader_piece(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
 }
 
 /// A volume in k bricks, as the renderer holds it, and where it is seen from.
 struct Bricks {
-    Bricks(const std::shared_ptr<Context>& context, const Volume& volume, Size picture)
+    Bricks(const std::shared_ptr<gl::Context>& context, const bricks::Volume& volume, Size picture)
         : drawing(context, volume, bench::paper_job(picture, k)),
           camera(drawing.renderer().camera()),
           stack(drawing.renderer().slices(drawing.window(), camera)) {}
 
-    std::vector<SliceMesh> cut_all() {
-        std::vector<SliceMesh> meshes;
+    std::vector<scene::SliceMesh> cut_all() {
+        std::vector<scene::SliceMesh> meshes;
         const auto cells = drawing.window().cells();
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            meshes.push_back(cut_slices(cells, i, drawing.layout(), default_transfer_function(), camera, stack));
+            meshes.push_back(
+                scene::cut_slices(cells, i, drawing.layout(), scene::default_transfer_function(), camera, stack));
         }
         return meshes;
     }
 
     bench::Drawing drawing;
-    Camera camera;
-    SliceStack stack;
+    space::Camera camera;
+    scene::SliceStack stack;
 };
 
 /// The polygons of all slices, cut once and kept where OpenGL has them at hand: what is timed is only their drawing.
@@ -97,11 +98,11 @@ class ReadyPolygons {
   public:
     ReadyPolygons(const GladGLContext& gl, Bricks& bricks) : gl_(&gl), bricks_(&bricks) {
         std::vector<double> borders{0};
-        for (const PlacedCells& brick : bricks.drawing.window().cells()) borders.push_back(brick.t_end);
+        for (const bricks::PlacedCells& brick : bricks.drawing.window().cells()) borders.push_back(brick.t_end);
         order_ = bricks.drawing.layout().back_to_front(bricks.camera.eye, borders);
-        for (const SliceMesh& mesh : bricks.cut_all()) add(mesh);
+        for (const scene::SliceMesh& mesh : bricks.cut_all()) add(mesh);
         gl.BindVertexArray(0);
-        check_gl(gl, "keeping polygons");
+        gl::check_gl(gl, "keeping polygons");
     }
 
     /// Draws all, as the slicer does, by the program in use.
@@ -114,7 +115,7 @@ class ReadyPolygons {
             const auto i = static_cast<std::size_t>(number);
             const Mesh& mesh = meshes_[i];
             bricks_->drawing.window().bind(i);
-            const TextureMap map = bricks_->drawing.window().texture_map(i);
+            const gl::TextureMap map = bricks_->drawing.window().texture_map(i);
             gl_->Uniform3fv(scale, 1, &map.scale.x);
             gl_->Uniform3fv(offset, 1, &map.offset.x);
             gl_->BindVertexArray(mesh.array.id());
@@ -133,24 +134,24 @@ class ReadyPolygons {
 
   private:
     struct Mesh {
-        GlVertexArray array;
-        GlBuffer vertices;
-        GlBuffer indices;
+        gl::GlVertexArray array;
+        gl::GlBuffer vertices;
+        gl::GlBuffer indices;
         GLsizei count = 0;
     };
 
-    void add(const SliceMesh& cut) {
+    void add(const scene::SliceMesh& cut) {
         const GladGLContext& gl = *gl_;
-        Mesh mesh{GlVertexArray(gl), GlBuffer(gl), GlBuffer(gl), static_cast<GLsizei>(cut.indices.size())};
+        Mesh mesh{gl::GlVertexArray(gl), gl::GlBuffer(gl), gl::GlBuffer(gl), static_cast<GLsizei>(cut.indices.size())};
         gl.BindVertexArray(mesh.array.id());
         gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices.id());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.id());
-        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cut.vertices.size() * sizeof(SliceVertex)),
+        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(cut.vertices.size() * sizeof(scene::SliceVertex)),
                       cut.vertices.data(), GL_STATIC_DRAW);
         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(cut.indices.size() * sizeof(std::uint32_t)),
                       cut.indices.data(), GL_STATIC_DRAW);
-        set_attribute<SliceVertex>(gl, 0, 3, 0, Per::vertex);
-        set_attribute<SliceVertex>(gl, 1, 1, offsetof(SliceVertex, t_reference), Per::vertex);
+        gl::set_attribute<scene::SliceVertex>(gl, 0, 3, 0, gl::Per::vertex);
+        gl::set_attribute<scene::SliceVertex>(gl, 1, 1, offsetof(scene::SliceVertex, t_reference), gl::Per::vertex);
         meshes_.push_back(std::move(mesh));
     }
 
@@ -163,19 +164,19 @@ class ReadyPolygons {
 /// The ways to draw one volume that are compared.
 class Ways {
   public:
-    Ways(const std::shared_ptr<Context>& context, const Volume& volume, Size picture)
+    Ways(const std::shared_ptr<gl::Context>& context, const bricks::Volume& volume, Size picture)
         : gl_(&context->gl()),
           picture_(picture),
           bricks_(context, volume, picture),
           polygons_(*gl_, bricks_),
-          slicer_(*gl_, bricks_.drawing.layout(), VolumeColour::transfer, VolumeShading::none),
+          slicer_(*gl_, bricks_.drawing.layout(), gl::VolumeColour::transfer, gl::VolumeShading::none),
           fetching_(*gl_, bare_program("a bare fetch", bricks_.drawing.layout(), fetch_frag)),
           blending_(*gl_, bare_program("a bare blend", bricks_.drawing.layout(), blend_frag)),
           framebuffer_(*gl_, picture, 1) {
-        slicer_.set_transfer(default_transfer_function());
-        for (const Program* program : {&fetching_, &blending_}) {
+        slicer_.set_transfer(scene::default_transfer_function());
+        for (const gl::Program* program : {&fetching_, &blending_}) {
             program->use();
-            set_layout(*program, bricks_.drawing.layout());
+            gl::set_layout(*program, bricks_.drawing.layout());
             program->set("clip_from_p", glm::mat4(bricks_.camera.clip_from_p()));
         }
         blending_.set("value", 1.0F / 512);
@@ -211,7 +212,7 @@ class Ways {
                              }});
         }
         const auto seconds = bench::in_turn(works, runs);
-        check_gl(*gl_, "drawing slices");
+        gl::check_gl(*gl_, "drawing slices");
         for (std::size_t i = 0; i < ways.size(); ++i) row["seconds"][ways[i].name] = seconds[i];
         return row;
     }
@@ -233,7 +234,7 @@ class Ways {
         polygons_.draw();
     }
 
-    void polygons(const Program& program) {
+    void polygons(const gl::Program& program) {
         program.use();
         polygons_.draw();
     }
@@ -268,10 +269,10 @@ class Ways {
     Size picture_;
     Bricks bricks_;
     ReadyPolygons polygons_;
-    VolumeSlicer slicer_;
-    Program fetching_;
-    Program blending_;
-    Framebuffer framebuffer_;
+    gl::VolumeSlicer slicer_;
+    gl::Program fetching_;
+    gl::Program blending_;
+    gl::Framebuffer framebuffer_;
     GLuint slicing_program_ = 0;
 };
 
@@ -279,7 +280,7 @@ class Ways {
 
 int main(int argc, char** argv) {
     try {
-        const std::shared_ptr<Context> context = open_context(argc > 1 ? argv[1] : "auto");
+        const std::shared_ptr<gl::Context> context = gl::open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 5;
         const double scale = argc > 3 ? std::stod(argv[3]) : 1;
         const Size picture = bench::scaled(Size{1280, 1024}, scale);
@@ -289,7 +290,7 @@ int main(int argc, char** argv) {
                               {"height", picture.height},
                               {"volumes", nlohmann::json::array()}};
         for (const char* filter : {"difference", "luminance"}) {
-            const Volume volume = bench::left_bag_volume(filter, scale);
+            const bricks::Volume volume = bench::left_bag_volume(filter, scale);
             const double occupied = bench::occupied_share(volume);
             // What is quickly drawn can be drawn more often.
             nlohmann::json row = Ways(context, volume, picture).measure(occupied < 0.1 ? 5 * runs : runs);

@@ -26,23 +26,23 @@ constexpr int k = 8;
 struct Style {
     const char* name;
     int bricks;
-    Parts show;
+    app::Parts show;
     bool moving;                  ///< a brick enters before each picture
     std::array<double, 3> paper;  ///< on a GeForce 7800 GTX
 };
 
 const std::array styles = {
-    Style{"V-S", 1, {Part::volume}, false, {11.04, 10.20, 8.64}},
-    Style{"V+S", k, {Part::volume}, false, {9.63, 7.83, 5.47}},
-    Style{"V+S+G", k, {Part::volume, Part::arrows}, false, {9.63, 7.83, 5.47}},
-    Style{"V+DS", k, {Part::volume}, true, {7.40, 6.80, 5.13}},
-    Style{"all", k, {Part::volume, Part::arrows, Part::tracelines}, true, {7.20, 6.65, 4.56}},
+    Style{"V-S", 1, {app::Part::volume}, false, {11.04, 10.20, 8.64}},
+    Style{"V+S", k, {app::Part::volume}, false, {9.63, 7.83, 5.47}},
+    Style{"V+S+G", k, {app::Part::volume, app::Part::arrows}, false, {9.63, 7.83, 5.47}},
+    Style{"V+DS", k, {app::Part::volume}, true, {7.40, 6.80, 5.13}},
+    Style{"all", k, {app::Part::volume, app::Part::arrows, app::Part::tracelines}, true, {7.20, 6.65, 4.56}},
 };
 
 constexpr std::array sizes = {Size{800, 600}, Size{1024, 768}, Size{1280, 1024}};
 
-std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<Context>& context, const Volume& volume,
-                                                   Size size, int runs) {
+std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<gl::Context>& context,
+                                                   const bricks::Volume& volume, Size size, int runs) {
     std::vector<std::unique_ptr<bench::Drawing>> drawings;
     std::vector<bench::Work> works;
     for (const Style& style : styles) {
@@ -56,8 +56,8 @@ std::vector<std::vector<double>> seconds_of_styles(const std::shared_ptr<Context
     return bench::in_turn(works, runs);
 }
 
-nlohmann::json measure(const std::shared_ptr<Context>& context, const std::string& filter, int runs, double scale) {
-    const Volume volume = bench::left_bag_volume(filter, scale);
+nlohmann::json measure(const std::shared_ptr<gl::Context>& context, const std::string& filter, int runs, double scale) {
+    const bricks::Volume volume = bench::left_bag_volume(filter, scale);
     nlohmann::json report{{"renderer", context->renderer()},
                           {"version", context->version()},
                           {"filter", filter},
@@ -82,7 +82,7 @@ nlohmann::json measure(const std::shared_ptr<Context>& context, const std::strin
 
 int main(int argc, char** argv) {
     try {
-        const std::shared_ptr<Context> context = open_context(argc > 2 ? argv[2] : "auto");
+        const std::shared_ptr<gl::Context> context = gl::open_context(argc > 2 ? argv[2] : "auto");
         const int runs = argc > 3 ? std::stoi(argv[3]) : 5;
         const double scale = argc > 4 ? std::stod(argv[4]) : 1;
         fmt::print("{}\n", measure(context, argc > 1 ? argv[1] : "difference", runs, scale).dump());

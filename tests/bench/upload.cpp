@@ -27,11 +27,11 @@ namespace {
 using namespace vvr;
 
 /// A brick's texels, all of them.
-std::vector<std::byte> texels_of(const BrickLayers& layers) {
+std::vector<std::byte> texels_of(const bricks::BrickLayers& layers) {
     const std::size_t count = layers.area() * static_cast<std::size_t>(layers.count());
-    std::vector<std::byte> bytes(count * (layers.coloured() ? sizeof(ColouredTexel) : 1));
+    std::vector<std::byte> bytes(count * (layers.coloured() ? sizeof(bricks::ColouredTexel) : 1));
     if (layers.coloured()) {
-        layers.lay_out(0, std::span(reinterpret_cast<ColouredTexel*>(bytes.data()), count));
+        layers.lay_out(0, std::span(reinterpret_cast<bricks::ColouredTexel*>(bytes.data()), count));
     } else {
         layers.lay_out(0, std::span(reinterpret_cast<std::uint8_t*>(bytes.data()), count));
     }
@@ -41,7 +41,7 @@ std::vector<std::byte> texels_of(const BrickLayers& layers) {
 /// A texture of the brick's size that is only ever given new texels.
 class BareTexture {
   public:
-    BareTexture(const GladGLContext& gl, const BrickLayers& layers)
+    BareTexture(const GladGLContext& gl, const bricks::BrickLayers& layers)
         : gl_(&gl),
           size_{layers.box().width(), layers.box().height()},
           layers_(static_cast<GLsizei>(layers.count())),
@@ -50,7 +50,7 @@ class BareTexture {
         gl.BindTexture(GL_TEXTURE_3D, texture_.id());
         gl.TexImage3D(GL_TEXTURE_3D, 0, layers.coloured() ? GL_RGBA8 : GL_R8, size_.width, size_.height, layers_, 0,
                       format_, GL_UNSIGNED_BYTE, nullptr);
-        check_gl(gl, "making a texture of a brick's size");
+        gl::check_gl(gl, "making a texture of a brick's size");
     }
 
     void upload(std::span<const std::byte> texels) const {
@@ -65,20 +65,20 @@ class BareTexture {
     Size size_;
     GLsizei layers_;
     GLenum format_;
-    GlTexture texture_;
+    gl::GlTexture texture_;
 };
 
-nlohmann::json measure(const Context& context, double scale, bool coloured, int runs) {
+nlohmann::json measure(const gl::Context& context, double scale, bool coloured, int runs) {
     const Size size = bench::scaled(Size{384, 288}, scale);
     const int count = bench::scaled(200, scale);
     const GladGLContext& gl = context.gl();
-    const Volume volume = bench::lit_volume(size, count, 0.5, coloured);
-    const BrickLayers layers(volume, {0, count});
+    const bricks::Volume volume = bench::lit_volume(size, count, 0.5, coloured);
+    const bricks::BrickLayers layers(volume, {0, count});
 
-    const auto layout = make_layout("horseshoe", shape_for(size));
-    BrickWindow window(gl, *layout, count, 1);
+    const auto layout = space::make_layout("horseshoe", space::shape_for(size));
+    gl::BrickWindow window(gl, *layout, count, 1);
     std::int64_t next = 0;
-    BrickTextures textures(gl, 1);
+    gl::BrickTextures textures(gl, 1);
     const BareTexture bare(gl, layers);
     std::vector<std::byte> texels = texels_of(layers);
     std::vector<std::byte> copy(texels.size());
@@ -91,7 +91,7 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
         {"layout", [&] { texels = texels_of(layers); }},
         {"renderer",
          [&] {
-             window.show(volume, cut_into(count, 1), next++);
+             window.show(volume, bricks::cut_into(count, 1), next++);
              window.bind(0);
          }},
         {"textures", [&] { textures.upload(0, layers); }},
@@ -106,7 +106,7 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
                          }});
     }
     const auto seconds = bench::in_turn(works, runs);
-    check_gl(gl, "uploading bricks");
+    gl::check_gl(gl, "uploading bricks");
     nlohmann::json row{{"bytes", copy.size()},
                        {"texels", copy.size() / (coloured ? 4 : 1)},
                        {"format", coloured ? "RGBA8" : "R8"},
@@ -119,7 +119,7 @@ nlohmann::json measure(const Context& context, double scale, bool coloured, int 
 
 int main(int argc, char** argv) {
     try {
-        const auto context = open_context(argc > 1 ? argv[1] : "auto");
+        const auto context = gl::open_context(argc > 1 ? argv[1] : "auto");
         const int runs = argc > 2 ? std::stoi(argv[2]) : 9;
         const double scale = argc > 3 ? std::stod(argv[3]) : 1;
         const nlohmann::json report{

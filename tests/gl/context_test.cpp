@@ -11,10 +11,11 @@ namespace vvr {
 namespace {
 
 TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     test::Shot shot;
     shot.options.size = {320, 200};
-    shot.scene.lines = volume_outline(*make_layout("horseshoe", shape_for(volume.size())), {0.5F, 0.5F, 0.5F, 1});
+    shot.scene.lines =
+        scene::volume_outline(*space::make_layout("horseshoe", space::shape_for(volume.size())), {0.5F, 0.5F, 0.5F, 1});
     const test::Drawn software = draw_volume(volume, shot);
     shot.backend = "osmesa";
     const test::Drawn osmesa = draw_volume(volume, shot);
@@ -22,14 +23,14 @@ TEST(Context, SoftwareAndOsmesaDrawTheSamePicture) {
 }
 
 TEST(Context, AutoOpensWhatThereIs) {
-    const auto context = open_context();
+    const auto context = gl::open_context();
     EXPECT_FALSE(context->renderer().empty());
     EXPECT_FALSE(context->version().empty());
 }
 
 TEST(Context, UnknownBackendIsAUsageError) {
     try {
-        open_context("vulkan");
+        gl::open_context("vulkan");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
@@ -39,7 +40,7 @@ TEST(Context, UnknownBackendIsAUsageError) {
 
 TEST(Context, MissingDeviceSaysWhatThereIs) {
     try {
-        open_context("software", 40);
+        gl::open_context("software", 40);
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::backend);
@@ -51,7 +52,7 @@ TEST(Context, MissingDeviceSaysWhatThereIs) {
 TEST(Context, TheDriverIsHeard) {
     for (const char* backend : {"software", "osmesa"}) {
         std::vector<std::string> messages;
-        const auto context = open_context(backend, -1, [&](const std::string& text) { messages.push_back(text); });
+        const auto context = gl::open_context(backend, -1, [&](const std::string& text) { messages.push_back(text); });
         EXPECT_EQ(messages, std::vector<std::string>{}) << backend;
         context->gl().Enable(GL_VENDOR);
         ASSERT_EQ(messages.size(), 1U) << backend;
@@ -60,9 +61,9 @@ TEST(Context, TheDriverIsHeard) {
 }
 
 TEST(Context, ProbeReportsEveryBackend) {
-    const std::vector<BackendReport> reports = probe_backends();
+    const std::vector<gl::BackendReport> reports = gl::probe_backends();
     ASSERT_EQ(reports.size(), 3U);
-    for (const BackendReport& report : reports) {
+    for (const gl::BackendReport& report : reports) {
         EXPECT_EQ(report.works, report.reason.empty()) << report.name;
         EXPECT_EQ(report.works, !report.renderer.empty()) << report.name;
     }
@@ -72,7 +73,7 @@ TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
     GladGLContext gl{};
     gl.GetError = []() -> GLenum { return GL_OUT_OF_MEMORY; };
     try {
-        check_gl(gl, "uploading brick 3");
+        gl::check_gl(gl, "uploading brick 3");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::limit);
@@ -81,7 +82,7 @@ TEST(CheckGl, OutOfMemoryNamesOptionsThatTakeLess) {
                      "frames per layer");
     }
     gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
-    EXPECT_NO_THROW(check_gl(gl, "drawing"));
+    EXPECT_NO_THROW(gl::check_gl(gl, "drawing"));
 }
 
 }  // namespace

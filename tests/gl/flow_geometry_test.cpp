@@ -23,13 +23,13 @@ Shot black_on_white(Size size) {
     Shot shot;
     shot.options.size = size;
     shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {0, 0, 0};
-    shot.transfer = TransferFunction({{0, {}, 0}});
+    shot.transfer = scene::TransferFunction({{0, {}, 0}});
     return shot;
 }
 
 struct Place {
     std::string layout;
-    Seed seed;
+    fields::Seed seed;
     std::int64_t frame;
 };
 
@@ -38,9 +38,9 @@ class ArrowTip : public testing::TestWithParam<Place> {};
 TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     const auto& [layout_name, seed, frame] = GetParam();
     constexpr Size field_size{96, 72};
-    Volume volume(field_size, 64);
+    bricks::Volume volume(field_size, 64);
     for (int i = 0; i < 64; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.scalar = Plane<std::uint8_t>(field_size);
         if (i == frame) field.seeds = {seed};
@@ -49,8 +49,8 @@ TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     Shot shot = black_on_white({1280, 960});
     shot.layout = layout_name;
     shot.options.glyphs.thickness = 1;  // as blunt as it gets
-    const auto layout = make_layout(layout_name, shape_for(field_size));
-    shot.scene.arrows = arrows(volume, volume.seeds(), *layout, {.frames = 16, .cap = 1});
+    const auto layout = space::make_layout(layout_name, space::shape_for(field_size));
+    shot.scene.arrows = scene::arrows(volume, volume.seeds(), *layout, {.frames = 16, .cap = 1});
     const Drawn drawn = draw_volume(volume, shot);
 
     // Where the particle is after so many frames, by the map alone: the frame's plane is not bent.
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Places, ArrowTip,
                          });
 
 /// A straight traceline.
-Tracelines line(const glm::vec3& from, const glm::vec3& to) {
+scene::Tracelines line(const glm::vec3& from, const glm::vec3& to) {
     const float length = glm::distance(from, to);
     return {{from, 0, length, 1}, {(from + to) / 2.0F, 0.5F, length, 1}, {to, 1, length, 1}};
 }
@@ -123,7 +123,7 @@ Shot before_the_box() {
     shot.options.slices = 600;
     shot.layout = "box";
     shot.options.view = {0, 0, 0, 0.04};
-    shot.transfer = TransferFunction({{0, {0, 0, 1}, 4}});
+    shot.transfer = scene::TransferFunction({{0, {0, 0, 1}, 4}});
     shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {1, 0, 0};
     shot.options.traces.shade = 1;
     shot.options.traces.width = 0.2F;
@@ -131,7 +131,7 @@ Shot before_the_box() {
 }
 
 TEST(Tracelines, HideTheVolumeAndAreHidden) {
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     const auto middle_with_line_at = [&](float z) {
         Shot shot = before_the_box();
         shot.scene.tracelines = line({-0.25F, 0.2F, z}, {0.25F, 0.2F, z});
@@ -149,10 +149,10 @@ TEST(Tracelines, HideTheVolumeAndAreHidden) {
 }
 
 TEST(Tracelines, HideEachOtherAndArrows) {
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     const auto middle = [&](float line_z, float arrow_z) {
         Shot shot = before_the_box();
-        shot.transfer = TransferFunction({{0, {}, 0}});
+        shot.transfer = scene::TransferFunction({{0, {}, 0}});
         shot.options.glyphs.thickness = 1;
         shot.options.glyphs.speed_range = {1, 2};
         shot.options.glyphs.fast_colour = {0, 1, 0};
@@ -169,10 +169,10 @@ TEST(Tracelines, HideEachOtherAndArrows) {
 }
 
 TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     for (const float width : {0.2F, 0.001F}) {
         Shot shot = before_the_box();
-        shot.transfer = TransferFunction({{0, {}, 0}});
+        shot.transfer = scene::TransferFunction({{0, {}, 0}});
         shot.options.samples = 4;
         shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {0, 0, 0};
         shot.options.traces.width = width;
@@ -191,12 +191,12 @@ TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
 }
 
 TEST(Tracelines, LineUpWithoutJoiningOneAnother) {
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     Shot shot = before_the_box();
-    shot.transfer = TransferFunction({{0, {}, 0}});
+    shot.transfer = scene::TransferFunction({{0, {}, 0}});
     shot.options.traces.width = 0.02F;
     shot.scene.tracelines = line({-0.5F, 0.1F, 0.1F}, {-0.4F, 0.1F, 0.1F});
-    const Tracelines other = line({0.4F, 0.3F, 0.1F}, {0.5F, 0.3F, 0.1F});
+    const scene::Tracelines other = line({0.4F, 0.3F, 0.1F}, {0.5F, 0.3F, 0.1F});
     shot.scene.tracelines.insert(shot.scene.tracelines.end(), other.begin(), other.end());
     const Drawn drawn = draw_volume(volume, shot);
     const auto at = [&](double x, double y) {
@@ -214,25 +214,25 @@ class Animated {
     Animated() : volume_(test::wandering_balls({48, 36}, 32)) {
         options_.size = {320, 240};
         renderer_.emplace(*context_, *layout_, options_);
-        renderer_->set_transfer(default_transfer_function());
+        renderer_->set_transfer(scene::default_transfer_function());
         window_.emplace(context_->gl(), *layout_, 32, 1);
-        window_->show(volume_, cut_into(32, 1));
-        Scene scene;
+        window_->show(volume_, bricks::cut_into(32, 1));
+        scene::Scene scene;
         scene.tracelines = line({-0.7F, 0.3F, 0.1F}, {0.6F, 0.35F, 0.3F});
         renderer_->set_scene(std::move(scene));
     }
 
     Plane<glm::vec4> draw(double phase) { return renderer_->draw(*window_, phase); }
-    const Camera& camera() const { return renderer_->camera(); }
+    const space::Camera& camera() const { return renderer_->camera(); }
     Size size() const { return options_.size; }
 
   private:
-    Volume volume_;
-    std::unique_ptr<Layout> layout_ = make_layout("horseshoe", shape_for({48, 36}));
-    std::unique_ptr<Context> context_ = open_context("software");
-    RenderOptions options_;
-    std::optional<Renderer> renderer_;
-    std::optional<BrickWindow> window_;
+    bricks::Volume volume_;
+    std::unique_ptr<space::Layout> layout_ = space::make_layout("horseshoe", space::shape_for({48, 36}));
+    std::unique_ptr<gl::Context> context_ = gl::open_context("software");
+    gl::RenderOptions options_;
+    std::optional<gl::Renderer> renderer_;
+    std::optional<gl::BrickWindow> window_;
 };
 
 TEST(Zebra, MovesWithThePhaseAndComesRound) {
@@ -268,11 +268,11 @@ TEST(Zebra, MovesInTheDirectionOfTheFlow) {
     shot.options.traces.shade = 0;
     shot.options.traces.width = 0.06F;
     shot.options.traces.stripe_length = 0.4F;
-    const auto layout = make_layout("box", shape_for({32, 24}));
-    const auto context = open_context("software");
-    BrickWindow empty(context->gl(), *layout, 40, 1);
-    Renderer renderer(*context, *layout, shot.options);
-    Scene scene;
+    const auto layout = space::make_layout("box", space::shape_for({32, 24}));
+    const auto context = gl::open_context("software");
+    gl::BrickWindow empty(context->gl(), *layout, 40, 1);
+    gl::Renderer renderer(*context, *layout, shot.options);
+    scene::Scene scene;
     scene.tracelines = line({-1, 0.2F, 0.1F}, {1, 0.2F, 0.1F});
     renderer.set_scene(std::move(scene));
     const Plane<glm::vec4> first = renderer.draw(empty, 0);

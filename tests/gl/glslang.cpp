@@ -16,17 +16,17 @@ namespace {
 
 using namespace vvr;
 
-std::vector<ProgramSource> all_programs() {
-    std::vector<ProgramSource> programs = {line_program(), floor_program(), resolve_program()};
-    for (const Channels channels : {Channels::colour, Channels::pixel_data}) {
-        programs.push_back(arrow_program(channels));
-        programs.push_back(traceline_program(channels));
-        programs.push_back(frame_program(channels));
-        for (const LayoutRow& row : layouts()) {
-            const auto layout = row.make(shape_for({4, 3}));
-            for (const VolumeColourRow& colour : volume_colours()) {
-                for (const VolumeShadingRow& shading : volume_shadings()) {
-                    programs.push_back(volume_program(*layout, colour.colour, shading.shading, channels));
+std::vector<gl::ProgramSource> all_programs() {
+    std::vector<gl::ProgramSource> programs = {gl::line_program(), gl::floor_program(), gl::resolve_program()};
+    for (const gl::Channels channels : {gl::Channels::colour, gl::Channels::pixel_data}) {
+        programs.push_back(gl::arrow_program(channels));
+        programs.push_back(gl::traceline_program(channels));
+        programs.push_back(gl::frame_program(channels));
+        for (const space::LayoutRow& row : space::layouts()) {
+            const auto layout = row.make(space::shape_for({4, 3}));
+            for (const gl::VolumeColourRow& colour : gl::volume_colours()) {
+                for (const gl::VolumeShadingRow& shading : gl::volume_shadings()) {
+                    programs.push_back(gl::volume_program(*layout, colour.colour, shading.shading, channels));
                 }
             }
         }
@@ -34,8 +34,8 @@ std::vector<ProgramSource> all_programs() {
     return programs;
 }
 
-std::filesystem::path write(const std::filesystem::path& path, const std::vector<ShaderPiece>& pieces) {
-    std::ofstream(path) << shader_text(pieces);
+std::filesystem::path write(const std::filesystem::path& path, const std::vector<gl::ShaderPiece>& pieces) {
+    std::ofstream(path) << gl::shader_text(pieces);
     return path;
 }
 
@@ -49,12 +49,12 @@ int main(int argc, char** argv) {
     for (const auto& [file, text] : shaders::files) unused.insert(file);
     int failed = 0;
     int number = 0;
-    for (const ProgramSource& program : all_programs()) {
+    for (const gl::ProgramSource& program : all_programs()) {
         const auto vertex = write(folder / fmt::format("{}.vert", number), program.vertex);
         const auto fragment = write(folder / fmt::format("{}.frag", number), program.fragment);
         std::string files;
         for (const auto* pieces : {&program.vertex, &program.fragment}) {
-            for (const ShaderPiece& piece : *pieces) {
+            for (const gl::ShaderPiece& piece : *pieces) {
                 unused.erase(piece.file);
                 files += fmt::format(" {}", piece.file);
             }

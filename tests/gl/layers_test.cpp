@@ -17,7 +17,8 @@ namespace vvr {
 namespace {
 
 /// Where in C-space something lies that is seen at the centre of a pixel, `depth` along the view direction.
-glm::dvec3 c_of_pixel(int i, int j, double depth, const Camera& camera, const Layout& layout, Size picture) {
+glm::dvec3 c_of_pixel(int i, int j, double depth, const space::Camera& camera, const space::Layout& layout,
+                      Size picture) {
     const glm::dmat4 p_from_clip = glm::inverse(camera.clip_from_p());
     const glm::dvec2 at = {(i + 0.5) / picture.width * 2 - 1, 1 - (j + 0.5) / picture.height * 2};
     const auto point = [&](double z) {
@@ -63,31 +64,32 @@ class OneObjectASecond : public testing::TestWithParam<Look> {};
 TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     const Look& look = GetParam();
     constexpr Size field{96, 72};
-    scene::Options options;
+    generator::Options options;
     options.size = field;
     options.rate = look.rate;
     options.frames = static_cast<int>(12 * look.rate);
-    const scene::Scene discs = scene::make_one_object_a_second(options);
-    SourceOptions source_options;
+    const generator::Scene discs = generator::make_one_object_a_second(options);
+    video::SourceOptions source_options;
     source_options.colour = true;
-    ClipFields source(scene::open_scene(discs, source_options), {});
+    fields::ClipFields source(generator::open_scene(discs, source_options), {});
 
-    RenderJob job;
+    app::RenderJob job;
     job.layout = look.layout;
-    job.look.show = {Part::volume};
+    job.look.show = {app::Part::volume};
     job.look.opacity = look.opacity;
     job.backend.name = "software";
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
-    PixelData layers;
-    Observer observer;
-    render_clip(job, {.pixel_data = true}, source, observer,
-                [&](const RenderReport&, int, Picture&& picture) { layers = std::move(picture.pixel_data); });
+    image::PixelData layers;
+    app::Observer observer;
+    app::render_clip(
+        job, {.pixel_data = true}, source, observer,
+        [&](const app::RenderReport&, int, image::Picture&& picture) { layers = std::move(picture.pixel_data); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 
-    const auto layout = make_layout(look.layout, shape_for(field));
-    const Camera camera = fit_camera(job.picture.view, outline_points(*layout), job.picture.size);
+    const auto layout = space::make_layout(look.layout, space::shape_for(field));
+    const space::Camera camera = space::fit_camera(job.picture.view, scene::outline_points(*layout), job.picture.size);
     std::set<int> seconds;
     int seen = 0;
     for (int j = 0; j < job.picture.size.height; ++j) {
@@ -130,35 +132,36 @@ class Layers : public testing::Test {
         options_.view = {0, 0, 0, 0.04};
     }
 
-    PixelData draw(const Volume& volume, const TransferFunction& transfer, Scene scene, int bricks = 4) {
-        layout_ = make_layout(layout_name_, shape_for(volume.size()));
-        Renderer renderer(*context_, *layout_, options_);
+    image::PixelData draw(const bricks::Volume& volume, const scene::TransferFunction& transfer, scene::Scene scene,
+                          int bricks = 4) {
+        layout_ = space::make_layout(layout_name_, space::shape_for(volume.size()));
+        gl::Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(transfer);
-        BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
-        window.show(volume, cut_into(volume.layers(), bricks));
+        gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
+        window.show(volume, bricks::cut_into(volume.layers(), bricks));
         renderer.set_scene(std::move(scene));
         camera_ = renderer.camera();
         picture_ = renderer.draw(window);
-        PixelData layers = renderer.draw_pixel_data(window, TimeTable(volume));
+        image::PixelData layers = renderer.draw_pixel_data(window, scene::TimeTable(volume));
         EXPECT_TRUE(std::ranges::equal(picture_.pixels(), renderer.draw(window).pixels()))
             << "the picture stays the same";
         return layers;
     }
 
     std::string layout_name_ = "box";
-    std::unique_ptr<Layout> layout_;
-    std::unique_ptr<Context> context_ = open_context("software");
-    RenderOptions options_;
-    Camera camera_;
+    std::unique_ptr<space::Layout> layout_;
+    std::unique_ptr<gl::Context> context_ = gl::open_context("software");
+    gl::RenderOptions options_;
+    space::Camera camera_;
     Plane<glm::vec4> picture_;
 };
 
-const TransferFunction thin({{0, {0, 0, 1}, 0.5}});
-const TransferFunction thick({{0, {0, 0, 1}, 12}});
-const TransferFunction nothing({{0, {}, 0}});
+const scene::TransferFunction thin({{0, {0, 0, 1}, 0.5}});
+const scene::TransferFunction thick({{0, {0, 0, 1}, 12}});
+const scene::TransferFunction nothing({{0, {}, 0}});
 
 TEST_F(Layers, OfAnEmptySceneAreEmpty) {
-    const PixelData layers = draw(test::full_volume({32, 24}, 40), nothing, {});
+    const image::PixelData layers = draw(test::full_volume({32, 24}, 40), nothing, {});
     for (std::size_t i = 0; i < layers.frame.pixels().size(); ++i) {
         ASSERT_EQ(layers.frame.pixels()[i], -1);
         ASSERT_TRUE(std::isnan(layers.time.pixels()[i]));
@@ -168,19 +171,19 @@ TEST_F(Layers, OfAnEmptySceneAreEmpty) {
 
 TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
     // Looked at from the front the box's time runs across the picture: its middle is frame 20.
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     options_.glyphs.thickness = 0.4F;
-    const auto middle = [&](const TransferFunction& transfer, float z) {
-        Scene scene;
+    const auto middle = [&](const scene::TransferFunction& transfer, float z) {
+        scene::Scene scene;
         scene.arrows = {{{-0.25F, 0.2F, z}, {0.5F, 0, 0}, 1, 33}};
-        const PixelData layers = draw(volume, transfer, scene);
+        const image::PixelData layers = draw(volume, transfer, scene);
         const glm::dvec3 front = {0, 0.2, 0};
         const float eye = static_cast<float>(glm::dot(front - camera_.eye, camera_.forward));
         const float time = layers.time.at(50, 38);
         EXPECT_EQ(time, static_cast<float>(layers.frame.at(50, 38) / 25.0F));
         return glm::vec2(layers.frame.at(50, 38), layers.depth.at(50, 38) - eye);
     };
-    for (const TransferFunction& transfer : {thin, thick, nothing}) {
+    for (const scene::TransferFunction& transfer : {thin, thick, nothing}) {
         EXPECT_EQ(middle(transfer, -0.03F).x, 33) << "before it";
     }
     EXPECT_NEAR(middle(thick, -0.03F).y, -0.03, 0.03);
@@ -194,11 +197,11 @@ TEST_F(Layers, OfAnArrowAreItsOwnBeforeInAndBehindTheVolume) {
 }
 
 TEST_F(Layers, OfATracelineRunThroughItsFrames) {
-    const Volume volume = test::full_volume({32, 24}, 40);
-    Scene scene;
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    scene::Scene scene;
     scene.tracelines = {{{-0.5F, 0.2F, -0.1F}, 0, 1, 1, 4}, {{0.5F, 0.2F, -0.1F}, 1, 1, 1, 24}};
     options_.traces.width = 0.1F;
-    const PixelData layers = draw(volume, thick, scene);
+    const image::PixelData layers = draw(volume, thick, scene);
     const auto frame_at = [&](double x) {
         const glm::dvec2 pixel = camera_.pixel({x, 0.2, -0.1}, options_.size);
         return layers.frame.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
@@ -209,8 +212,8 @@ TEST_F(Layers, OfATracelineRunThroughItsFrames) {
 }
 
 TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
-    const Volume volume = test::full_volume({32, 24}, 40);
-    Scene scene;
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    scene::Scene scene;
     scene.frames.push_back({0.5, Plane<Bgr>({32, 24}, {40, 50, 60}), 0.5F, 17});
     options_.view = {-90, 0, 0, 0.04};  // along time
     EXPECT_EQ(draw(volume, thick, scene).frame.at(50, 38), 0) << "the half of the volume before it hides it";
@@ -220,8 +223,8 @@ TEST_F(Layers, OfAStandingFrameAreItsOwnWhereItCountsMost) {
 }
 
 TEST_F(Layers, LinesShowNothing) {
-    const Volume volume = test::full_volume({32, 24}, 40);
-    Scene scene;
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    scene::Scene scene;
     scene.lines = {{{-0.5F, 0.2F, -0.1F}, {0.5F, 0.2F, -0.1F}, {0, 0, 0, 1}}};
     EXPECT_EQ(draw(volume, nothing, scene).frame.at(50, 38), -1);
     EXPECT_LT(picture_.at(50, 38).x, 0.5) << "but there is one";
@@ -229,14 +232,14 @@ TEST_F(Layers, LinesShowNothing) {
 
 TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
     // With more samples a tile holds fewer pixels: one tile here, several there.
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     layout_name_ = "horseshoe";
     options_.view = {10, 40, 30, 0.04};
     options_.size = {1280, 960};
     options_.slices = 200;
-    const PixelData whole = draw(volume, default_transfer_function(), {});
+    const image::PixelData whole = draw(volume, scene::default_transfer_function(), {});
     options_.samples = 4;
-    const PixelData tiled = draw(volume, default_transfer_function(), {}, 3);
+    const image::PixelData tiled = draw(volume, scene::default_transfer_function(), {}, 3);
     int seen = 0;
     int different = 0;
     for (std::size_t i = 0; i < whole.frame.pixels().size(); ++i) {
@@ -248,16 +251,16 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
 }
 
 TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
-    Volume volume({2, 2}, 4);
+    bricks::Volume volume({2, 2}, 4);
     for (int i = 0; i < 7; ++i) {
-        Field field;
+        fields::Field field;
         field.index = 100 + i;
         field.pts = 10 + (i < 4 ? 0.5 * i : i);
         field.scalar = Plane<std::uint8_t>({2, 2});
         volume.add(field);
     }
     ASSERT_EQ(volume.step(), 2);
-    const TimeTable times(volume);
+    const scene::TimeTable times(volume);
     for (int i = 0; i < 7; ++i) {
         EXPECT_EQ(times.at(i).frame, 100 + i);
         EXPECT_EQ(times.at(i).seconds, 10 + (i < 4 ? 0.5 * i : i));

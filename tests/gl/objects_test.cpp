@@ -16,7 +16,7 @@
 namespace vvr {
 namespace {
 
-const TransferFunction solid({{0, {}, 0}, {1, {}, 0}, {40, {0, 0, 1}, 4000}});
+const scene::TransferFunction solid({{0, {}, 0}, {1, {}, 0}, {40, {0, 0, 1}, 4000}});
 
 constexpr Size field_size{48, 36};
 
@@ -26,9 +26,9 @@ struct Owned {
     std::size_t track;
 };
 
-void add(Volume& volume, std::int64_t index, std::span<const Owned> things, std::uint8_t value = 255) {
-    Field field{index, static_cast<double>(index) / 25, Plane<std::uint8_t>(field_size), {}, {}};
-    std::vector<LabelRun> runs;
+void add(bricks::Volume& volume, std::int64_t index, std::span<const Owned> things, std::uint8_t value = 255) {
+    fields::Field field{index, static_cast<double>(index) / 25, Plane<std::uint8_t>(field_size), {}, {}};
+    std::vector<fields::LabelRun> runs;
     for (const auto& [box, track] : things) {
         for (int j = box.top; j < box.bottom; ++j) {
             std::ranges::fill(
@@ -41,9 +41,9 @@ void add(Volume& volume, std::int64_t index, std::span<const Owned> things, std:
 }
 
 /// Tracks 0 to 7 are the objects 1 to 8 with a colour each; all others are nobody's.
-Identity as_they_come(std::size_t track, const Layer&) {
+bricks::Identity as_they_come(std::size_t track, const bricks::Layer&) {
     if (track >= 8) return {};
-    return {look_of(static_cast<int>(track), Posture::moving), static_cast<std::uint16_t>(track + 1)};
+    return {scene::look_of(static_cast<int>(track), scene::Posture::moving), static_cast<std::uint16_t>(track + 1)};
 }
 
 class Objects : public testing::TestWithParam<std::string> {
@@ -52,20 +52,20 @@ class Objects : public testing::TestWithParam<std::string> {
         options_.size = {240, 180};
         options_.samples = 1;
         options_.slices = 400;
-        options_.colour = VolumeColour::object;
+        options_.colour = gl::VolumeColour::object;
     }
 
-    void draw(const Volume& volume, const View& view, int bricks = 3) {
+    void draw(const bricks::Volume& volume, const space::View& view, int bricks = 3) {
         options_.view = view;
-        layout_ = make_layout(GetParam(), shape_for(field_size));
-        Renderer renderer(*context_, *layout_, options_);
+        layout_ = space::make_layout(GetParam(), space::shape_for(field_size));
+        gl::Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(solid);
-        renderer.set_looks(looks_of(theme_));
-        BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
-        const Identify identify = as_they_come;
-        window.show(volume, cut_into(volume.layers(), bricks), 0, identify);
+        renderer.set_looks(scene::looks_of(theme_));
+        gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
+        const bricks::Identify identify = as_they_come;
+        window.show(volume, bricks::cut_into(volume.layers(), bricks), 0, identify);
         picture_ = renderer.draw(window);
-        data_ = renderer.draw_pixel_data(window, TimeTable(volume));
+        data_ = renderer.draw_pixel_data(window, scene::TimeTable(volume));
         camera_ = renderer.camera();
     }
 
@@ -78,21 +78,22 @@ class Objects : public testing::TestWithParam<std::string> {
         return found == theme_.objects.end() ? -2 : static_cast<int>(found - theme_.objects.begin());
     }
 
-    Theme theme_ = themes().front();
-    std::unique_ptr<Context> context_ = open_context("software");
-    RenderOptions options_;
-    std::unique_ptr<Layout> layout_;
-    Camera camera_;
+    scene::Theme theme_ = scene::themes().front();
+    std::unique_ptr<gl::Context> context_ = gl::open_context("software");
+    gl::RenderOptions options_;
+    std::unique_ptr<space::Layout> layout_;
+    space::Camera camera_;
     Plane<glm::vec4> picture_;
-    PixelData data_;
+    image::PixelData data_;
 };
 
 TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
-    Volume volume(field_size, 60);
+    bricks::Volume volume(field_size, 60);
     volume.keep_owners();
     const std::array things{Owned{{8, 10, 24, 28}, 0}, Owned{{24, 10, 40, 28}, 3}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
-    for (const View& view : {View{0, 0, 0, 0.04}, View{-60, 35, 30, 0.04}, View{40, 60, 0, 0.04}}) {
+    for (const space::View& view :
+         {space::View{0, 0, 0, 0.04}, space::View{-60, 35, 30, 0.04}, space::View{40, 60, 0, 0.04}}) {
         draw(volume, view);
         std::map<int, int> seen;
         for (int j = 0; j < options_.size.height; ++j) {
@@ -113,7 +114,7 @@ TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
 }
 
 TEST_P(Objects, AreWhereTheirVoxelsAre) {
-    Volume volume(field_size, 60);
+    bricks::Volume volume(field_size, 60);
     volume.keep_owners();
     const std::array things{Owned{{6, 6, 18, 18}, 1}, Owned{{18, 6, 30, 18}, 2}, Owned{{6, 18, 18, 30}, 4},
                             Owned{{30, 20, 42, 32}, 6}};
@@ -153,7 +154,7 @@ TEST_P(Objects, AreWhereTheirVoxelsAre) {
 }
 
 TEST_P(Objects, HaveNoFringeOfWhatIsNobodys) {
-    Volume volume(field_size, 40);
+    bricks::Volume volume(field_size, 40);
     volume.keep_owners();
     const std::array things{Owned{{16, 10, 32, 26}, 5}};
     for (int i = 0; i < 40; ++i)
@@ -177,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, Objects, testing::Values("horseshoe", "box"),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Owners, FollowTheFrameWhoseValueWon) {
-    Volume volume(field_size, 2, 3);
+    bricks::Volume volume(field_size, 2, 3);
     volume.keep_owners();
     const std::array first{Owned{{0, 0, 20, 20}, 70'000}};
     const std::array second{Owned{{10, 0, 30, 20}, 80'000}};
@@ -185,7 +186,7 @@ TEST(Owners, FollowTheFrameWhoseValueWon) {
     add(volume, 0, first, 100);
     add(volume, 1, second, 100);
     add(volume, 2, third, 200);
-    const Layer& layer = volume.layer(0);
+    const bricks::Layer& layer = volume.layer(0);
     ASSERT_EQ(layer.frames, 3);
     const auto track_at = [&](int i, int j) { return volume.track_of(layer.owner.at(i, j)); };
     EXPECT_EQ(track_at(5, 5), 70'000U);
@@ -196,7 +197,7 @@ TEST(Owners, FollowTheFrameWhoseValueWon) {
 }
 
 TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
-    Volume volume(field_size, 2);
+    bricks::Volume volume(field_size, 2);
     volume.keep_owners();
     for (int i = 0; i < 4; ++i) {
         const std::array thing{Owned{{4 * i, 4, 4 * i + 8, 12}, static_cast<std::size_t>(i)}};
@@ -205,7 +206,7 @@ TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
     ASSERT_EQ(volume.layers(), 2);
     for (int i = 0; i < 20; ++i) {
         for (const std::int64_t number : {0, 1}) {
-            const Layer& layer = volume.layer(number);
+            const bricks::Layer& layer = volume.layer(number);
             const int value = layer.scalar.at(i, 8);
             ASSERT_EQ(layer.owner.at(i, 8) == 0, value == 0);
             if (value == 0) continue;
@@ -216,12 +217,12 @@ TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
 
 TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
     constexpr Size size{16, 16};
-    Volume volume(size, 4);
+    bricks::Volume volume(size, 4);
     volume.keep_owners();
     volume.set_span(4);
     const auto show = [&](std::int64_t index, std::size_t first_track) {
-        Field field{index, static_cast<double>(index), Plane<std::uint8_t>(size, 255), {}, {}};
-        std::vector<LabelRun> runs;
+        fields::Field field{index, static_cast<double>(index), Plane<std::uint8_t>(size, 255), {}, {}};
+        std::vector<fields::LabelRun> runs;
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) runs.push_back({j, i, i + 1, first_track++});
         }
@@ -233,7 +234,7 @@ TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
         if (volume.layers() == 4) volume.drop_front(1);
         const std::size_t first = next;
         next = show(i, first);
-        const Layer& newest = volume.layer(volume.layers() - 1);
+        const bricks::Layer& newest = volume.layer(volume.layers() - 1);
         ASSERT_EQ(volume.track_of(newest.owner.at(0, 0)), first) << i;
         ASSERT_EQ(volume.track_of(newest.owner.at(15, 15)), next - 1) << i;
     }
@@ -241,13 +242,13 @@ TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
 }
 
 TEST(Owners, ReachToTheRimOfWhatIsTheirs) {
-    Volume volume(field_size, 4);
+    bricks::Volume volume(field_size, 4);
     volume.keep_owners();
-    Field field{0, 0, Plane<std::uint8_t>(field_size), {}, {}};
+    fields::Field field{0, 0, Plane<std::uint8_t>(field_size), {}, {}};
     for (int i = 0; i < 30; ++i) field.scalar.at(i, 10) = 90;
-    const std::array runs{LabelRun{10, 5, 9, 3}, LabelRun{10, 11, 14, 4}};
+    const std::array runs{fields::LabelRun{10, 5, 9, 3}, fields::LabelRun{10, 11, 14, 4}};
     volume.add(field, {}, runs);
-    const Layer& layer = volume.layer(0);
+    const bricks::Layer& layer = volume.layer(0);
     EXPECT_EQ(layer.owner.at(1, 10), 0);
     for (int i = 2; i < 10; ++i) EXPECT_EQ(volume.track_of(layer.owner.at(i, 10)), 3U) << i;
     for (int i = 10; i < 17; ++i) EXPECT_EQ(volume.track_of(layer.owner.at(i, 10)), 4U) << i;
@@ -255,28 +256,28 @@ TEST(Owners, ReachToTheRimOfWhatIsTheirs) {
     EXPECT_EQ(layer.owner.at(5, 9), 0) << "the field has nothing there";
 }
 
-FrameLabels labels_at(std::int64_t frame, std::initializer_list<std::size_t> tracks) {
-    FrameLabels labels{{frame, static_cast<double>(frame) / 25}, {}};
+events::FrameLabels labels_at(std::int64_t frame, std::initializer_list<std::size_t> tracks) {
+    events::FrameLabels labels{{frame, static_cast<double>(frame) / 25}, {}};
     for (const std::size_t track : tracks) labels.runs.push_back({0, 0, 1, track});
     return labels;
 }
 
-Layer layer_at(std::int64_t first, std::int64_t last) {
-    Layer layer;
+bricks::Layer layer_at(std::int64_t first, std::int64_t last) {
+    bricks::Layer layer;
     layer.first_frame = first;
     layer.last_frame = last;
     return layer;
 }
 
 TEST(LiveObjects, KeepWhatWasDecidedAndAreNobodysWhileTheyMayBeNothing) {
-    LiveObjects live;
-    const Identify identify = live.identify();
+    app::LiveObjects live;
+    const bricks::Identify identify = live.identify();
     for (int i = 0; i < 100; ++i) {
         if (i < 95) live.see(labels_at(i, {0}));
         if (i >= 95) live.see(labels_at(i, {0, 1}));
     }
     live.decide(0);
-    const Identity first = identify(0, layer_at(10, 10));
+    const bricks::Identity first = identify(0, layer_at(10, 10));
     EXPECT_NE(first.look, 0);
     EXPECT_EQ(identify(1, layer_at(97, 97)).look, 0) << "it has been there for a fifth of a second";
     for (int i = 100; i < 200; ++i) live.see(labels_at(i, {0, 1}));
@@ -289,7 +290,7 @@ TEST(LiveObjects, KeepWhatWasDecidedAndAreNobodysWhileTheyMayBeNothing) {
 }
 
 TEST(LiveObjects, InSightAtOnceDiffer) {
-    LiveObjects live;
+    app::LiveObjects live;
     for (int i = 0; i < 60; ++i) live.see(labels_at(i, {0, 1, 2, 3, 4, 5, 6, 7}));
     live.decide(0);
     std::set<int> looks;

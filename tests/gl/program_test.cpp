@@ -8,16 +8,16 @@
 namespace vvr {
 namespace {
 
-const std::vector<ShaderPiece> vertex = {{"corner.vert", "void main() { gl_Position = vec4(0.0); }"}};
+const std::vector<gl::ShaderPiece> vertex = {{"corner.vert", "void main() { gl_Position = vec4(0.0); }"}};
 constexpr std::string_view half =
     "uniform float share;  // of a whole\nfloat half_of(float value) { return share * value; }";
 
 TEST(Program, ErrorNamesThePieceAndItsLine) {
-    const auto context = open_context("software");
-    const ProgramSource source{
+    const auto context = gl::open_context("software");
+    const gl::ProgramSource source{
         "the test", vertex, {{"half.glsl", half}, {"whole.frag", "out vec4 colour;\nvoid main() { colour = whole; }"}}};
     try {
-        const Program program(context->gl(), source);
+        const gl::Program program(context->gl(), source);
         FAIL();
     } catch (const Error& error) {
         const std::string text = error.what();
@@ -29,15 +29,16 @@ TEST(Program, ErrorNamesThePieceAndItsLine) {
 }
 
 TEST(Program, MisspeltUniformIsABug) {
-    const auto context = open_context("software");
-    const Program program(context->gl(), {"the test",
-                                          vertex,
-                                          {{"half.glsl", half},
-                                           {"whole.frag", "out vec4 colour;\nvoid main() { colour = vec4(1.0); }"}}});
+    const auto context = gl::open_context("software");
+    const gl::Program program(
+        context->gl(),
+        {"the test",
+         vertex,
+         {{"half.glsl", half}, {"whole.frag", "out vec4 colour;\nvoid main() { colour = vec4(1.0); }"}}});
     program.use();
     EXPECT_NO_THROW(program.set("share", 0.5F)) << "though the compiler leaves it out";
     EXPECT_THROW(program.set("shares", 0.5F), std::logic_error);
-    EXPECT_THROW(shader_piece("volumes.frag"), std::logic_error);
+    EXPECT_THROW(gl::shader_piece("volumes.frag"), std::logic_error);
 }
 
 }  // namespace

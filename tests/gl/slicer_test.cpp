@@ -27,8 +27,8 @@ Shot small_shot() {
 
 TEST(Slicer, UniformSlabLetsExpMinusSigmaLThrough) {
     constexpr double sigma = 1.3;
-    const Volume volume = test::full_volume({32, 24}, 40);
-    const TransferFunction transfer({{0, {0, 0, 0}, sigma}});
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
+    const scene::TransferFunction transfer({{0, {0, 0, 0}, sigma}});
     for (const double fov : {0.0, 30.0}) {
         for (const int slices : {100, 400}) {
             Shot shot = small_shot();
@@ -54,13 +54,13 @@ class EveryView : public testing::TestWithParam<std::tuple<std::string, Viewpoin
 
 TEST_P(EveryView, AgreesWithTheRayCaster) {
     const auto& [layout_name, at] = GetParam();
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.layout = layout_name;
     shot.options.view = {at.azimuth, at.elevation, at.fov, 0.04};
     const Drawn drawn = draw_volume(volume, shot);
 
-    const auto layout = make_layout(layout_name, shape_for(volume.size()));
+    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
     const Plane<glm::vec4> expected =
         test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.004);
     EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
@@ -92,12 +92,12 @@ struct Inside {
 };
 
 /// A camera anywhere, in the volume too.
-Camera camera_at(const Inside& at) {
+space::Camera camera_at(const Inside& at) {
     constexpr double near = 0.01;
     constexpr double far = 4;
     constexpr double half = 0.5;
     const double aspect = static_cast<double>(small.width) / small.height;
-    Camera camera;
+    space::Camera camera;
     camera.eye = at.eye;
     camera.forward = glm::normalize(at.target - at.eye);
     camera.view = glm::lookAtLH(at.eye, at.target, glm::dvec3(0, 1, 0));
@@ -111,13 +111,13 @@ class FromWithin : public testing::TestWithParam<std::tuple<std::string, Inside>
 
 TEST_P(FromWithin, AgreesWithTheRayCaster) {
     const auto& [layout_name, at] = GetParam();
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.layout = layout_name;
     shot.options.camera = camera_at(at);
     shot.options.slices = 1000;  // near the eye the same distance takes more pixels
     const Drawn drawn = draw_volume(volume, shot);
-    const auto layout = make_layout(layout_name, shape_for(volume.size()));
+    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
     const Plane<glm::vec4> expected =
         test::cast_rays(volume, *layout, shot.transfer, drawn.camera, small, {1, 1, 1}, 0.002);
     EXPECT_LT(test::mean_difference(drawn.picture, expected), 1.5);
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::get<0>(tested.param) + "_" + std::get<1>(tested.param).name; });
 
 TEST(Slicer, ManyBricksLookLikeOne) {
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     for (const std::string& layout : test::layout_names()) {
         Shot shot = small_shot();
         shot.layout = layout;
@@ -155,7 +155,7 @@ TEST(Slicer, ManyBricksLookLikeOne) {
 TEST(Slicer, PictureDoesNotDependOnTheNumberOfSlices) {
     // As it comes out of the box: default transfer function and samples. From 200 slices on, two are at most a voxel
     // apart here; farther apart they would step over things, and no correction of opacity could bring these back.
-    const Volume volume = test::wandering_balls({96, 72}, 96);
+    const bricks::Volume volume = test::wandering_balls({96, 72}, 96);
     for (const std::string& layout : test::layout_names()) {
         Shot shot;
         shot.layout = layout;
@@ -177,7 +177,7 @@ TEST(Slicer, PictureDoesNotDependOnTheNumberOfSlices) {
 
 TEST(Slicer, TilesOfALargePictureFitTogether) {
     // Larger than one tile; the same picture enlarged from a fine one would show any seam as a line of difference.
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     Shot shot = small_shot();
     shot.options.size = {2400, 1800};
     shot.options.slices = 100;
@@ -199,7 +199,7 @@ TEST(Slicer, TilesOfALargePictureFitTogether) {
 }
 
 TEST(Slicer, DrawsTheSameBytesAgain) {
-    const Volume volume = test::wandering_balls({48, 36}, 96);
+    const bricks::Volume volume = test::wandering_balls({48, 36}, 96);
     const Drawn once = draw_volume(volume, small_shot());
     const Drawn again = draw_volume(volume, small_shot());
     EXPECT_TRUE(std::ranges::equal(once.picture.pixels(), again.picture.pixels()));
@@ -217,9 +217,9 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     // The left half of the image is orange, the right half green; seen from the front of the box, whose beginning is
     // the image seen from the side, so look along time.
     constexpr Size size{32, 24};
-    Volume volume(size, 8);
+    bricks::Volume volume(size, 8);
     for (int f = 0; f < 8; ++f) {
-        Field field;
+        fields::Field field;
         field.index = f;
         field.scalar = Plane<std::uint8_t>(size, 255);
         Plane<Bgr> colour(size, {51, 128, 255});
@@ -230,11 +230,11 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     }
     Shot shot = small_shot();
     shot.layout = "box";
-    shot.options.colour = VolumeColour::own;
-    shot.transfer = TransferFunction({{0, {1, 0, 1}, 400}});
+    shot.options.colour = gl::VolumeColour::own;
+    shot.transfer = scene::TransferFunction({{0, {1, 0, 1}, 400}});
     shot.options.view = {-90, 0, 0, 0.04};  // from the volume's beginning
     const Drawn drawn = draw_volume(volume, shot);
-    const auto layout = make_layout("box", shape_for(size));
+    const auto layout = space::make_layout("box", space::shape_for(size));
     const auto pixel_at = [&](double column) {
         const glm::dvec2 pixel = drawn.camera.pixel(layout->p_from_c({1 - column / size.width, 0.5, 0}), small);
         return drawn.picture.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
@@ -251,20 +251,20 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
               drawn.camera.pixel(layout->p_from_c({1 - 26.0 / 32, 0.5, 0}), small).x)
         << "and it reads as the image does";
 
-    shot.transfer = TransferFunction({{0, {1, 0, 1}, 0}});
+    shot.transfer = scene::TransferFunction({{0, {1, 0, 1}, 0}});
     const Plane<glm::vec4> nothing = draw_volume(volume, shot).picture;
     EXPECT_EQ(test::max_difference(nothing, Plane<glm::vec4>(small, glm::vec4(1))), 0) << "opacity is the scalar's";
 }
 
 TEST(Slicer, ReliefLightsWhatFacesTheLightAndChangesNoOpacity) {
-    const Volume volume = test::wandering_balls({96, 72}, 96);
+    const bricks::Volume volume = test::wandering_balls({96, 72}, 96);
     Shot shot;
     shot.layout = "horseshoe";
     shot.options.size = {320, 240};
     shot.options.background = glm::vec4(0);
-    shot.transfer = TransferFunction({{20, {0.5, 0.5, 0.5}, 0}, {30, {0.5, 0.5, 0.5}, 400}});
+    shot.transfer = scene::TransferFunction({{20, {0.5, 0.5, 0.5}, 0}, {30, {0.5, 0.5, 0.5}, 400}});
     const Plane<glm::vec4> flat = draw_volume(volume, shot).picture;
-    shot.options.shading = VolumeShading::relief;
+    shot.options.shading = gl::VolumeShading::relief;
     const Plane<glm::vec4> relief = draw_volume(volume, shot).picture;
     int brighter = 0;
     int darker = 0;
@@ -288,11 +288,11 @@ class OpaqueGeometry : public testing::TestWithParam<Slab> {};
 
 TEST_P(OpaqueGeometry, HidesAndIsHidden) {
     const Slab& slab = GetParam();
-    const Volume volume = test::full_volume({32, 24}, 40);
+    const bricks::Volume volume = test::full_volume({32, 24}, 40);
     Shot shot = small_shot();
     shot.layout = slab.layout;
     shot.options.view = {0, 0, slab.fov, 0.04};
-    shot.transfer = TransferFunction({{0, {0, 0, 1}, 4}});
+    shot.transfer = scene::TransferFunction({{0, {0, 0, 1}, 4}});
     shot.options.glyphs.thickness = 0.4F;
     shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {1, 0, 0};
     const auto middle_with_arrow_at = [&](float z) {
@@ -317,7 +317,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
     constexpr int layers = 40;
     for (const std::string layout : {"box", "horseshoe"}) {
         for (const bool slab_is_first : {true, false}) {
-            Volume volume(size, layers);
+            bricks::Volume volume(size, layers);
             for (int i = 0; i < layers; ++i) {
                 // Interpolation reaches half a layer beyond a slab: a layer is free on each side of the frame.
                 const bool beside = i == layers / 2 - 1 || i == layers / 2;
@@ -328,13 +328,13 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
                 Shot shot = small_shot();
                 shot.layout = layout;
                 shot.bricks = 4;
-                shot.transfer = TransferFunction({{0, {0, 0, 1}, 0}, {255, {0, 0, 1}, 40}});
+                shot.transfer = scene::TransferFunction({{0, {0, 0, 1}, 0}, {255, {0, 0, 1}, 40}});
                 shot.scene.frames = {{0.5, Plane<Bgr>(size, Bgr{0, 255, 0}), 1, 20}};
                 // Along time in the box; the horseshoe is seen from beside its turn.
                 const bool box = layout == "box";
                 shot.options.view = {(box ? 90.0 : 60.0) * (from_beginning ? -1 : 1), box ? 0.0 : 8.0, 0, 0.04};
                 const Drawn drawn = draw_volume(volume, shot);
-                const auto map = make_layout(layout, shape_for(size));
+                const auto map = space::make_layout(layout, space::shape_for(size));
                 const glm::dvec2 at = drawn.camera.pixel(map->p_from_c({0.5, 0.5, 0.5}), small);
                 const glm::vec4 pixel = drawn.picture.at(static_cast<int>(at.x), static_cast<int>(at.y));
                 const bool hidden = slab_is_first == from_beginning;
@@ -346,15 +346,15 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
 }
 
 TEST(StandingFrames, LieBetweenTheirNeighboursInTheOrder) {
-    const auto box = make_box(shape_for({32, 24}));
-    const std::vector<PlacedCells> bricks = {{nullptr, 0, 0.5}, {nullptr, 0.5, 1}};
+    const auto box = space::make_box(space::shape_for({32, 24}));
+    const std::vector<bricks::PlacedCells> bricks = {{nullptr, 0, 0.5}, {nullptr, 0.5, 1}};
     const std::vector<double> standing = {1, 0, 0.5};
-    const std::vector<DrawnPart> forward = {{true, 1}, {false, 0}, {true, 2}, {false, 1}, {true, 0}};
-    EXPECT_EQ(drawing_order(*box, {100, 0, 0}, bricks, standing), forward) << "from beyond the end";
-    EXPECT_EQ(drawing_order(*box, {-100, 0, 0}, bricks, standing), std::vector(forward.rbegin(), forward.rend()));
-    const std::vector<DrawnPart> alone = {{true, 1}, {true, 2}, {true, 0}};
-    EXPECT_EQ(drawing_order(*box, {100, 0, 0}, {}, standing), alone);
-    EXPECT_TRUE(drawing_order(*box, {100, 0, 0}, {}, {}).empty());
+    const std::vector<gl::DrawnPart> forward = {{true, 1}, {false, 0}, {true, 2}, {false, 1}, {true, 0}};
+    EXPECT_EQ(gl::drawing_order(*box, {100, 0, 0}, bricks, standing), forward) << "from beyond the end";
+    EXPECT_EQ(gl::drawing_order(*box, {-100, 0, 0}, bricks, standing), std::vector(forward.rbegin(), forward.rend()));
+    const std::vector<gl::DrawnPart> alone = {{true, 1}, {true, 2}, {true, 0}};
+    EXPECT_EQ(gl::drawing_order(*box, {100, 0, 0}, {}, standing), alone);
+    EXPECT_TRUE(gl::drawing_order(*box, {100, 0, 0}, {}, {}).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Slabs, OpaqueGeometry,

@@ -18,11 +18,11 @@ constexpr int k = 4;
 using Change = std::function<void(std::int64_t layer, Plane<std::uint8_t>& scalar)>;
 
 /// Layers `begin` to `end` of a clip, changed.
-Volume part_of(
-    const Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
-    Volume part(field, clip.layers());
+bricks::Volume part_of(
+    const bricks::Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
+    bricks::Volume part(field, clip.layers());
     for (std::int64_t i = begin; i < end; ++i) {
-        Field of;
+        fields::Field of;
         of.index = i;
         of.scalar = test::whole(clip.layer(i).scalar);
         change(i, of.scalar);
@@ -32,7 +32,7 @@ Volume part_of(
 }
 
 /// A volume in which the layers of a brick look otherwise, but for the first and the last.
-Volume otherwise(const Volume& volume, const Brick& brick) {
+bricks::Volume otherwise(const bricks::Volume& volume, const bricks::Brick& brick) {
     return part_of(volume, 0, volume.layers(), [&](std::int64_t layer, Plane<std::uint8_t>& scalar) {
         if (layer <= brick.first || layer >= brick.first + brick.count - 1) return;
         std::ranges::replace_if(
@@ -44,19 +44,19 @@ class MovingWindow : public testing::TestWithParam<std::string> {
   protected:
     MovingWindow() { options_.size = {160, 120}; }
 
-    Renderer renderer() {
-        Renderer made(*context_, *layout_, options_);
-        made.set_transfer(default_transfer_function());
+    gl::Renderer renderer() {
+        gl::Renderer made(*context_, *layout_, options_);
+        made.set_transfer(scene::default_transfer_function());
         return made;
     }
 
-    BrickWindow window(std::int64_t layers, int textures) { return {context_->gl(), *layout_, layers, textures}; }
+    gl::BrickWindow window(std::int64_t layers, int textures) { return {context_->gl(), *layout_, layers, textures}; }
 
     /// Bricks `first` to `last` of the clip, in a window that has shown nothing else.
     Plane<glm::vec4> fresh(int first, int last) {
-        const Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
-        BrickWindow shown = window(k * brick_layers, k);
-        shown.show(part, cut_by(part.layers(), brick_layers));
+        const bricks::Volume part = part_of(clip_, first * brick_layers, (last + 1) * brick_layers);
+        gl::BrickWindow shown = window(k * brick_layers, k);
+        shown.show(part, bricks::cut_by(part.layers(), brick_layers));
         return renderer().draw(shown);
     }
 
@@ -64,13 +64,13 @@ class MovingWindow : public testing::TestWithParam<std::string> {
     enum class Older { same, otherwise };
 
     void expect_fresh_pictures(Older older) {
-        Renderer drawing = renderer();
-        BrickWindow moving = window(k * brick_layers, k);
+        gl::Renderer drawing = renderer();
+        gl::BrickWindow moving = window(k * brick_layers, k);
         Plane<glm::vec4> before;
         for (int newest = 0; newest < 9; ++newest) {
             const int oldest = std::max(0, newest - k + 1);
-            Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
-            const std::vector<Brick> bricks = cut_by(part.layers(), brick_layers);
+            bricks::Volume part = part_of(clip_, oldest * brick_layers, (newest + 1) * brick_layers);
+            const std::vector<bricks::Brick> bricks = bricks::cut_by(part.layers(), brick_layers);
             if (older == Older::otherwise) {
                 for (int i = oldest; i < newest; ++i)
                     part = otherwise(part, bricks[static_cast<std::size_t>(i - oldest)]);
@@ -85,10 +85,10 @@ class MovingWindow : public testing::TestWithParam<std::string> {
         }
     }
 
-    Volume clip_ = test::wandering_balls(field, 9 * brick_layers);
-    std::unique_ptr<Layout> layout_ = make_layout(GetParam(), shape_for(field));
-    std::unique_ptr<Context> context_ = open_context("software");
-    RenderOptions options_;
+    bricks::Volume clip_ = test::wandering_balls(field, 9 * brick_layers);
+    std::unique_ptr<space::Layout> layout_ = space::make_layout(GetParam(), space::shape_for(field));
+    std::unique_ptr<gl::Context> context_ = gl::open_context("software");
+    gl::RenderOptions options_;
 };
 
 TEST_P(MovingWindow, IsAFreshOneByteForByte) {
@@ -96,17 +96,17 @@ TEST_P(MovingWindow, IsAFreshOneByteForByte) {
 }
 
 TEST_P(MovingWindow, OfAWholeVolumeIsTheSameFromAnyNumberOfTextures) {
-    const Volume volume = part_of(clip_, 0, k * brick_layers);
-    const std::vector<Brick> bricks = cut_by(volume.layers(), 7);
+    const bricks::Volume volume = part_of(clip_, 0, k * brick_layers);
+    const std::vector<bricks::Brick> bricks = bricks::cut_by(volume.layers(), 7);
     const auto count = static_cast<int>(bricks.size());
-    for (const VolumeShading shading : {VolumeShading::none, VolumeShading::relief}) {
+    for (const gl::VolumeShading shading : {gl::VolumeShading::none, gl::VolumeShading::relief}) {
         options_.shading = shading;
-        Renderer drawing = renderer();
-        BrickWindow ample = window(volume.layers(), 2 * count);
+        gl::Renderer drawing = renderer();
+        gl::BrickWindow ample = window(volume.layers(), 2 * count);
         ample.show(volume, bricks);
         const Plane<glm::vec4> expected = drawing.draw(ample);
         for (const int textures : {count, 1, 2, 3}) {
-            BrickWindow shown = window(volume.layers(), textures);
+            gl::BrickWindow shown = window(volume.layers(), textures);
             shown.show(volume, bricks);
             for (int again = 0; again < 2; ++again) {
                 EXPECT_TRUE(std::ranges::equal(drawing.draw(shown).pixels(), expected.pixels()))

@@ -40,7 +40,7 @@ class House:
                 self._read(file)
         rooms = [arguments[1:] for name, arguments in commands(self.root / "core/CMakeLists.txt") if name == "foreach"]
         self.rooms = [f"core/{room}" for room in itertools.chain(*rooms)]
-        self.order = ["core", *self.rooms, "gl", "cli/app", "cli", "cli/library"]
+        self.order = [*self.rooms, "gl", "cli/app", "cli", "cli/library"]
         self.includes = list(self._includes())
 
     def _read(self, file):

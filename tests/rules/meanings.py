@@ -1,4 +1,7 @@
-"""Checks that a name has one meaning: meanings.py [ROOT] prints what breaks the rule.
+"""Checks that a name has one meaning: meanings.py [ROOT] prints what breaks the rules.
+
+A room's files open only the namespace of that room: core/video is vvr::video, cli is vvr::cli. core/base and cli/library are
+vvr itself; rows of settings are in vvr::setting wherever they are.
 
 No two types have one qualified name. Two such types make two programs of one: the linker keeps the inline functions of one
 of them and drops the other's, and nobody is told. What is in an unnamed namespace belongs to its file alone.
@@ -34,13 +37,36 @@ def types_of(root, file):
             yield f"{'::'.join(spaces)}::{found[1]}", number
 
 
+def namespace_of(file):
+    """The namespace of the room that a file is in."""
+    room = file.parts[1] if len(file.parts) > 2 else file.parts[0]
+    return "vvr" if room in ("base", "library") else f"vvr::{room}"
+
+
+def strays(root):
+    """The namespaces that a file opens and that are not of its room."""
+    for file in sources(root):
+        spaces = []
+        for number, line in enumerate((root / file).read_text(encoding="utf-8").splitlines(), 1):
+            if found := NAMESPACE.match(line):
+                room = namespace_of(file)
+                ours = found[1] in ("vvr::setting", room) or found[1].startswith(f"{room}::")
+                if found[1].split("::")[0] == "vvr" and not ours:
+                    yield f"{file}:{number}: {found[1]} is not the namespace of this room, {room}"
+                spaces.append(found[1])
+            elif line.startswith("namespace {"):
+                spaces.append(None)
+            elif line.startswith("}  // namespace") and spaces:
+                spaces.pop()
+
+
 def complaints(root):
     root = pathlib.Path(root)
     places = collections.defaultdict(list)
     for file in sources(root):
         for name, line in types_of(root, file):
             places[name].append(f"{file}:{line}")
-    return [f"{name} is {len(found)} types: {', '.join(found)}" for name, found in sorted(places.items()) if len(found) > 1]
+    return [*strays(root), *(f"{name} is {len(found)} types: {', '.join(found)}" for name, found in sorted(places.items()) if len(found) > 1)]
 
 
 if __name__ == "__main__":

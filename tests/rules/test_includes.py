@@ -6,8 +6,9 @@ import pytest
 from includes import complaints
 
 HOUSE = {
-    "docs/design.md": "| `core/video/` | frames |\n| `core/fields/` | fields |\n",
-    "core/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\nforeach(room video fields)\nendforeach()\n",
+    "docs/design.md": "| `core/base/` | texts |\n| `core/video/` | frames |\n| `core/fields/` | fields |\n",
+    "core/CMakeLists.txt": "foreach(room base video fields)\nendforeach()\n",
+    "core/base/CMakeLists.txt": "add_library(vvr_base STATIC version.cpp)\n",
     "core/base/version.cpp": "#include <string>\n",
     "core/video/CMakeLists.txt": "vvr_room(video frame.cpp ROOMS base LIBRARIES fmt::fmt)\n",
     "core/video/frame.cpp": '#include "core/base/version.h"\n',
@@ -15,7 +16,7 @@ HOUSE = {
     "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',
-    "cli/CMakeLists.txt": """add_library(vvr_app STATIC render/job.cpp)
+    "cli/CMakeLists.txt": """add_library(vvr_app STATIC app/job.cpp)
 target_link_libraries(vvr_app PUBLIC vvr_gl vvr_fields)
 add_library(vvr_cli STATIC log.cpp commands/render.cpp)
 target_link_libraries(vvr_cli PUBLIC vvr_app CLI11::CLI11)

@@ -7,7 +7,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 
 struct Point {
     double x = 0;
@@ -89,4 +89,4 @@ class Canvas {
 /// A paved hall with a wall, a door, a bench and a bin: detail everywhere, so that flow has something to hold on to.
 Plane<Bgr> paint_hall(Size size, std::uint64_t seed, double detail);
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -6,7 +6,7 @@
 #include "tests/scene/figure.h"
 #include "tests/scene/scene.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 // The story's own frames and pixels: 600 frames of 384x288. Other options scale both.
@@ -115,4 +115,4 @@ FallOnFloor fall_on_floor_facts(const Options& options) {
     return FallStory(with_frames(options)).facts();
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -6,7 +6,7 @@
 
 #include "tests/scene/texture.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 // Proportions as parts of the height, heights counted from the floor.
@@ -160,4 +160,4 @@ void paint_bag(Canvas& canvas, Point handle, double height) {
         });
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -4,7 +4,7 @@
 
 #include "tests/scene/canvas.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 
 /// A person seen from the side.
 struct Figure {
@@ -35,4 +35,4 @@ void paint_bag(Canvas& canvas, Point handle, double height);
 /// The middle of a bag with this handle.
 Point middle_of_bag(Point handle, double height);
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

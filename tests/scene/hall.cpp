@@ -1,7 +1,7 @@
 #include "tests/scene/canvas.h"
 #include "tests/scene/texture.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 /// How near a line of a grid is, 0 on the line and 1 away from it.
@@ -70,4 +70,4 @@ Plane<Bgr> paint_hall(Size size, std::uint64_t seed, double detail) {
     return picture;
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

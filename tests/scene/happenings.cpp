@@ -13,7 +13,7 @@
 #include "tests/scene/figure.h"
 #include "tests/scene/texture.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 // The stories are told on a picture of this height; a larger one is the same, enlarged.
@@ -337,4 +337,4 @@ Scene make_comes_closer(const Options& options) {
     return make(options, 250, {person_near});
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

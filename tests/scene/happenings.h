@@ -4,7 +4,7 @@
 
 // Small scenes of one happening each, for which the events are known to the frame. Options count but for `u`, `v` and
 // `omega`; a picture of 192x144 is enough, and quick.
-namespace vvr::scene {
+namespace vvr::generator {
 
 /// Where a happening begins and ends.
 struct Interval {
@@ -56,4 +56,4 @@ Scene make_stands(const Options& options = {});
 /// Somebody comes from the wall towards the camera, and passes it on the right. Object "person". 250 frames.
 Scene make_comes_closer(const Options& options = {});
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

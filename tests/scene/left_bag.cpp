@@ -6,7 +6,7 @@
 #include "tests/scene/figure.h"
 #include "tests/scene/scene.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 // The stories' own frames and pixels: 1600 or 800 frames of 384x288. Other options scale both.
@@ -186,4 +186,4 @@ LeftBag left_bag_facts(const Options& options) {
     return LeftBagStory(with_frames(options, bag_frames), Ending::taken_up).facts();
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

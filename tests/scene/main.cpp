@@ -48,21 +48,21 @@ std::string numbered(const std::string& pattern, int number) {
     return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
 }
 
-void write(const scene::Scene& scene, const std::string& out) {
+void write(const generator::Scene& scene, const std::string& out) {
     if (out == "-") {
         std::ios::sync_with_stdio(false);
-        scene::write_y4m(scene, std::cout);
+        generator::write_y4m(scene, std::cout);
     } else if (out.find('%') != std::string::npos) {
         for (int i = 0; i < scene.frames(); ++i) write_picture(numbered(out, i), scene.frame(i));
     } else {
         std::ofstream file(out, std::ios::binary);
         if (!file) throw std::runtime_error("cannot write '" + out + "': check the folder and its permissions");
-        scene::write_y4m(scene, file);
+        generator::write_y4m(scene, file);
     }
 }
 
-scene::Options parse(const std::vector<std::string>& words) {
-    scene::Options options;
+generator::Options parse(const std::vector<std::string>& words) {
+    generator::Options options;
     if (words.size() % 2 != 0) throw std::invalid_argument("'" + words.back() + "' has no value");
     for (std::size_t i = 0; i < words.size(); i += 2) {
         const std::string& key = words[i];
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     try {
         if (words.size() < 2) throw std::invalid_argument("a scene and a file to write are needed");
-        write(scene::make_scene(words[0], parse({words.begin() + 2, words.end()})), words[1]);
+        write(generator::make_scene(words[0], parse({words.begin() + 2, words.end()})), words[1]);
         return EXIT_SUCCESS;
     } catch (const std::logic_error& error) {
         std::cerr << "vvr-scene: " << error.what() << '\n' << usage;

@@ -5,7 +5,7 @@
 #include "tests/scene/scene.h"
 #include "tests/scene/texture.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 Bgr grey(double fraction) {
@@ -164,4 +164,4 @@ Scene make_one_object_a_second(const Options& options) {
     return {all, std::make_shared<OneObjectASecond>(all)};
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

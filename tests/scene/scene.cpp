@@ -9,7 +9,7 @@
 #include "tests/scene/shaken.h"
 #include "tests/scene/texture.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 struct Entry {
@@ -71,4 +71,4 @@ Scene make_scene(std::string_view name, const Options& options) {
     throw std::invalid_argument("no scene named '" + std::string(name) + "'; there are " + names);
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

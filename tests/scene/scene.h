@@ -10,7 +10,7 @@
 
 // Synthetic surveillance scenes of which everything is known: what moves, where, how fast. The same options give the
 // same pixels on every machine.
-namespace vvr::scene {
+namespace vvr::generator {
 
 struct Options {
     Size size{384, 288};
@@ -126,4 +126,4 @@ Scene make_one_object_a_second(const Options& options = {});
 /// \throws std::invalid_argument, with the names that there are
 Scene make_scene(std::string_view name, const Options& options = {});
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -8,11 +8,11 @@ extern "C" {
 #include <libavutil/frame.h>
 }
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
-AvFrame to_av(const Plane<Bgr>& picture) {
-    AvFrame frame(av_frame_alloc());
+video::AvFrame to_av(const Plane<Bgr>& picture) {
+    video::AvFrame frame(av_frame_alloc());
     if (!frame) throw std::bad_alloc();
     frame->width = picture.width();
     frame->height = picture.height();
@@ -25,30 +25,31 @@ AvFrame to_av(const Plane<Bgr>& picture) {
     return frame;
 }
 
-class SceneSource final : public FrameSource {
+class SceneSource final : public video::FrameSource {
   public:
-    SceneSource(Scene scene, const SourceOptions& options)
+    SceneSource(Scene scene, const video::SourceOptions& options)
         : scene_(std::move(scene)),
           info_{"scene",        "scene", "none", scene_.size(), scene_.rate(), scene_.frames() / scene_.rate(),
                 scene_.frames()},
-          field_size_(field_size_for(scene_.size(), options.field_size)),
+          field_size_(video::field_size_for(scene_.size(), options.field_size)),
           colour_(options.colour) {}
 
-    const VideoInfo& info() const override { return info_; }
+    const video::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field_size_; }
     bool colour() const override { return colour_; }
     std::int64_t damaged() const override { return 0; }
     void rewind() override { next_ = 0; }
 
-    std::unique_ptr<DecodedFrame> next() override {
+    std::unique_ptr<video::DecodedFrame> next() override {
         if (next_ >= scene_.frames()) return nullptr;
         const int i = next_++;
-        return std::make_unique<DecodedFrame>(DecodedFrame{i, i / scene_.rate(), {}, to_av(scene_.frame(i))});
+        return std::make_unique<video::DecodedFrame>(
+            video::DecodedFrame{i, i / scene_.rate(), {}, to_av(scene_.frame(i))});
     }
 
   private:
     Scene scene_;
-    VideoInfo info_;
+    video::VideoInfo info_;
     Size field_size_;
     bool colour_;
     int next_ = 0;
@@ -56,8 +57,8 @@ class SceneSource final : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_scene(Scene scene, const SourceOptions& options) {
+std::unique_ptr<video::FrameSource> open_scene(Scene scene, const video::SourceOptions& options) {
     return std::make_unique<SceneSource>(std::move(scene), options);
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

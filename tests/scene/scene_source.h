@@ -5,10 +5,10 @@
 #include "core/video/frame_source.h"
 #include "tests/scene/scene.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 
 /// The frames of a scene as if they came from a video: for tests that need no file and no encoder.
 /// Of the options `field_size` and `colour` count.
-std::unique_ptr<FrameSource> open_scene(Scene scene, const SourceOptions& options = {});
+std::unique_ptr<video::FrameSource> open_scene(Scene scene, const video::SourceOptions& options = {});
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

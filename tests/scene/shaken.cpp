@@ -9,7 +9,7 @@
 
 #include "tests/scene/canvas.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 /// Where the camera looks at a frame: up to six pixels to each side, and still for the clip's first tenth.
@@ -66,4 +66,4 @@ Scene make_shaken(const Scene& still) {
     return {options, std::make_shared<Shaken>(still)};
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace vvr::scene {
+namespace vvr::generator {
 
 std::uint64_t hash(std::uint64_t value) {
     value += 0x9e3779b97f4a7c15u;
@@ -35,4 +35,4 @@ double Texture::operator()(double x, double y) const {
     return std::clamp(0.5 + sum / 14, 0.0, 1.0);
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

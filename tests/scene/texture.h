@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vvr::scene {
+namespace vvr::generator {
 
 /// A number of 64 bits that depends on `value` alone and looks random.
 std::uint64_t hash(std::uint64_t value);
@@ -30,4 +30,4 @@ class Texture {
     std::vector<Wave> waves_;
 };
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

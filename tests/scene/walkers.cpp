@@ -8,7 +8,7 @@
 #include "tests/scene/figure.h"
 #include "tests/scene/scene.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 constexpr double story_frames = 600;
@@ -104,4 +104,4 @@ Scene make_two_walkers_cross(const Options& options) {
     return make(options, two);
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 std::uint8_t to_level(double value) {
@@ -58,4 +58,4 @@ void write_y4m(const Scene& scene, std::ostream& out) {
     if (!out) throw std::runtime_error("the scene can't be written: is the disk full, or the pipe closed?");
 }
 
-}  // namespace vvr::scene
+}  // namespace vvr::generator

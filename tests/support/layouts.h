@@ -10,7 +10,7 @@ namespace vvr::test {
 /// The names of all layouts.
 inline std::vector<std::string> layout_names() {
     std::vector<std::string> names;
-    for (const LayoutRow& row : layouts()) names.push_back(row.name);
+    for (const space::LayoutRow& row : space::layouts()) names.push_back(row.name);
     return names;
 }
 

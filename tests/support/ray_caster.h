@@ -10,8 +10,9 @@ namespace vvr::test {
 /// The slow, obvious way to draw a volume: for each pixel walk along its ray in steps of `step`, ask the layout where
 /// in the volume each point is, interpolate, and add up. Shares no code with the slicer but the layout's CPU map.
 /// \returns premultiplied RGBA over `background`, top row first
-Plane<glm::vec4> cast_rays(const Volume& volume, const Layout& layout, const TransferFunction& transfer,
-                           const Camera& camera, Size picture, const glm::dvec3& background, double step);
+Plane<glm::vec4> cast_rays(const bricks::Volume& volume, const space::Layout& layout,
+                           const scene::TransferFunction& transfer, const space::Camera& camera, Size picture,
+                           const glm::dvec3& background, double step);
 
 /// Mean absolute difference of the colour channels in 1/255.
 double mean_difference(const Plane<glm::vec4>& a, const Plane<glm::vec4>& b);

@@ -6,8 +6,8 @@ namespace vvr::test {
 
 namespace {
 
-Field field_of(int index, Plane<std::uint8_t> scalar) {
-    Field field;
+fields::Field field_of(int index, Plane<std::uint8_t> scalar) {
+    fields::Field field;
     field.index = index;
     field.pts = index / 25.0;
     field.scalar = std::move(scalar);
@@ -16,14 +16,14 @@ Field field_of(int index, Plane<std::uint8_t> scalar) {
 
 }  // namespace
 
-Volume full_volume(Size size, int layers) {
-    Volume volume(size, std::max(layers, 2));
+bricks::Volume full_volume(Size size, int layers) {
+    bricks::Volume volume(size, std::max(layers, 2));
     for (int i = 0; i < layers; ++i) volume.add(field_of(i, Plane<std::uint8_t>(size, 255)));
     return volume;
 }
 
-Volume wandering_balls(Size size, int layers) {
-    Volume volume(size, std::max(layers, 2));
+bricks::Volume wandering_balls(Size size, int layers) {
+    bricks::Volume volume(size, std::max(layers, 2));
     for (int f = 0; f < layers; ++f) {
         Plane<std::uint8_t> scalar(size);
         for (int ball = 0; ball < 3; ++ball) {
@@ -46,7 +46,7 @@ Volume wandering_balls(Size size, int layers) {
     return volume;
 }
 
-Plane<std::uint8_t> whole(const SparsePlane& sparse) {
+Plane<std::uint8_t> whole(const bricks::SparsePlane& sparse) {
     Plane<std::uint8_t> plane(sparse.size());
     for (int j = 0; j < plane.height(); ++j) {
         for (int i = 0; i < plane.width(); ++i) plane.at(i, j) = sparse.at(i, j);
@@ -54,14 +54,14 @@ Plane<std::uint8_t> whole(const SparsePlane& sparse) {
     return plane;
 }
 
-Drawn draw_volume(const Volume& volume, Shot shot) {
-    const auto layout = make_layout(shot.layout, shape_for(volume.size()));
-    const auto context = open_context(shot.backend);
-    Renderer renderer(*context, *layout, shot.options);
+Drawn draw_volume(const bricks::Volume& volume, Shot shot) {
+    const auto layout = space::make_layout(shot.layout, space::shape_for(volume.size()));
+    const auto context = gl::open_context(shot.backend);
+    gl::Renderer renderer(*context, *layout, shot.options);
     renderer.set_transfer(shot.transfer);
     renderer.set_scene(std::move(shot.scene));
-    BrickWindow window(context->gl(), *layout, volume.layers(), 2);
-    window.show(volume, cut_into(volume.layers(), shot.bricks));
+    gl::BrickWindow window(context->gl(), *layout, volume.layers(), 2);
+    window.show(volume, bricks::cut_into(volume.layers(), shot.bricks));
     return {renderer.draw(window), renderer.camera()};
 }
 

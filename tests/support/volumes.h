@@ -7,29 +7,29 @@
 namespace vvr::test {
 
 /// Every voxel has the value 255.
-Volume full_volume(Size size, int layers);
+bricks::Volume full_volume(Size size, int layers);
 
 /// A few soft balls on winding paths, mostly empty, as difference volumes are.
-Volume wandering_balls(Size size, int layers);
+bricks::Volume wandering_balls(Size size, int layers);
 
 /// The same with all that isn't held.
-Plane<std::uint8_t> whole(const SparsePlane& sparse);
+Plane<std::uint8_t> whole(const bricks::SparsePlane& sparse);
 
 /// What `draw_volume` needs beyond its volume.
 struct Shot {
     std::string layout = "horseshoe";
     std::string backend = "software";
     int bricks = 4;
-    RenderOptions options;
-    TransferFunction transfer = default_transfer_function();
-    Scene scene;
+    gl::RenderOptions options;
+    scene::TransferFunction transfer = scene::default_transfer_function();
+    scene::Scene scene;
 };
 
 struct Drawn {
     Plane<glm::vec4> picture;
-    Camera camera;
+    space::Camera camera;
 };
 
-Drawn draw_volume(const Volume& volume, Shot shot);
+Drawn draw_volume(const bricks::Volume& volume, Shot shot);
 
 }  // namespace vvr::test

@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include <opencv2/core.hpp>
 #include <opencv2/video/background_segm.hpp>
 
 #include "core/base/cv_view.h"
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// A filter around one of OpenCV's background models, which learn the scene as frames go by. Shadows are not asked
 /// for: they would come as a third value.
@@ -18,15 +19,19 @@ class BackgroundModel final : public Filter {
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         Plane<std::uint8_t> result(input.frame.grey.size());
         cv::Mat out = cv_view(result);
+        // KNN uses the random numbers of the thread that it runs on. Frames run on any thread.
+        std::swap(cv::theRNG(), random_);
         model_->apply(input.smooth.colour.empty() ? cv_view(input.smooth.grey) : cv_view(input.smooth.colour), out);
+        std::swap(cv::theRNG(), random_);
         return result;
     }
 
   private:
     cv::Ptr<cv::BackgroundSubtractor> model_;
+    cv::RNG random_;
 };
 
 // Frames that the models remember: OpenCV's own default.
 constexpr int background_history = 500;
 
-}  // namespace vvr
+}  // namespace vvr::fields

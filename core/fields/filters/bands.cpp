@@ -2,7 +2,7 @@
 
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Before the first frame nothing was covered.
@@ -25,4 +25,4 @@ std::unique_ptr<Filter> make_bands(const FieldOptions&) {
     return std::make_unique<Bands>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

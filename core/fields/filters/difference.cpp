@@ -1,6 +1,6 @@
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 class Difference final : public Filter {
@@ -13,4 +13,4 @@ std::unique_ptr<Filter> make_difference(const FieldOptions&) {
     return std::make_unique<Difference>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -3,7 +3,7 @@
 #include "core/base/cv_view.h"
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Sobel's masks sum up to four times a step's height: a quarter of them, so that black beside white is 255.
@@ -27,4 +27,4 @@ std::unique_ptr<Filter> make_edges(const FieldOptions&) {
     return std::make_unique<Edges>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -3,7 +3,7 @@
 
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Ten pixels per frame, more than CCTV shows at its usual field size, fill the range.
@@ -28,4 +28,4 @@ std::unique_ptr<Filter> make_flow_magnitude(const FieldOptions&) {
     return std::make_unique<FlowMagnitude>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -2,7 +2,7 @@
 
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 class Hull final : public Filter {
@@ -20,4 +20,4 @@ std::unique_ptr<Filter> make_hull(const FieldOptions&) {
     return std::make_unique<Hull>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

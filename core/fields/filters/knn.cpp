@@ -1,6 +1,6 @@
 #include "core/fields/filters/background_model.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 std::unique_ptr<Filter> make_knn(const FieldOptions&) {
     constexpr double squared_distance = 400;  // OpenCV's default
@@ -8,4 +8,4 @@ std::unique_ptr<Filter> make_knn(const FieldOptions&) {
         cv::createBackgroundSubtractorKNN(background_history, squared_distance, false));
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -1,6 +1,6 @@
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 class Luminance final : public Filter {
@@ -13,4 +13,4 @@ std::unique_ptr<Filter> make_luminance(const FieldOptions&) {
     return std::make_unique<Luminance>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

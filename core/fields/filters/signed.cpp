@@ -2,7 +2,7 @@
 
 #include "core/fields/filter.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 class Signed final : public Filter {
@@ -25,4 +25,4 @@ std::unique_ptr<Filter> make_signed(const FieldOptions&) {
     return std::make_unique<Signed>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

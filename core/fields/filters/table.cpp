@@ -4,7 +4,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::array rows{
@@ -62,4 +62,4 @@ const FilterRow& find_filter(std::string_view name) {
     return choose(setting::filter.name, name, rows);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

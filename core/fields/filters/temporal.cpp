@@ -7,7 +7,7 @@
 #include "core/fields/norm.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 class Temporal final : public Filter {
@@ -34,4 +34,4 @@ std::unique_ptr<Filter> make_temporal(const FieldOptions& options) {
     return std::make_unique<Temporal>(options);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -9,7 +9,7 @@
 #include "core/kernels/gaussian.h"
 #include "core/kernels/weighted_sum.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 /// A row's values with its edges repeated `border` times on each side.
@@ -31,14 +31,14 @@ Plane<float> smooth_any(const Plane<T>& plane, std::span<const float> taps) {
     for (int j = 0; j < plane.height(); ++j) {
         widen(plane.row(j), border, wide);
         for (std::size_t k = 0; k < taps.size(); ++k) inputs[k] = wide.data() + k;
-        weighted_sum(inputs, taps, rows.row(j).data(), plane.width());
+        kernels::weighted_sum(inputs, taps, rows.row(j).data(), plane.width());
     }
     auto result = Plane<float>::for_overwrite(plane.size());
     for (int j = 0; j < plane.height(); ++j) {
         for (std::size_t k = 0; k < taps.size(); ++k) {
             inputs[k] = rows.row(std::clamp(j + static_cast<int>(k) - border, 0, plane.height() - 1)).data();
         }
-        weighted_sum(inputs, taps, result.row(j).data(), plane.width());
+        kernels::weighted_sum(inputs, taps, result.row(j).data(), plane.width());
     }
     return result;
 }
@@ -48,7 +48,7 @@ Plane<float> smooth_any(const Plane<T>& plane, std::span<const float> taps) {
 std::vector<float> gaussian_taps(double sigma) {
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     std::vector<float> taps;
-    for (const double weight : gaussian_weights(sigma, radius)) taps.push_back(static_cast<float>(weight));
+    for (const double weight : kernels::gaussian_weights(sigma, radius)) taps.push_back(static_cast<float>(weight));
     return taps;
 }
 
@@ -89,7 +89,7 @@ void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<c
         const int first = left - (part.x - border);
         const int last = first + right - left;
         const std::span<float> out = smooth.row(j);
-        weighted_sum(rows_at(left, y).subspan(2, taps.size()), taps, out.data() + first, right - left);
+        kernels::weighted_sum(rows_at(left, y).subspan(2, taps.size()), taps, out.data() + first, right - left);
         std::fill(out.begin(), out.begin() + first, out[static_cast<std::size_t>(first)]);
         std::fill(out.begin() + last, out.end(), out[static_cast<std::size_t>(last) - 1]);
     }
@@ -99,9 +99,9 @@ void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<c
         const std::array<const float*, 5> across{here, here + 1, here + 2, here + 3, here + 4};
         std::array<const float*, 5> down{};
         for (int k = 0; k < 5; ++k) down[static_cast<std::size_t>(k)] = smooth.row(j + k).data() + border;
-        weighted_sum(across, five_point, result.row(along_x, j), part.size.width);
-        weighted_sum(down, five_point, result.row(along_y, j), part.size.width);
-        weighted_sum(rows_at(part.x, part.y + j), change, result.row(along_t, j), part.size.width);
+        kernels::weighted_sum(across, five_point, result.row(along_x, j), part.size.width);
+        kernels::weighted_sum(down, five_point, result.row(along_y, j), part.size.width);
+        kernels::weighted_sum(rows_at(part.x, part.y + j), change, result.row(along_t, j), part.size.width);
     }
 }
 
@@ -124,4 +124,4 @@ void cube_derivatives(const Plane<float>& first, const Plane<float>& second, con
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -8,7 +8,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/plane_stack.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// Planes of the stacks below: derivatives of the grey level along x and y (levels per pixel) and t (levels per frame).
 enum DerivativePlane { along_x, along_y, along_t, derivative_planes };
@@ -35,4 +35,4 @@ void barron_derivatives(std::span<const Plane<float>* const> frames, std::span<c
 /// Derivatives after Horn and Schunck (1981): mean differences along the edges of the cube of 2×2×2 values.
 void cube_derivatives(const Plane<float>& first, const Plane<float>& second, const Rect& part, PlaneStack& result);
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -2,7 +2,7 @@
 
 #include "core/fields/flows/opencv.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // The method compares patches of 8×8 at a quarter of the size.
@@ -31,4 +31,4 @@ std::unique_ptr<FlowMethod> make_dis(const FlowOptions&) {
     return std::make_unique<Dis>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -2,7 +2,7 @@
 
 #include "core/fields/flows/opencv.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // The settings of OpenCV's documentation for smooth motion of large things.
@@ -18,4 +18,4 @@ std::unique_ptr<FlowMethod> make_farneback(const FlowOptions&) {
     return std::make_unique<Farneback>();
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -5,7 +5,7 @@
 #include "core/fields/settings.h"
 #include "core/fields/solvers.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::array solvers{
@@ -48,4 +48,4 @@ std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options) {
     return row.make(settings);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

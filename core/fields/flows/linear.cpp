@@ -9,14 +9,14 @@
 #include "core/fields/solvers.h"
 #include "core/kernels/weighted_sum.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<const float> taps) {
     auto result = Plane<float>::for_overwrite(frames.front()->size());
     std::vector<const float*> inputs;
     for (const Plane<float>* frame : frames) inputs.push_back(frame->pixels().data());
-    weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
+    kernels::weighted_sum(inputs, taps, result.pixels().data(), static_cast<int>(result.pixels().size()));
     return result;
 }
 
@@ -118,4 +118,4 @@ std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings) {
     return std::make_unique<FullMultigrid>(settings);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -7,7 +7,7 @@
 
 #include "core/kernels/linear_rows.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // Rows that one step takes at a time, and steps that run through the picture together, each a row behind the one
@@ -36,8 +36,8 @@ void LinearSystem::load(const PlaneStack& derivatives) {
                                   work_.row(c2, j)};
         float* const j_and_f[] = {data_.row(j11, j), data_.row(j12, j), data_.row(j22, j), data_.row(f1, j),
                                   data_.row(f2, j)};
-        invert_gradients(gx, gy, gt, a_, m_and_c, size().width);
-        products(gx, gy, gt, j_and_f, size().width);
+        kernels::invert_gradients(gx, gy, gt, a_, m_and_c, size().width);
+        kernels::products(gx, gy, gt, j_and_f, size().width);
     }
 }
 
@@ -47,7 +47,7 @@ void LinearSystem::invert() {
                                         data_.row(f2, j)};
         float* const m_and_c[] = {work_.row(m11, j), work_.row(m12, j), work_.row(m22, j), work_.row(c1, j),
                                   work_.row(c2, j)};
-        invert_tensors(j_and_f, a_, m_and_c, size().width);
+        kernels::invert_tensors(j_and_f, a_, m_and_c, size().width);
     }
 }
 
@@ -79,17 +79,17 @@ void LinearSystem::relax(int steps) {
                 const bool even = (turn_ + k) % 2 == 0;
                 const int next_u = even ? u_odd : u_even;
                 const int next_v = even ? v_odd : v_even;
-                relax_rows({.u = work_.row(even ? u_even : u_odd, first),
-                            .v = work_.row(even ? v_even : v_odd, first),
-                            .m11 = work_.row(m11, first),
-                            .m12 = work_.row(m12, first),
-                            .m22 = work_.row(m22, first),
-                            .c1 = work_.row(c1, first),
-                            .c2 = work_.row(c2, first),
-                            .next_u = work_.row(next_u, first),
-                            .next_v = work_.row(next_v, first),
-                            .pitch = work_.pitch()},
-                           size().width, last - first);
+                kernels::relax_rows({.u = work_.row(even ? u_even : u_odd, first),
+                                     .v = work_.row(even ? v_even : v_odd, first),
+                                     .m11 = work_.row(m11, first),
+                                     .m12 = work_.row(m12, first),
+                                     .m22 = work_.row(m22, first),
+                                     .c1 = work_.row(c1, first),
+                                     .c2 = work_.row(c2, first),
+                                     .next_u = work_.row(next_u, first),
+                                     .next_v = work_.row(next_v, first),
+                                     .pitch = work_.pitch()},
+                                    size().width, last - first);
                 work_.extend(next_u, first, last);
                 work_.extend(next_v, first, last);
             }
@@ -106,7 +106,7 @@ void LinearSystem::hand_down(LinearSystem& coarse) const {
         const int lower = std::min(2 * j + 1, size().height - 1);
         for (const int plane : {j11, j12, j22, f1, f2}) {
             float* const out = coarse.data_.row(plane, j);
-            mean_of_pairs(data_.row(plane, 2 * j), data_.row(plane, lower), out, coarse.size().width);
+            kernels::mean_of_pairs(data_.row(plane, 2 * j), data_.row(plane, lower), out, coarse.size().width);
             if (width % 2 == 1) {
                 out[width / 2] = (data_.row(plane, 2 * j)[width - 1] + data_.row(plane, lower)[width - 1]) / 2;
             }
@@ -122,7 +122,7 @@ void LinearSystem::for_each_residual(Take take) const {
     const auto r1 = aligned_floats(room);
     const auto r2 = aligned_floats(room);
     for (int j = 0; j < size().height; ++j) {
-        residual_row(
+        kernels::residual_row(
             {.u_above = work_.row(u(), j - 1),
              .u = work_.row(u(), j),
              .u_below = work_.row(u(), j + 1),
@@ -147,8 +147,8 @@ void LinearSystem::hand_down_residual(LinearSystem& coarse) const {
             std::copy_n(r2, size().width + 1, upper[1].get());
             if (j + 1 < size().height) return;
         }
-        mean_of_pairs(upper[0].get(), r1, coarse.data_.row(f1, j / 2), coarse_width);
-        mean_of_pairs(upper[1].get(), r2, coarse.data_.row(f2, j / 2), coarse_width);
+        kernels::mean_of_pairs(upper[0].get(), r1, coarse.data_.row(f1, j / 2), coarse_width);
+        kernels::mean_of_pairs(upper[1].get(), r2, coarse.data_.row(f2, j / 2), coarse_width);
     });
     coarse.invert();
     coarse.clear();
@@ -158,10 +158,10 @@ void LinearSystem::add(const LinearSystem& coarse) {
     for (int j = 0; j < size().height; ++j) {
         const int near = j / 2;
         const int far = j % 2 == 0 ? near - 1 : near + 1;
-        add_interpolated(coarse.work_.row(coarse.u(), near), coarse.work_.row(coarse.u(), far), work_.row(u(), j),
-                         coarse.size().width);
-        add_interpolated(coarse.work_.row(coarse.v(), near), coarse.work_.row(coarse.v(), far), work_.row(v(), j),
-                         coarse.size().width);
+        kernels::add_interpolated(coarse.work_.row(coarse.u(), near), coarse.work_.row(coarse.u(), far),
+                                  work_.row(u(), j), coarse.size().width);
+        kernels::add_interpolated(coarse.work_.row(coarse.v(), near), coarse.work_.row(coarse.v(), far),
+                                  work_.row(v(), j), coarse.size().width);
     }
     work_.extend(u());
     work_.extend(v());
@@ -219,4 +219,4 @@ void Multigrid::cycle(std::size_t from) {
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

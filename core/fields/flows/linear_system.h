@@ -5,7 +5,7 @@
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/plane_stack.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// One grid of the linear equations to which Horn and Schunck's energy leads: at each point
 ///
@@ -89,4 +89,4 @@ class Multigrid {
     std::size_t used_ = 0;  ///< of them
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -7,7 +7,7 @@
 #include "core/base/cv_view.h"
 #include "core/fields/flow.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 /// A flow method of OpenCV: what they have in common is all but one call.
 class OpenCvFlow : public FlowMethod {
@@ -33,4 +33,4 @@ class OpenCvFlow : public FlowMethod {
     virtual void estimate(const cv::Mat& here, const cv::Mat& next, cv::Mat& flow) const = 0;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -9,7 +9,7 @@
 
 #include "core/base/plane.h"
 
-namespace vvr {
+namespace vvr::fields {
 
 using AlignedFloats = hwy::AlignedFreeUniquePtr<float[]>;
 
@@ -93,4 +93,4 @@ class PlaneStack {
     AlignedFloats values_;
 };
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -15,7 +15,7 @@
 #include "core/fields/flows/warp.h"
 #include "core/fields/solvers.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 // The coarsest scale: a picture of less holds nothing that can be followed.
@@ -176,4 +176,4 @@ std::unique_ptr<FlowMethod> make_pyramid(const SolverSettings& settings) {
     return std::make_unique<Pyramid>(settings);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

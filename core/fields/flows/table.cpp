@@ -6,7 +6,7 @@
 #include "core/fields/flow.h"
 #include "core/fields/settings.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr std::array rows{
@@ -52,4 +52,4 @@ std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
     return choose(setting::flow.name, options.method, rows).make(options);
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

@@ -8,7 +8,7 @@
 #include "core/kernels/warp_rows.h"
 #include "core/kernels/weighted_sum.h"
 
-namespace vvr {
+namespace vvr::fields {
 namespace {
 
 constexpr int border = 2;
@@ -48,21 +48,21 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
         std::ranges::copy(here.row(j), here_rows.row(0));
         std::ranges::copy(flow.u.row(j), u.row(0));
         std::ranges::copy(flow.v.row(j), v.row(0));
-        warp_row({next, part.x, part.y + j, here_rows.row(0), u.row(0), v.row(0), mean.row(j), change.row(j),
-                  known.row(j), size.width});
+        kernels::warp_row({next, part.x, part.y + j, here_rows.row(0), u.row(0), v.row(0), mean.row(j), change.row(j),
+                           known.row(j), size.width});
         mean.repeat_edges(j);
     }
     for (int j = 0; j < size.height; ++j) {
         const float* const row = mean.row(j);
         const std::array<const float*, 5> across{row - 2, row - 1, row, row + 1, row + 2};
         const std::array<const float*, 5> down{mean.row(j - 2), mean.row(j - 1), row, mean.row(j + 1), mean.row(j + 2)};
-        weighted_sum(across, five_point, result.row(along_x, j), size.width);
-        weighted_sum(down, five_point, result.row(along_y, j), size.width);
+        kernels::weighted_sum(across, five_point, result.row(along_x, j), size.width);
+        kernels::weighted_sum(down, five_point, result.row(along_y, j), size.width);
         std::ranges::copy(flow.u.row(j), u.row(0));
         std::ranges::copy(flow.v.row(j), v.row(0));
-        whole_change(u.row(0), v.row(0), change.row(j), known.row(j), result.row(along_x, j), result.row(along_y, j),
-                     result.row(along_t, j), size.width);
+        kernels::whole_change(u.row(0), v.row(0), change.row(j), known.row(j), result.row(along_x, j),
+                              result.row(along_y, j), result.row(along_t, j), size.width);
     }
 }
 
-}  // namespace vvr
+}  // namespace vvr::fields

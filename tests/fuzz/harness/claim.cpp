@@ -18,11 +18,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const char* file : {"victim.png", "victim.html", "pictures/index.html"}) folder.write(file, "");
     const auto lock = std::filesystem::path("pictures") / fmt::format(".vvr-{:016x}.lock", fnv1a(name));
     folder.write(lock, name);
-    if (const auto claim = Claim::take_over(folder.path() / lock)) {
+    if (const auto claim = archive::Claim::take_over(folder.path() / lock)) {
         fuzz::require(is_plain_name(claim->second), "a claim is for a plain name");
     }
     folder.write(lock, name);
-    tidy(pictures, list_outputs(pictures, folder.path() / "none"));
+    archive::tidy(pictures, archive::list_outputs(pictures, folder.path() / "none"));
     for (const char* file : {"victim.png", "victim.html", "pictures/index.html"}) {
         fuzz::require(std::filesystem::exists(folder.path() / file), "files of others stay");
     }

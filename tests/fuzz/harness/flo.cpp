@@ -5,7 +5,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string_view bytes = fuzz::text_of(data, size);
-    const auto flow = fuzz::parsed([&] { return decode_flo(bytes, "x.flo"); });
-    if (flow) fuzz::require(encode_flo(*flow) == bytes, "flow is written as it was read");
+    const auto flow = fuzz::parsed([&] { return fields::decode_flo(bytes, "x.flo"); });
+    if (flow) fuzz::require(fields::encode_flo(*flow) == bytes, "flow is written as it was read");
     return 0;
 }

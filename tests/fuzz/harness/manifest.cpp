@@ -7,12 +7,12 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string_view text = fuzz::text_of(data, size);
-    const auto manifest = fuzz::parsed([&] { return parse_manifest(text, "manifest.json"); });
+    const auto manifest = fuzz::parsed([&] { return store::parse_manifest(text, "manifest.json"); });
     if (!manifest) return 0;
-    const Manifest again = parse_manifest(format_manifest(*manifest), "again");
+    const store::Manifest again = store::parse_manifest(store::format_manifest(*manifest), "again");
     fuzz::require(again.frames == manifest->frames, "frames are read as they are written");
     for (const auto& [name, value] : again.settings) {
-        if (name == "filter") find_filter(value);
+        if (name == "filter") fields::find_filter(value);
     }
     fuzz::require(again.settings.size() == manifest->settings.size(), "settings too");
     return 0;

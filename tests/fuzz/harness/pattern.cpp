@@ -5,7 +5,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string text(fuzz::text_of(data, size));
-    const auto pattern = fuzz::parsed([&] { return NamePattern(text); });
+    const auto pattern = fuzz::parsed([&] { return image::NamePattern(text); });
     if (!pattern) return 0;
     const auto first = pattern->at(1);
     fuzz::require(pattern->has_field() == (first != pattern->at(2)), "names differ where there is a field");

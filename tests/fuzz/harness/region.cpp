@@ -8,14 +8,14 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string text(fuzz::text_of(data, size));
-    if (!is_polygon_list(text)) return 0;
+    if (!fields::is_polygon_list(text)) return 0;
     const bool good = fuzz::parsed([&] {
-                          validate_region("roi", text);
+                          fields::validate_region("roi", text);
                           return true;
                       }).has_value();
-    FieldOptions options;
+    fields::FieldOptions options;
     options.roi = text;
-    const auto region = fuzz::parsed([&] { return make_region(options, {48, 36}, {640, 480}); });
+    const auto region = fuzz::parsed([&] { return fields::make_region(options, {48, 36}, {640, 480}); });
     fuzz::require(region.has_value() == good, "what was checked can be drawn");
     if (!region) return 0;
     fuzz::require(region->size() == Size{48, 36}, "the region has the field's size");

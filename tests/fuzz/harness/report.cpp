@@ -8,8 +8,9 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     try {
-        for (const FoundEvent& event : found_events(parse_json(fuzz::text_of(data, size)), 50)) {
-            fuzz::require(found_event_of(json_of(event)) == event, "an event is read as it is written");
+        for (const archive::FoundEvent& event : archive::found_events(parse_json(fuzz::text_of(data, size)), 50)) {
+            fuzz::require(archive::found_event_of(archive::json_of(event)) == event,
+                          "an event is read as it is written");
         }
     } catch (const nlohmann::json::exception&) {
         return 0;

@@ -7,8 +7,10 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string_view text = fuzz::text_of(data, size);
-    const auto list = fuzz::parsed([&] { return parse_seeds(text, "list.txt"); });
-    if (list) fuzz::require(parse_seeds(format_seeds(*list), "again") == *list, "a list is read as it is written");
-    fuzz::parsed([&] { return parse_seed_selection(std::string(text)).count; });
+    const auto list = fuzz::parsed([&] { return fields::parse_seeds(text, "list.txt"); });
+    if (list)
+        fuzz::require(fields::parse_seeds(fields::format_seeds(*list), "again") == *list,
+                      "a list is read as it is written");
+    fuzz::parsed([&] { return fields::parse_seed_selection(std::string(text)).count; });
     return 0;
 }

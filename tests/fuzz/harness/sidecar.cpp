@@ -7,12 +7,12 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string text(fuzz::text_of(data, size));
-    fuzz::require(path_of_text(text_of_path(text)) == text, "a path comes back from its text");
-    const auto sidecar = parse_sidecar(text);
+    fuzz::require(archive::path_of_text(archive::text_of_path(text)) == text, "a path comes back from its text");
+    const auto sidecar = archive::parse_sidecar(text);
     if (!sidecar) return 0;
     fuzz::require(is_plain_path(sidecar->clip.path), "the clip is below its folder");
-    const std::string written = format_sidecar(*sidecar);
-    const auto again = parse_sidecar(written);
-    fuzz::require(again && format_sidecar(*again) == written, "a sidecar is read as it is written");
+    const std::string written = archive::format_sidecar(*sidecar);
+    const auto again = archive::parse_sidecar(written);
+    fuzz::require(again && archive::format_sidecar(*again) == written, "a sidecar is read as it is written");
     return 0;
 }

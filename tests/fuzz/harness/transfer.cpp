@@ -7,7 +7,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace vvr;
     const std::string text(fuzz::text_of(data, size));
-    const auto function = fuzz::parsed([&] { return parse_transfer(text, "transfer.txt"); });
+    const auto function = fuzz::parsed([&] { return scene::parse_transfer(text, "transfer.txt"); });
     if (!function) return 0;
     for (int value = 0; value < 256; ++value) {
         const glm::dvec4 seen = function->at(value);

@@ -14,9 +14,9 @@ TEST(RenderThread, DoesAllWorkInOrderOnAThreadOfItsOwn) {
     std::vector<int> done;
     std::set<std::thread::id> threads;
     {
-        RenderThread thread;
+        app::RenderThread thread;
         for (int i = 0; i < 5; ++i) {
-            thread.start([&, i](Drawing&) {
+            thread.start([&, i](app::Drawing&) {
                 done.push_back(i);
                 threads.insert(std::this_thread::get_id());
             });
@@ -28,12 +28,12 @@ TEST(RenderThread, DoesAllWorkInOrderOnAThreadOfItsOwn) {
 }
 
 TEST(RenderThread, PassesTheFirstErrorToAllWhoWait) {
-    RenderThread thread;
-    auto first = thread.start([](Drawing&) { throw Error(ErrorKind::backend, "no OpenGL"); });
+    app::RenderThread thread;
+    auto first = thread.start([](app::Drawing&) { throw Error(ErrorKind::backend, "no OpenGL"); });
     bool done = false;
     for (int i = 0; i < 2; ++i) {
         try {
-            thread.run([&](Drawing&) { done = true; });
+            thread.run([&](app::Drawing&) { done = true; });
             FAIL();
         } catch (const Error& error) {
             EXPECT_STREQ(error.what(), "no OpenGL");
@@ -48,16 +48,16 @@ TEST(RenderThread, LetsOneTaskWait) {
     std::atomic<int> given = 0;
     std::jthread giver;
     {
-        RenderThread thread;
+        app::RenderThread thread;
         std::promise<void> begun;
-        thread.start([&](Drawing&) {
+        thread.start([&](app::Drawing&) {
             begun.set_value();
             go.get_future().wait();
         });
         begun.get_future().wait();
         giver = std::jthread([&] {
             for (int i = 0; i < 3; ++i) {
-                thread.start([](Drawing&) {});
+                thread.start([](app::Drawing&) {});
                 ++given;
             }
         });

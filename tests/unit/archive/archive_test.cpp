@@ -24,8 +24,8 @@
 #include "core/archive/verdict.h"
 #include "core/base/error.h"
 #include "core/base/fnv.h"
-#include "core/image/atomic_file.h"
 #include "core/base/plain_name.h"
+#include "core/image/atomic_file.h"
 
 namespace vvr {
 namespace {
@@ -58,21 +58,22 @@ class Archive : public ::testing::Test {
         return out() / file;
     }
 
-    std::vector<std::string> found(const ClipNames& names = ClipNames()) const {
+    std::vector<std::string> found(const archive::ClipNames& names = archive::ClipNames()) const {
         std::vector<std::string> paths;
-        for (const Clip& clip : scan_archive(in(), out(), names).clips) paths.push_back(clip.path);
+        for (const archive::Clip& clip : archive::scan_archive(in(), out(), names).clips) paths.push_back(clip.path);
         return paths;
     }
 
-    Sidecar done(const std::string& clip, const std::vector<OutputKind>& files = {OutputKind::picture}) const {
-        Sidecar sidecar;
+    archive::Sidecar done(const std::string& clip,
+                          const std::vector<archive::OutputKind>& files = {archive::OutputKind::picture}) const {
+        archive::Sidecar sidecar;
         sidecar.clip = {clip, 3, 1'000'000'000};
         sidecar.settings = "s";
         sidecar.version = "1.2.3";
         sidecar.files = files;
-        for (const OutputKind kind : files) write(output_path(out(), clip, kind));
-        fs::create_directories(sidecar_path(out(), clip).parent_path());
-        write_sidecar(out(), sidecar);
+        for (const archive::OutputKind kind : files) write(archive::output_path(out(), clip, kind));
+        fs::create_directories(archive::sidecar_path(out(), clip).parent_path());
+        archive::write_sidecar(out(), sidecar);
         return sidecar;
     }
 
@@ -86,11 +87,11 @@ TEST_F(Archive, FindsClipsInFolders) {
         write(in() / name);
     }
     EXPECT_EQ(found(), (std::vector<std::string>{"a.avi", "cam/2026-11-21/c.mkv", "cam/b.mp4"}));
-    EXPECT_EQ(found(ClipNames({"*.txt"})), (std::vector<std::string>{"notes.txt"}));
-    const Clip clip = scan_archive(in(), out(), ClipNames()).clips.front();
+    EXPECT_EQ(found(archive::ClipNames({"*.txt"})), (std::vector<std::string>{"notes.txt"}));
+    const archive::Clip clip = archive::scan_archive(in(), out(), archive::ClipNames()).clips.front();
     EXPECT_EQ(clip.size, 1);
-    EXPECT_EQ(look_at_clip(in(), "a.avi")->modified, clip.modified);
-    EXPECT_FALSE(look_at_clip(in(), "z.avi"));
+    EXPECT_EQ(archive::look_at_clip(in(), "a.avi")->modified, clip.modified);
+    EXPECT_FALSE(archive::look_at_clip(in(), "z.avi"));
 }
 
 TEST_F(Archive, FollowsEachFolderOnce) {
@@ -104,7 +105,7 @@ TEST_F(Archive, FollowsEachFolderOnce) {
     fs::create_symlink("round.avi", in() / "turn.avi");
     fs::create_symlink("cam/a.avi", in() / "one.avi");
     EXPECT_EQ(found(), (std::vector<std::string>{"away/b.avi", "cam/a.avi", "one.avi"}));
-    const Scan scan = scan_archive(in(), out(), ClipNames());
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
     ASSERT_EQ(scan.problems.size(), 2);
     EXPECT_EQ(scan.problems[0].path, "round.avi");
 }
@@ -113,17 +114,17 @@ TEST_F(Archive, NeverTakesItsOwnPicturesForClips) {
     const fs::path pictures = in() / "pictures";
     write(pictures / "cam/a.avi");
     write(in() / "b.avi");
-    EXPECT_EQ(scan_archive(in(), pictures, ClipNames({"*"})).clips.size(), 1);
-    EXPECT_THROW(scan_archive(in(), in(), ClipNames()), Error);
-    EXPECT_THROW(scan_archive(in() / "none", out(), ClipNames()), Error);
-    EXPECT_THROW(scan_archive(in() / "b.avi", out(), ClipNames()), Error);
+    EXPECT_EQ(archive::scan_archive(in(), pictures, archive::ClipNames({"*"})).clips.size(), 1);
+    EXPECT_THROW(archive::scan_archive(in(), in(), archive::ClipNames()), Error);
+    EXPECT_THROW(archive::scan_archive(in() / "none", out(), archive::ClipNames()), Error);
+    EXPECT_THROW(archive::scan_archive(in() / "b.avi", out(), archive::ClipNames()), Error);
 }
 
 TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
     for (const char* name : {"index", "a", "a.report", "b.avi", "b.mp4", "c", "c.png/d"}) write(in() / name);
-    const Scan scan = scan_archive(in(), out(), ClipNames({"*"}));
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames({"*"}));
     std::set<std::string> refused;
-    for (const ScanProblem& problem : scan.problems) refused.insert(problem.path);
+    for (const archive::ScanProblem& problem : scan.problems) refused.insert(problem.path);
     EXPECT_EQ(refused, (std::set<std::string>{"index", "a.report", "c"}));
     EXPECT_EQ(scan.clips.size(), 4);
 }
@@ -131,7 +132,7 @@ TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
 TEST_F(Archive, RefusesNamesThatAreTooLong) {
     const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
     for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
-    const Scan scan = scan_archive(in(), out(), ClipNames());
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
     EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
     ASSERT_EQ(scan.problems.size(), 2);
     EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
@@ -141,28 +142,28 @@ TEST_F(Archive, RefusesNamesThatAreTooLong) {
 }
 
 TEST_F(Archive, ReadsWhatItWroteOfAClip) {
-    Sidecar sidecar = done("cam/\xFF.avi", {OutputKind::picture, OutputKind::report});
+    archive::Sidecar sidecar = done("cam/\xFF.avi", {archive::OutputKind::picture, archive::OutputKind::report});
     sidecar.events = 3;
     sidecar.recorded = "2026-11-21 08:00:07";
     sidecar.seconds = 12.5;
-    write_sidecar(out(), sidecar);
-    const auto read = read_sidecar(out(), sidecar.clip.path);
+    archive::write_sidecar(out(), sidecar);
+    const auto read = archive::read_sidecar(out(), sidecar.clip.path);
     ASSERT_TRUE(read);
-    EXPECT_EQ(format_sidecar(*read), format_sidecar(sidecar));
+    EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
     EXPECT_EQ(read->clip.path, "cam/\xFF.avi");
     EXPECT_EQ(read->files, sidecar.files);
 
-    sidecar.state = Sidecar::State::failed;
+    sidecar.state = archive::Sidecar::State::failed;
     sidecar.reason = "no \"video\" \xFF";
     sidecar.tries = 2;
-    write_sidecar(out(), sidecar);
-    EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->tries, 2);
-    EXPECT_EQ(read_sidecar(out(), sidecar.clip.path)->state, Sidecar::State::failed);
+    archive::write_sidecar(out(), sidecar);
+    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->tries, 2);
+    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->state, archive::Sidecar::State::failed);
 }
 
 TEST_F(Archive, ReadsNoNumberThatCannotBe) {
-    const std::string text = format_sidecar(done("a.avi"));
-    ASSERT_TRUE(parse_sidecar(text));
+    const std::string text = archive::format_sidecar(done("a.avi"));
+    ASSERT_TRUE(archive::parse_sidecar(text));
     for (const auto& [what, number] : {std::pair{"\"seconds\": 0.0", "1e15"},
                                        {"\"seconds\": 0.0", "-1"},
                                        {"\"modified_ns\": 1000000000", "9000000000000000000"},
@@ -176,35 +177,35 @@ TEST_F(Archive, ReadsNoNumberThatCannotBe) {
         const std::string from(what);
         ASSERT_NE(forged.find(from), std::string::npos) << what;
         forged.replace(forged.find(from), from.size(), from.substr(0, from.find(' ') + 1) + number);
-        EXPECT_FALSE(parse_sidecar(forged)) << what << " " << number;
+        EXPECT_FALSE(archive::parse_sidecar(forged)) << what << " " << number;
     }
 }
 
 TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
-    Sidecar sidecar = done("gate/2026-11-21");
-    sidecar.day =
-        Sidecar::Day{"gate", "2026-11-21", 3, {"gate/2026-11-21/08/00.avi", "gate/2026-11-21/08/\xFF%.avi", "x.avi"}};
-    sidecar.state = Sidecar::State::failed;
+    archive::Sidecar sidecar = done("gate/2026-11-21");
+    sidecar.day = archive::Sidecar::Day{
+        "gate", "2026-11-21", 3, {"gate/2026-11-21/08/00.avi", "gate/2026-11-21/08/\xFF%.avi", "x.avi"}};
+    sidecar.state = archive::Sidecar::State::failed;
     sidecar.shows.emplace();
     sidecar.shows->clip = {"gate/2026-11-21", 2, 900'000'000};
     sidecar.frames = 7;
-    const auto read = parse_sidecar(format_sidecar(sidecar));
+    const auto read = archive::parse_sidecar(archive::format_sidecar(sidecar));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->day->files, sidecar.day->files);
     ASSERT_TRUE(read->shows);
     EXPECT_EQ(read->shows->clip.modified, 900'000'000);
     EXPECT_EQ(read->frames, 7);
-    EXPECT_EQ(format_sidecar(*read), format_sidecar(sidecar));
-    std::string out_of_folder = format_sidecar(sidecar);
+    EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
+    std::string out_of_folder = archive::format_sidecar(sidecar);
     out_of_folder.replace(out_of_folder.find("\"x.avi\""), 7, "\"../x\"");
-    EXPECT_FALSE(parse_sidecar(out_of_folder));
+    EXPECT_FALSE(archive::parse_sidecar(out_of_folder));
 }
 
 TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
-    write(in() / "elsewhere.json", format_sidecar(done("a.avi")));
-    const fs::path file = sidecar_path(out(), "a.avi");
+    write(in() / "elsewhere.json", archive::format_sidecar(done("a.avi")));
+    const fs::path file = archive::sidecar_path(out(), "a.avi");
     std::string problem;
-    const auto read = [&] { return read_sidecar_file(out(), "a.avi.json", &problem).has_value(); };
+    const auto read = [&] { return archive::read_sidecar_file(out(), "a.avi.json", &problem).has_value(); };
     EXPECT_TRUE(read());
     EXPECT_EQ(problem, "");
     fs::remove(file);
@@ -213,7 +214,7 @@ TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
     fs::create_symlink(in() / "elsewhere.json", file);
     EXPECT_FALSE(read());
     EXPECT_EQ(problem, "it is a link, and no file");
-    EXPECT_THROW(check_own_place(file), Error);
+    EXPECT_THROW(archive::check_own_place(file), Error);
     fs::remove(file);
     ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
     EXPECT_FALSE(read());
@@ -223,109 +224,109 @@ TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
     fs::resize_file(file, std::uintmax_t{1} << 36);
     EXPECT_FALSE(read());
     EXPECT_NE(problem.find("at most"), std::string::npos) << problem;
-    const Outputs outputs = list_outputs(out(), in());
+    const archive::Outputs outputs = archive::list_outputs(out(), in());
     ASSERT_EQ(outputs.problems.size(), 1U);
     EXPECT_EQ(outputs.problems[0].path, "a.avi.json");
     fs::create_directories(out() / "gate");
-    EXPECT_NO_THROW(check_own_folder(out(), out() / "gate/new"));
+    EXPECT_NO_THROW(archive::check_own_folder(out(), out() / "gate/new"));
     fs::create_directory_symlink("gate", out() / "link");
-    EXPECT_THROW(check_own_folder(out(), out() / "link"), Error);
-    EXPECT_THROW(check_own_folder(out(), out() / "link/below"), Error);
+    EXPECT_THROW(archive::check_own_folder(out(), out() / "link"), Error);
+    EXPECT_THROW(archive::check_own_folder(out(), out() / "link/below"), Error);
 }
 
 TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
-    const auto held = Claim::try_take(out(), "index.html");
-    EXPECT_THROW(Claim::wait_for(out(), "index.html", 50ms), Error);
-    EXPECT_NO_THROW(Claim::wait_for(out(), "other.html", 50ms));
+    const auto held = archive::Claim::try_take(out(), "index.html");
+    EXPECT_THROW(archive::Claim::wait_for(out(), "index.html", 50ms), Error);
+    EXPECT_NO_THROW(archive::Claim::wait_for(out(), "other.html", 50ms));
 }
 
 TEST_F(Archive, IndexesAnyTimesWithoutCountingDays) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
-    Sidecar early = done("a.avi");
-    Sidecar late = done("b.avi");
+    archive::Sidecar early = done("a.avi");
+    archive::Sidecar late = done("b.avi");
     late.clip.modified = std::int64_t{7'258'000'000} * 1'000'000'000;
-    const std::string text = make_index({early, late});
+    const std::string text = archive::make_index({early, late});
     EXPECT_NE(text.find(R"("zone":[[1,3600,"CET, UTC+1"],[7258000000,3600,"CET, UTC+1"]])"), std::string::npos);
     ::setenv("TZ", "UTC", 1);
     ::tzset();
 }
 
 TEST_F(Archive, TakesNothingElseForASidecar) {
-    const std::string text = format_sidecar(done("a.avi"));
+    const std::string text = archive::format_sidecar(done("a.avi"));
     write(out() / "b.avi.json", text);  // a copy speaks of another clip
     for (const char* other : {"", "{", "[]", "{\"vvr-archive\": 1}", "{\"clip\": 3}", "null"}) {
-        EXPECT_FALSE(read_sidecar(out(), "b.avi"));
+        EXPECT_FALSE(archive::read_sidecar(out(), "b.avi"));
         write(out() / "b.avi.json", other);
     }
     std::string newer = text;
     newer.replace(newer.find("\"vvr-archive\": 1"), 16, "\"vvr-archive\": 2");
     write(out() / "a.avi.json", newer);
-    EXPECT_FALSE(read_sidecar(out(), "a.avi"));
+    EXPECT_FALSE(archive::read_sidecar(out(), "a.avi"));
     std::string strange = text;
     strange.replace(strange.find("\"a.avi.png\""), 11, "\"../../x\"");
     write(out() / "a.avi.json", strange);
-    EXPECT_TRUE(read_sidecar(out(), "a.avi")->files.empty()) << "names a file that is not its own";
+    EXPECT_TRUE(archive::read_sidecar(out(), "a.avi")->files.empty()) << "names a file that is not its own";
 }
 
 TEST_F(Archive, DecidesWhatIsToBeDone) {
     const auto now = std::chrono::system_clock::now();
-    const ArchiveRules rules{"s", "1.2.3", {OutputKind::picture}, 3, 60s};
-    Sidecar sidecar = done("a.avi");
-    const Clip clip = sidecar.clip;
-    const auto need = [&](const Clip& there, const std::optional<Sidecar>& known) {
-        return need_of(there, known, out(), rules, now);
+    const archive::ArchiveRules rules{"s", "1.2.3", {archive::OutputKind::picture}, 3, 60s};
+    archive::Sidecar sidecar = done("a.avi");
+    const archive::Clip clip = sidecar.clip;
+    const auto need = [&](const archive::Clip& there, const std::optional<archive::Sidecar>& known) {
+        return archive::need_of(there, known, out(), rules, now);
     };
-    EXPECT_EQ(need(clip, sidecar), Need::nothing);
-    EXPECT_EQ(need(clip, {}), Need::added);
-    EXPECT_EQ(need({"a.avi", 4, clip.modified}, sidecar), Need::changed);
-    EXPECT_EQ(need({"a.avi", 3, clip.modified + 1}, sidecar), Need::changed);
-    Sidecar other = sidecar;
+    EXPECT_EQ(need(clip, sidecar), archive::Need::nothing);
+    EXPECT_EQ(need(clip, {}), archive::Need::added);
+    EXPECT_EQ(need({"a.avi", 4, clip.modified}, sidecar), archive::Need::changed);
+    EXPECT_EQ(need({"a.avi", 3, clip.modified + 1}, sidecar), archive::Need::changed);
+    archive::Sidecar other = sidecar;
     other.settings = "t";
-    EXPECT_EQ(need(clip, other), Need::settings);
+    EXPECT_EQ(need(clip, other), archive::Need::settings);
     other = sidecar;
     other.version = "1.0.0";
-    EXPECT_EQ(need(clip, other), Need::nothing) << "a picture that is there stays, whatever drew it";
-    fs::remove(output_path(out(), "a.avi", OutputKind::picture));
-    EXPECT_EQ(need(clip, sidecar), Need::missing);
+    EXPECT_EQ(need(clip, other), archive::Need::nothing) << "a picture that is there stays, whatever drew it";
+    fs::remove(archive::output_path(out(), "a.avi", archive::OutputKind::picture));
+    EXPECT_EQ(need(clip, sidecar), archive::Need::missing);
 
-    sidecar.state = Sidecar::State::failed;
+    sidecar.state = archive::Sidecar::State::failed;
     sidecar.tries = 2;
-    EXPECT_EQ(need(clip, sidecar), Need::retry);
+    EXPECT_EQ(need(clip, sidecar), archive::Need::retry);
     sidecar.tries = 3;
-    EXPECT_EQ(need(clip, sidecar), Need::given_up);
+    EXPECT_EQ(need(clip, sidecar), archive::Need::given_up);
     sidecar.version = "1.0.0";
-    EXPECT_EQ(need(clip, sidecar), Need::retry) << "another version may know better";
+    EXPECT_EQ(need(clip, sidecar), archive::Need::retry) << "another version may know better";
 
     const auto modified = [&](std::chrono::nanoseconds ago) {
-        return Clip{"a.avi", 3, (now.time_since_epoch() - ago).count()};
+        return archive::Clip{"a.avi", 3, (now.time_since_epoch() - ago).count()};
     };
-    EXPECT_EQ(need(modified(1s), {}), Need::still_written);
-    EXPECT_EQ(need(modified(59s), sidecar), Need::still_written);
-    EXPECT_EQ(need(modified(61s), {}), Need::added);
-    EXPECT_EQ(need(modified(-30s), {}), Need::still_written);
-    EXPECT_EQ(need(modified(-24h), {}), Need::added) << "a clock that runs ahead";
+    EXPECT_EQ(need(modified(1s), {}), archive::Need::still_written);
+    EXPECT_EQ(need(modified(59s), sidecar), archive::Need::still_written);
+    EXPECT_EQ(need(modified(61s), {}), archive::Need::added);
+    EXPECT_EQ(need(modified(-30s), {}), archive::Need::still_written);
+    EXPECT_EQ(need(modified(-24h), {}), archive::Need::added) << "a clock that runs ahead";
 }
 
 TEST_F(Archive, IsClaimedByOneAtATime) {
-    auto first = Claim::try_take(out(), "a.avi");
+    auto first = archive::Claim::try_take(out(), "a.avi");
     ASSERT_TRUE(first);
     EXPECT_FALSE(first->was_left_behind());
-    EXPECT_FALSE(Claim::try_take(out(), "a.avi"));
-    EXPECT_TRUE(Claim::try_take(out(), "b.avi"));
+    EXPECT_FALSE(archive::Claim::try_take(out(), "a.avi"));
+    EXPECT_TRUE(archive::Claim::try_take(out(), "b.avi"));
     const fs::path file = fs::directory_iterator(out())->path();
-    EXPECT_TRUE(Claim::is_claim(file));
-    EXPECT_FALSE(Claim::take_over(file));
+    EXPECT_TRUE(archive::Claim::is_claim(file));
+    EXPECT_FALSE(archive::Claim::take_over(file));
     first.reset();
     EXPECT_TRUE(fs::is_empty(out())) << "a claim leaves no file";
-    EXPECT_TRUE(Claim::try_take(out(), std::string(255, 'a')));
-    EXPECT_THROW(Claim::try_take(out() / "none", "a"), Error);
+    EXPECT_TRUE(archive::Claim::try_take(out(), std::string(255, 'a')));
+    EXPECT_THROW(archive::Claim::try_take(out() / "none", "a"), Error);
 }
 
 TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     const pid_t child = ::fork();
     if (child == 0) {
-        const auto claim = Claim::try_take(out(), "a.avi");
+        const auto claim = archive::Claim::try_take(out(), "a.avi");
         ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
     }
     int status = 0;
@@ -334,19 +335,19 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     write(out() / "a.avi.png");
     write(out() / "other.png");
     {
-        const auto claim = Claim::try_take(out(), "a.avi");
+        const auto claim = archive::Claim::try_take(out(), "a.avi");
         ASSERT_TRUE(claim);
         EXPECT_TRUE(claim->was_left_behind());
-        tidy(out(), list_outputs(out(), in()));
+        archive::tidy(out(), archive::list_outputs(out(), in()));
         EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
     }
     const pid_t other = ::fork();
     if (other == 0) {
-        const auto claim = Claim::try_take(out(), "a.avi");
+        const auto claim = archive::Claim::try_take(out(), "a.avi");
         ::_exit(claim ? 0 : 1);
     }
     ASSERT_EQ(::waitpid(other, &status, 0), other);
-    tidy(out(), list_outputs(out(), in()));
+    archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
     EXPECT_TRUE(fs::exists(out() / "other.png"));
     EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
@@ -370,14 +371,14 @@ TEST_F(Archive, TakesOverNoClaimThatIsNone) {
     fs::remove(files.back());
     ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
     for (const fs::path& file : files) {
-        EXPECT_TRUE(Claim::is_claim(file));
-        EXPECT_FALSE(Claim::take_over(file)) << file;
+        EXPECT_TRUE(archive::Claim::is_claim(file));
+        EXPECT_FALSE(archive::Claim::take_over(file)) << file;
         EXPECT_TRUE(fs::exists(file)) << file;
     }
-    tidy(out(), list_outputs(out(), in()));
+    archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
     EXPECT_TRUE(fs::exists(out() / "photo.png"));
-    EXPECT_TRUE(Claim::take_over(leave_claim("good", "good")));
+    EXPECT_TRUE(archive::Claim::take_over(leave_claim("good", "good")));
 }
 
 TEST_F(Archive, ClaimsThroughNoLink) {
@@ -386,14 +387,14 @@ TEST_F(Archive, ClaimsThroughNoLink) {
         write(out() / "empty", "");
         fs::remove(file);
         fs::create_symlink(target, file);
-        EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+        EXPECT_THROW(archive::Claim::try_take(out(), "a.avi"), Error);
         EXPECT_FALSE(fs::exists(out() / "nowhere"));
         EXPECT_TRUE(fs::is_empty(out() / "empty"));
         EXPECT_TRUE(fs::is_symlink(file));
     }
     fs::remove(file);
     ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
-    EXPECT_THROW(Claim::try_take(out(), "a.avi"), Error);
+    EXPECT_THROW(archive::Claim::try_take(out(), "a.avi"), Error);
     EXPECT_TRUE(fs::exists(file));
 }
 
@@ -405,13 +406,13 @@ TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
     write(out() / "x.png");
     fs::create_symlink("index.html", out() / "x.html");
     fs::create_directory(out() / "x.jpg");
-    tidy(out(), list_outputs(out(), in()));
+    archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_FALSE(fs::exists(out() / "x.png"));
     EXPECT_TRUE(fs::is_symlink(out() / "x.html"));
     EXPECT_TRUE(fs::exists(out() / "x.jpg"));
     EXPECT_TRUE(fs::exists(out() / "index.html"));
-    EXPECT_TRUE(read_sidecar(out(), "x.report")) << "where the report of x would be";
-    EXPECT_TRUE(list_outputs(out(), in()).claims.empty());
+    EXPECT_TRUE(archive::read_sidecar(out(), "x.report")) << "where the report of x would be";
+    EXPECT_TRUE(archive::list_outputs(out(), in()).claims.empty());
 }
 
 TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
@@ -422,60 +423,64 @@ TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
         return out() / text;
     };
     const fs::path ours = hidden("a.avi.png"), theirs = hidden("b.avi.png");
-    const std::vector<std::string> names = written_names("a.avi");
-    remove_leftovers(out(), names);
+    const std::vector<std::string> names = archive::written_names("a.avi");
+    image::remove_leftovers(out(), names);
     EXPECT_FALSE(fs::exists(ours));
     EXPECT_TRUE(fs::exists(theirs));
 }
 
 TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
-    const RecorderNames recorders;
+    const video::RecorderNames recorders;
     write(in() / "there.avi");
     write(in() / "gate/2026-11-20/x.avi");
     fs::create_directories(in() / "unmounted");
     fs::create_directory_symlink("nowhere", in() / "linked");
-    const auto fate = [&](const Sidecar& sidecar, const ClipNames& names = ClipNames()) {
-        return fate_of(in(), sidecar, look_at_all(in(), out(), names, recorders), recorders);
+    const auto fate = [&](const archive::Sidecar& sidecar, const archive::ClipNames& names = archive::ClipNames()) {
+        return archive::fate_of(in(), sidecar, archive::look_at_all(in(), out(), names, recorders), recorders);
     };
     for (const auto& [clip, expected, folder] : {
-             std::tuple{"there.avi", Fate::there, ""},
-             {"gone.avi", Fate::gone, ""},
-             {"gate/2026-11-20/y.avi", Fate::gone, ""},
-             {"gate/2026-11-19/x.avi", Fate::gone, ""},
-             {"2026-11-19/08/x.avi", Fate::gone, ""},
-             {"unmounted/a.avi", Fate::away, "unmounted"},
-             {"unmounted/deep/a.avi", Fate::away, "unmounted"},
-             {"linked/a.avi", Fate::away, "linked"},
-             {"no camera/b.avi", Fate::away, "no camera"},
+             std::tuple{"there.avi", archive::Fate::there, ""},
+             {"gone.avi", archive::Fate::gone, ""},
+             {"gate/2026-11-20/y.avi", archive::Fate::gone, ""},
+             {"gate/2026-11-19/x.avi", archive::Fate::gone, ""},
+             {"2026-11-19/08/x.avi", archive::Fate::gone, ""},
+             {"unmounted/a.avi", archive::Fate::away, "unmounted"},
+             {"unmounted/deep/a.avi", archive::Fate::away, "unmounted"},
+             {"linked/a.avi", archive::Fate::away, "linked"},
+             {"no camera/b.avi", archive::Fate::away, "no camera"},
          }) {
-        const Whereabouts verdict = fate(done(clip));
+        const archive::Whereabouts verdict = fate(done(clip));
         EXPECT_EQ(verdict.fate, expected) << clip;
         EXPECT_EQ(verdict.folder, folder) << clip;
     }
-    EXPECT_EQ(fate(done("there.avi"), ClipNames({}, {"*"})).fate, Fate::there) << "left out by a run, and there";
+    EXPECT_EQ(fate(done("there.avi"), archive::ClipNames({}, {"*"})).fate, archive::Fate::there)
+        << "left out by a run, and there";
 
     const auto day = [&](const std::string& date, const std::vector<std::string>& files) {
-        Sidecar sidecar = done("gate/" + date);
-        sidecar.day = Sidecar::Day{"gate", date, 1, files};
+        archive::Sidecar sidecar = done("gate/" + date);
+        sidecar.day = archive::Sidecar::Day{"gate", date, 1, files};
         return fate(sidecar).fate;
     };
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), Fate::gone);
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), Fate::there) << "one of its clips is left";
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), Fate::away);
-    EXPECT_EQ(day("2026-11-19", {}), Fate::unknown) << "an older sidecar";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), archive::Fate::gone);
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), archive::Fate::there)
+        << "one of its clips is left";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::Fate::away);
+    EXPECT_EQ(day("2026-11-19", {}), archive::Fate::unknown) << "an older sidecar";
     write(in() / "gate/2026-11-19 08-00-00.avi");
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), Fate::there) << "another clip of the day is there";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::Fate::there) << "another clip of the day is there";
     write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
-    EXPECT_NO_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)));
+    EXPECT_NO_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)));
     fs::create_symlink("nowhere", in() / "broken.avi");
-    EXPECT_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)), Error);
+    EXPECT_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)),
+                 Error);
     fs::remove_all(in());
     fs::create_directories(in());
-    EXPECT_THROW(check_can_prune(in(), look_at_all(in(), out(), ClipNames(), recorders)), Error);
+    EXPECT_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)),
+                 Error);
 
-    const Sidecar gone = done("gone.avi");
+    const archive::Sidecar gone = done("gone.avi");
     write(out() / "gone.avi.txt");
-    remove_outputs(out(), gone);
+    archive::remove_outputs(out(), gone);
     EXPECT_FALSE(fs::exists(out() / "gone.avi.png"));
     EXPECT_FALSE(fs::exists(out() / "gone.avi.json"));
     EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
@@ -487,33 +492,33 @@ TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
         return std::chrono::nanoseconds(at.time_since_epoch()).count();
     };
     const auto now = std::chrono::system_clock::now();
-    ArchiveRules rules;
+    archive::ArchiveRules rules;
     rules.redraw = minutes(15);
-    Sidecar before;
+    archive::Sidecar before;
     before.clip = {"gate/2026-11-21", 100, ns(now - minutes(20))};
     before.settings = rules.settings;
     const auto need = [&](std::int64_t size, std::chrono::system_clock::time_point newest) {
-        return need_of_day({"gate/2026-11-21", size, ns(newest)}, before, out(), rules, now);
+        return archive::need_of_day({"gate/2026-11-21", size, ns(newest)}, before, out(), rules, now);
     };
-    EXPECT_EQ(need_of_day(before.clip, {}, out(), rules, now), Need::added);
-    EXPECT_EQ(need(100, now - minutes(20)), Need::nothing);
-    EXPECT_EQ(need(120, now - minutes(10)), Need::later) << "ten minutes more, a while ago";
-    EXPECT_EQ(need(150, now - minutes(2)), Need::changed) << "eighteen minutes more";
-    EXPECT_EQ(need(90, now - minutes(20)), Need::nothing) << "the recorder removed some";
+    EXPECT_EQ(archive::need_of_day(before.clip, {}, out(), rules, now), archive::Need::added);
+    EXPECT_EQ(need(100, now - minutes(20)), archive::Need::nothing);
+    EXPECT_EQ(need(120, now - minutes(10)), archive::Need::later) << "ten minutes more, a while ago";
+    EXPECT_EQ(need(150, now - minutes(2)), archive::Need::changed) << "eighteen minutes more";
+    EXPECT_EQ(need(90, now - minutes(20)), archive::Need::nothing) << "the recorder removed some";
     before.clip.modified = ns(now - minutes(40));
-    EXPECT_EQ(need(120, now - minutes(30)), Need::changed) << "nothing has come since";
+    EXPECT_EQ(need(120, now - minutes(30)), archive::Need::changed) << "nothing has come since";
 }
 
 TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
-    const std::vector<Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
-                                  {"2026-11-21/23/gate/00.00.mp4", 7, 20},
-                                  {"2026-11-21/23/gate/00.10.mp4", 9, 30},
-                                  {"hall/x.mp4", 1, 20}};
+    const std::vector<archive::Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
+                                           {"2026-11-21/23/gate/00.00.mp4", 7, 20},
+                                           {"2026-11-21/23/gate/00.10.mp4", 9, 30},
+                                           {"hall/x.mp4", 1, 20}};
     using std::chrono::nanoseconds;
     const std::chrono::system_clock::time_point now{nanoseconds(30)};
-    const CameraDays grouped = group_by_day(clips, RecorderNames(), {now, nanoseconds(10)});
+    const archive::CameraDays grouped = archive::group_by_day(clips, video::RecorderNames(), {now, nanoseconds(10)});
     const auto& days = grouped.days;
     ASSERT_EQ(days.size(), 3U);
     EXPECT_EQ(days[0].clip.path, "gate/2026-11-21");
@@ -524,10 +529,11 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
     EXPECT_TRUE(grouped.problems.empty());
 
     const std::chrono::system_clock::time_point before{nanoseconds(5)};
-    const auto ahead = group_by_day(clips, RecorderNames(), {before, nanoseconds(2)}).days;
+    const auto ahead = archive::group_by_day(clips, video::RecorderNames(), {before, nanoseconds(2)}).days;
     EXPECT_EQ(ahead[1].files.size(), 2U) << "a clip of the future is there";
     EXPECT_EQ(ahead[1].clip.modified, 30) << "all are of the future: the clock was set back";
-    const auto one_ahead = group_by_day(clips, RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
+    const auto one_ahead =
+        archive::group_by_day(clips, video::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
     EXPECT_EQ(one_ahead[1].files.size(), 2U);
     EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
     ::setenv("TZ", "UTC", 1);
@@ -537,12 +543,12 @@ TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
 TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
-    Sidecar sidecar = done("2026-11-21/07/gate/00.07.mp4");
+    archive::Sidecar sidecar = done("2026-11-21/07/gate/00.07.mp4");
     sidecar.recorded = "2020-01-01 00:00:00";
-    EXPECT_EQ(begin_of(sidecar), 1795244407) << "Frigate's are in UTC";
+    EXPECT_EQ(archive::begin_of(sidecar), 1795244407) << "Frigate's are in UTC";
     const std::vector<std::string> local{"%Y-%m-%d/%H/{camera}/%M.%S"};
-    EXPECT_EQ(begin_of(sidecar, RecorderNames(local)), 1795244407 - 3600);
-    const std::string text = make_index({sidecar, done("2026-03-29/00/hall/59.00.mp4")});
+    EXPECT_EQ(archive::begin_of(sidecar, video::RecorderNames(local)), 1795244407 - 3600);
+    const std::string text = archive::make_index({sidecar, done("2026-03-29/00/hall/59.00.mp4")});
     EXPECT_NE(text.find(R"("cameras":["gate","hall"])"), std::string::npos);
     EXPECT_NE(text.find(R"("zone":[[1774745940,3600,"CET, UTC+1"],[1774746000,7200,"CEST, UTC+2"],)"
                         R"([1792890000,3600,"CET, UTC+1"]])"),
@@ -552,26 +558,26 @@ TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
 }
 
 TEST_F(Archive, IsIndexedByItsSidecars) {
-    Sidecar sidecar = done("cam/a</script>\"\xFF.avi");
+    archive::Sidecar sidecar = done("cam/a</script>\"\xFF.avi");
     sidecar.recorded = "2026-11-21 08:00:07";
     sidecar.seconds = 12.5;
-    EXPECT_EQ(begin_of(sidecar), 1795248007);
+    EXPECT_EQ(archive::begin_of(sidecar), 1795248007);
     sidecar.recorded = "soon";
-    EXPECT_EQ(begin_of(sidecar), 0) << "no time before 1970";
+    EXPECT_EQ(archive::begin_of(sidecar), 0) << "no time before 1970";
     for (const char* absurd :
          {"2026-11-21 4294967295:00:00", "2026-11-21 25:00:00", "9999-11-21 08:00:07", "-026-11-21 08:00:07"}) {
         sidecar.recorded = absurd;
-        EXPECT_EQ(begin_of(sidecar), 0) << absurd;
+        EXPECT_EQ(archive::begin_of(sidecar), 0) << absurd;
     }
-    Sidecar failed = done("b.avi", {});
-    failed.state = Sidecar::State::failed;
+    archive::Sidecar failed = done("b.avi", {});
+    failed.state = archive::Sidecar::State::failed;
     failed.reason = "<img src=x onerror=alert(1)>";
-    const std::string text = make_index({failed, sidecar});
-    EXPECT_EQ(text, make_index({failed, sidecar}));
+    const std::string text = archive::make_index({failed, sidecar});
+    EXPECT_EQ(text, archive::make_index({failed, sidecar}));
     EXPECT_EQ(text.find("<img src=x"), std::string::npos);
     EXPECT_NE(text.find("./cam/a%3C/script%3E%22%FF.avi"), std::string::npos);
     EXPECT_NE(text.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
-    EXPECT_NO_THROW(make_index({}));
+    EXPECT_NO_THROW(archive::make_index({}));
 }
 
 }  // namespace

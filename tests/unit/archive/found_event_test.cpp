@@ -14,14 +14,14 @@ TEST(FoundEvent, IsReadFromAReport) {
     const Json report = Json::parse(R"({"input": {"width": 200, "height": 100}, "events": [
         {"number": 3, "kind": "left", "stays": [{"seconds": 4.25}, {"seconds": 2}],
          "path": [{"seconds": 1.5, "place": {"x": 19.5, "y": 49.5}}, {"seconds": 9, "place": {"x": 19.5, "y": 49.5}}]}]})");
-    const std::vector<FoundEvent> found = found_events(report);
+    const std::vector<archive::FoundEvent> found = archive::found_events(report);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0], (FoundEvent{'l', 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
-    EXPECT_EQ(json_of(found[0]).dump(), R"(["l",3,63,15,100,500,90,100,500])");
-    EXPECT_EQ(found_event_of(json_of(found[0])), found[0]);
-    EXPECT_EQ(found_event_of(Json::parse(R"(["<b>", 1, 2])")).kind, 'm');
-    EXPECT_THROW(found_event_of(Json::parse(R"(["l", "x"])")), Json::exception);
-    EXPECT_THROW(found_events(Json::parse("{}")), Json::exception);
+    EXPECT_EQ(found[0], (archive::FoundEvent{'l', 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
+    EXPECT_EQ(archive::json_of(found[0]).dump(), R"(["l",3,63,15,100,500,90,100,500])");
+    EXPECT_EQ(archive::found_event_of(archive::json_of(found[0])), found[0]);
+    EXPECT_EQ(archive::found_event_of(Json::parse(R"(["<b>", 1, 2])")).kind, 'm');
+    EXPECT_THROW(archive::found_event_of(Json::parse(R"(["l", "x"])")), Json::exception);
+    EXPECT_THROW(archive::found_events(Json::parse("{}")), Json::exception);
 }
 
 TEST(FoundEvent, IsDroppedWhereThereAreTooMany) {
@@ -33,29 +33,29 @@ TEST(FoundEvent, IsDroppedWhereThereAreTooMany) {
         event["path"].push_back({{"seconds", k == 2 ? 100 : k}, {"place", {{"x", 50}, {"y", 50}}}});
         report["events"].push_back(event);
     }
-    const std::vector<FoundEvent> found = found_events(report, 2);
+    const std::vector<archive::FoundEvent> found = archive::found_events(report, 2);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 2);
     EXPECT_EQ(found[1].number, 5);
 }
 
 TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
-    Sidecar sidecar;
+    archive::Sidecar sidecar;
     sidecar.clip = {"cam/</script><b>.avi", 1, 0};
     sidecar.recorded = "2026-11-21 08:00:07";
     sidecar.found = {{'l', 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
-    Sidecar other = sidecar;
+    archive::Sidecar other = sidecar;
     other.recorded = "2026-11-20 10:00:00";
-    const DayFiles days = make_day_files({sidecar, other});
+    const archive::DayFiles days = archive::make_day_files({sidecar, other});
     ASSERT_EQ(days.size(), 2U);
     const std::string& text = days.at("index.2026-11-21.js");
     EXPECT_EQ(text.find('<'), std::string::npos);
     EXPECT_TRUE(text.starts_with("vvrDay(\"2026-11-21\",[[\"./cam/%3C"));
     EXPECT_NE(text.find(R"([["l",1,0,0,1,2,10,1,2]])"), std::string::npos);
-    for (const auto& [name, unused] : days) EXPECT_TRUE(is_day_file(name));
+    for (const auto& [name, unused] : days) EXPECT_TRUE(archive::is_day_file(name));
     for (const char* name : {"index.html", "index.js", "index.2026-11-2.js", "index.2026x11-21.js",
                              "xindex.2026-11-21.js", "index.2026-11-21.js.bak", "index..js"}) {
-        EXPECT_FALSE(is_day_file(name)) << name;
+        EXPECT_FALSE(archive::is_day_file(name)) << name;
     }
 }
 

@@ -23,17 +23,17 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(ArchiveNames, AreTextAndBackWhateverTheirBytes) {
-    EXPECT_EQ(text_of_path("cam1/Büro 2.avi"), "cam1/Büro 2.avi");
-    EXPECT_EQ(text_of_path("a\xFF\n%.avi"), "a%FF%0A%25.avi");
+    EXPECT_EQ(archive::text_of_path("cam1/Büro 2.avi"), "cam1/Büro 2.avi");
+    EXPECT_EQ(archive::text_of_path("a\xFF\n%.avi"), "a%FF%0A%25.avi");
     // Longer than needed, half of a pair, beyond Unicode, cut off.
     for (const std::string bad : {"\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xF0\x9F\x98"}) {
-        EXPECT_EQ(text_of_path(bad).find_first_not_of("%0123456789ABCDEF"), std::string::npos) << bad;
+        EXPECT_EQ(archive::text_of_path(bad).find_first_not_of("%0123456789ABCDEF"), std::string::npos) << bad;
     }
     std::string all;
     for (int byte = 1; byte < 256; ++byte) all += static_cast<char>(byte);
     for (const std::string& path : {all, std::string("%41"), std::string("€😀\xE2")}) {
-        EXPECT_EQ(path_of_text(text_of_path(path)), path);
-        EXPECT_NO_THROW(nlohmann::json(text_of_path(path)).dump());
+        EXPECT_EQ(archive::path_of_text(archive::text_of_path(path)), path);
+        EXPECT_NO_THROW(nlohmann::json(archive::text_of_path(path)).dump());
     }
 }
 
@@ -57,7 +57,7 @@ TEST(ArchiveNames, ArePlainOrNotTaken) {
 }
 
 TEST(ArchiveNames, KnowTheCameraByItsFolders) {
-    const auto camera_of = [](const std::string& path) { return RecorderNames().camera_of(path); };
+    const auto camera_of = [](const std::string& path) { return video::RecorderNames().camera_of(path); };
     EXPECT_EQ(camera_of("x.avi"), "");
     EXPECT_EQ(camera_of("cam1/x.avi"), "cam1");
     EXPECT_EQ(camera_of("house/gate/x.avi"), "house/gate");
@@ -71,13 +71,13 @@ TEST(ArchiveNames, KnowTheCameraByItsFolders) {
 }
 
 TEST(ArchiveNames, TellClips) {
-    EXPECT_TRUE(std::ranges::is_sorted(video_endings()));
-    const ClipNames videos;
+    EXPECT_TRUE(std::ranges::is_sorted(video::video_endings()));
+    const archive::ClipNames videos;
     for (const char* name : {"a.avi", "cam/b.MP4", "c.d.mkv", "e.ts"}) EXPECT_TRUE(videos.matches(name)) << name;
     for (const char* name : {"a.avi.png", "avi", ".avi", "cam.avi/b", "c.txt", "d.jpg", "e"}) {
         EXPECT_FALSE(videos.matches(name)) << name;
     }
-    const ClipNames some({"*.dat", "cam?/*.avi"});
+    const archive::ClipNames some({"*.dat", "cam?/*.avi"});
     EXPECT_TRUE(some.matches("deep/down/x.dat"));
     EXPECT_TRUE(some.matches("cam1/x.avi"));
     EXPECT_FALSE(some.matches("cam1/deep/x.avi"));
@@ -93,7 +93,7 @@ TEST(ArchiveShards, ShareOutEveryClipOnce) {
     for (int k = 0; k < 7000; ++k) {
         int holders = 0;
         for (std::uint64_t shard = 0; shard < 7; ++shard) {
-            if (!Shard{shard, 7}.holds("cam/" + std::to_string(k) + ".avi")) continue;
+            if (!archive::Shard{shard, 7}.holds("cam/" + std::to_string(k) + ".avi")) continue;
             ++holders;
             ++clips[shard];
         }

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/bricks/cells.h"
 #include "core/bricks/volume.h"
-#include "core/base/error.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {
@@ -15,40 +15,40 @@ namespace {
 using test::frame;
 
 template <class Texel>
-std::vector<Texel> texels_of(const BrickLayers& layers, std::int64_t layer) {
+std::vector<Texel> texels_of(const bricks::BrickLayers& layers, std::int64_t layer) {
     std::vector<Texel> texels(layers.area());
     layers.lay_out(layer, std::span(texels));
     return texels;
 }
 
 TEST(BrickLayers, RunAgainstTheImageAndHoldTheNeighboursLayers) {
-    Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, 8);
     for (int i = 0; i < 4; ++i) {
-        Field field = frame(i, {2, 2}, 0);
+        fields::Field field = frame(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(10 + i);  // top left: x_C and y_C near 1
         volume.add(field);
     }
-    const BrickLayers layers(volume, {1, 2});
+    const bricks::BrickLayers layers(volume, {1, 2});
     ASSERT_EQ(layers.count(), 4);
     for (int layer = 0; layer < 4; ++layer) {
         EXPECT_EQ(texels_of<std::uint8_t>(layers, layer)[3], 10 + layer);
         EXPECT_EQ(texels_of<std::uint8_t>(layers, layer)[0], 0);
     }
-    EXPECT_EQ(texels_of<std::uint8_t>(BrickLayers(volume, {0, 2}), 0)[3], 10)
+    EXPECT_EQ(texels_of<std::uint8_t>(bricks::BrickLayers(volume, {0, 2}), 0)[3], 10)
         << "the first layer stands again before itself";
-    EXPECT_EQ(texels_of<std::uint8_t>(BrickLayers(volume, {2, 2}), 3)[3], 13);
+    EXPECT_EQ(texels_of<std::uint8_t>(bricks::BrickLayers(volume, {2, 2}), 3)[3], 13);
 }
 
 TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     const Size size{100, 60};
-    Volume volume(size, 8);
+    bricks::Volume volume(size, 8);
     for (int i = 0; i < 6; ++i) {
-        Field field = frame(i, size, 0);
+        fields::Field field = frame(i, size, 0);
         if (i == 2) field.scalar.at(20, 40) = 200;
         if (i == 3) field.scalar.at(50, 59) = 100;
         volume.add(field);
     }
-    const BrickLayers layers(volume, {1, 2});
+    const bricks::BrickLayers layers(volume, {1, 2});
     // Tiles of 8 by 8 and a pixel around them: columns 15 to 56 and rows 39 to 59 of the image.
     EXPECT_EQ(layers.box(), (PixelBox{100 - 57, 0, 100 - 15, 60 - 39}));
     EXPECT_EQ(layers.area(), 42U * 21U);
@@ -66,13 +66,13 @@ TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     EXPECT_EQ(texel(2, 20, 40), 200);
     EXPECT_EQ(texel(3, 50, 59), 100);
 
-    EXPECT_EQ(BrickLayers(volume, {5, 1}).area(), 1U) << "nothing is in it";
+    EXPECT_EQ(bricks::BrickLayers(volume, {5, 1}).area(), 1U) << "nothing is in it";
 }
 
 TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
-    Volume volume({2, 2}, 2);
+    bricks::Volume volume({2, 2}, 2);
     for (int i = 0; i < 4; ++i) {
-        Field field = frame(i, {2, 2}, 0);
+        fields::Field field = frame(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(i == 1 ? 90 : 10);
         volume.add(field, Plane<Bgr>({2, 2}, {static_cast<std::uint8_t>(i), 100, 200}));
     }
@@ -82,17 +82,17 @@ TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
     EXPECT_EQ(volume.layer(0).colour.at(1, 1), (Bgr{0, 100, 200})) << "of equals the first";
     EXPECT_EQ(volume.layer(1).colour.at(0, 0), (Bgr{2, 100, 200}));
 
-    const BrickLayers layers(volume, {0, 2});
+    const bricks::BrickLayers layers(volume, {0, 2});
     EXPECT_TRUE(layers.coloured());
-    EXPECT_EQ((texels_of<ColouredTexel>(layers, 1)[3]), (ColouredTexel{200, 100, 1, 90}))
+    EXPECT_EQ((texels_of<bricks::ColouredTexel>(layers, 1)[3]), (bricks::ColouredTexel{200, 100, 1, 90}))
         << "red first, the scalar last, against the image";
     EXPECT_EQ(texels_of<std::uint8_t>(layers, 1)[3], 90);
 
     EXPECT_THROW(volume.add(frame(4, {2, 2}, 0)), Error) << "colours from the first frame on";
-    Volume plain({2, 2}, 2);
+    bricks::Volume plain({2, 2}, 2);
     plain.add(frame(0, {2, 2}, 0));
     EXPECT_THROW(plain.add(frame(1, {2, 2}, 0), Plane<Bgr>({2, 2})), Error);
-    EXPECT_FALSE(BrickLayers(plain, {0, 1}).coloured());
+    EXPECT_FALSE(bricks::BrickLayers(plain, {0, 1}).coloured());
 }
 
 TEST(SparsePlane, IsThePlaneItWasMadeOf) {
@@ -105,12 +105,12 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
             plain.pixels()[place()] = static_cast<std::uint8_t>(random());
             other.pixels()[place()] = static_cast<std::uint8_t>(random());
         }
-        SparsePlane sparse(plain);
-        sparse.keep_greater(SparsePlane(other));
+        bricks::SparsePlane sparse(plain);
+        sparse.keep_greater(bricks::SparsePlane(other));
         std::ranges::transform(plain.pixels(), other.pixels(), plain.pixels().begin(), std::ranges::max);
         EXPECT_EQ(sparse.size(), size);
         EXPECT_EQ(sparse.greatest(), std::ranges::max(plain.pixels()));
-        EXPECT_EQ(sparse, SparsePlane(plain));
+        EXPECT_EQ(sparse, bricks::SparsePlane(plain));
         PixelBox lit;
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
@@ -121,19 +121,19 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
         EXPECT_TRUE(sparse.box().holds(lit));
         EXPECT_TRUE((PixelBox{0, 0, size.width, size.height}).holds(sparse.box()));
         plain.pixels()[0] = static_cast<std::uint8_t>(plain.pixels()[0] ^ 1);
-        EXPECT_NE(sparse, SparsePlane(plain));
+        EXPECT_NE(sparse, bricks::SparsePlane(plain));
     }
-    EXPECT_TRUE(SparsePlane(Plane<std::uint8_t>({20, 20})).box().empty());
+    EXPECT_TRUE(bricks::SparsePlane(Plane<std::uint8_t>({20, 20})).box().empty());
 }
 
 TEST(BrickCells, HoldEveryVoxelWithItsNeighbours) {
-    Volume volume({40, 33}, 64);
+    bricks::Volume volume({40, 33}, 64);
     for (int i = 0; i < 50; ++i) volume.add(frame(i, {40, 33}, 0));
-    Field odd = frame(50, {40, 33}, 0);
+    fields::Field odd = frame(50, {40, 33}, 0);
     odd.scalar.at(17, 9) = 77;
     volume.add(odd);
-    const auto layout = make_box({0.45, 1, 0.4});
-    const BrickCells cells = brick_cells(BrickLayers(volume, {0, volume.layers()}), 1, *layout);
+    const auto layout = space::make_box({0.45, 1, 0.4});
+    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, volume.layers()}), 1, *layout);
     const double x = 1 - 17.5 / 40;
     const double y = 1 - 9.5 / 33;
     int marked = 0;

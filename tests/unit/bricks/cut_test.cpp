@@ -11,7 +11,7 @@ TEST(Cut, IntoBricksCoversEachLayerOnce) {
     for (const std::int64_t layers : {1, 2, 7, 795, 800}) {
         for (const int k : {1, 2, 8, 32}) {
             std::int64_t next = 0;
-            for (const Brick& brick : cut_into(layers, k)) {
+            for (const bricks::Brick& brick : bricks::cut_into(layers, k)) {
                 EXPECT_EQ(brick.first, next);
                 EXPECT_GE(brick.count, 1);
                 next += brick.count;
@@ -22,15 +22,15 @@ TEST(Cut, IntoBricksCoversEachLayerOnce) {
 }
 
 TEST(Cut, ByLengthLeavesTheRestToTheLast) {
-    EXPECT_EQ(cut_by(7, 3), (std::vector<Brick>{{0, 3}, {3, 3}, {6, 1}}));
-    EXPECT_TRUE(cut_by(0, 3).empty());
+    EXPECT_EQ(bricks::cut_by(7, 3), (std::vector<bricks::Brick>{{0, 3}, {3, 3}, {6, 1}}));
+    EXPECT_TRUE(bricks::cut_by(0, 3).empty());
 }
 
 TEST(Cut, IntoPiecesStaysWithinBricks) {
-    EXPECT_EQ(cut_into_pieces(std::vector<Brick>{{0, 32}, {32, 33}, {65, 100}}),
-              (std::vector<Brick>{{0, 32}, {32, 16}, {48, 17}, {65, 25}, {90, 25}, {115, 25}, {140, 25}}));
-    EXPECT_EQ(cut_into_pieces(std::vector<Brick>{{7, 1}}), (std::vector<Brick>{{7, 1}}));
-    EXPECT_TRUE(cut_into_pieces(std::vector<Brick>{}).empty());
+    EXPECT_EQ(bricks::cut_into_pieces(std::vector<bricks::Brick>{{0, 32}, {32, 33}, {65, 100}}),
+              (std::vector<bricks::Brick>{{0, 32}, {32, 16}, {48, 17}, {65, 25}, {90, 25}, {115, 25}, {140, 25}}));
+    EXPECT_EQ(bricks::cut_into_pieces(std::vector<bricks::Brick>{{7, 1}}), (std::vector<bricks::Brick>{{7, 1}}));
+    EXPECT_TRUE(bricks::cut_into_pieces(std::vector<bricks::Brick>{}).empty());
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace vvr::test {
 
 /// A frame of one value, a tenth of a second after the one before.
-inline Field frame(int index, Size size, std::uint8_t value) {
-    Field field;
+inline fields::Field frame(int index, Size size, std::uint8_t value) {
+    fields::Field field;
     field.index = index;
     field.pts = 0.1 * index;
     field.scalar = Plane<std::uint8_t>(size, value);

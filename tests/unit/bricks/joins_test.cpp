@@ -16,9 +16,9 @@ namespace {
 using test::frame;
 
 /// A field in which some blocks walk through the scene, each in its own way.
-Field walkers(int i) {
+fields::Field walkers(int i) {
     constexpr Size size{96, 64};
-    Field field = frame(i, size, 0);
+    fields::Field field = frame(i, size, 0);
     for (int k = 0; k < 4; ++k) {
         const double speed = 0.4 + 0.7 * k;
         const int left = static_cast<int>(speed * i + 20 * std::sin(0.05 * (k + 1) * i)) % size.width;
@@ -31,7 +31,7 @@ Field walkers(int i) {
 }
 
 /// What a layer of some frames loses: pixels in which it shows something, in frames in which nothing is there.
-double loss_of(const std::vector<Field>& fields, std::size_t begin, std::size_t end) {
+double loss_of(const std::vector<fields::Field>& fields, std::size_t begin, std::size_t end) {
     Plane<std::uint8_t> all(fields.front().scalar.size());
     double there = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -46,7 +46,7 @@ double loss_of(const std::vector<Field>& fields, std::size_t begin, std::size_t 
 }
 
 /// The least that a division into so many layers can lose: dynamic programming over all of them.
-double least_loss(const std::vector<Field>& fields, std::size_t layers) {
+double least_loss(const std::vector<fields::Field>& fields, std::size_t layers) {
     const std::size_t frames = std::min<std::size_t>(fields.size(), 1000);
     constexpr double none = std::numeric_limits<double>::infinity();
     std::vector<std::vector<double>> loss(frames, std::vector<double>(frames + 1, none));
@@ -71,12 +71,12 @@ double least_loss(const std::vector<Field>& fields, std::size_t layers) {
 
 TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
     constexpr int frames = 240;
-    std::vector<Field> fields;
+    std::vector<fields::Field> fields;
     for (int i = 0; i < frames; ++i) fields.push_back(walkers(i));
     for (const std::int64_t layers : {40, 80, 160}) {
-        Volume volume(fields.front().scalar.size(), layers);
+        bricks::Volume volume(fields.front().scalar.size(), layers);
         volume.give_room_to_motion();
-        for (const Field& field : fields) volume.add(field, {}, {}, true);
+        for (const fields::Field& field : fields) volume.add(field, {}, {}, true);
         volume.settle();
         ASSERT_EQ(volume.layers(), layers);
         double loss = 0;
@@ -93,7 +93,7 @@ TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
 
 TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     constexpr std::int64_t capacity = 100;
-    Volume volume({96, 64}, capacity);
+    bricks::Volume volume({96, 64}, capacity);
     volume.give_room_to_motion();
     const auto visit = [](int i) { return (2000 <= i && i < 2150) || (9000 <= i && i < 9150); };
     for (int i = 0; i < 15'000; ++i) {
@@ -106,7 +106,7 @@ TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
         EXPECT_GT(volume.t_of_seconds(begin + 15) - volume.t_of_seconds(begin), 0.25) << begin;
     }
     // A gap takes little time to add, and little room.
-    Volume gap({96, 64}, capacity);
+    bricks::Volume gap({96, 64}, capacity);
     gap.give_room_to_motion();
     gap.add(walkers(0), {}, {}, true);
     gap.add_gap(1, 10'000'000, 0.1, 0.1);
@@ -114,7 +114,7 @@ TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     gap.settle();
     EXPECT_EQ(gap.layers(), 3);
     EXPECT_EQ(gap.missing(), 10'000'000);
-    Volume even({96, 64}, capacity);
+    bricks::Volume even({96, 64}, capacity);
     even.add(walkers(0));
     even.add_gap(1, 10'000'000, 0.1, 0.1);
     EXPECT_LE(even.layers(), capacity);

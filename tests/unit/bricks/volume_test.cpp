@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bricks/used_seeds.h"
 #include "core/base/error.h"
+#include "core/bricks/used_seeds.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {
@@ -14,7 +14,7 @@ namespace {
 using test::frame;
 
 TEST(Volume, KeepsEachFrameWhileItFits) {
-    Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, 8);
     for (int i = 0; i < 8; ++i) volume.add(frame(i, {2, 2}, static_cast<std::uint8_t>(i)));
     EXPECT_EQ(volume.layers(), 8);
     EXPECT_EQ(volume.step(), 1);
@@ -23,7 +23,7 @@ TEST(Volume, KeepsEachFrameWhileItFits) {
 }
 
 TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
-    Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, 8);
     for (int i = 0; i < 1000; ++i) volume.add(frame(i, {2, 2}, i == 613 ? 200 : 0));
     EXPECT_LE(volume.layers(), 8);
     EXPECT_GT(volume.layers(), 4);
@@ -31,7 +31,7 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
     std::int64_t next = 0;
     int bright = 0;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        const Layer& layer = volume.layer(i);
+        const bricks::Layer& layer = volume.layer(i);
         EXPECT_EQ(layer.first_frame, next);
         EXPECT_NEAR(layer.pts, 0.1 * static_cast<double>(next), 1e-9);
         next += layer.frames;
@@ -47,75 +47,77 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
 
 TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
     // Covered from frame 5 to frame 10.
-    Volume volume({1, 1}, 100, 4);
-    volume.set_values(Values::band);
+    bricks::Volume volume({1, 1}, 100, 4);
+    volume.set_values(fields::Values::band);
     for (int i = 0; i < 16; ++i) {
-        volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
+        volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(fields::band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
     }
-    const Band expected[] = {Band::background, Band::newly_covered, Band::uncovered, Band::background};
+    const fields::Band expected[] = {fields::Band::background, fields::Band::newly_covered, fields::Band::uncovered,
+                                     fields::Band::background};
     for (std::int64_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(static_cast<Band>(volume.layer(i).scalar.at(0, 0)), expected[i]) << i;
+        EXPECT_EQ(static_cast<fields::Band>(volume.layer(i).scalar.at(0, 0)), expected[i]) << i;
     }
 }
 
 TEST(Volume, ThinsSeedsAsItGrows) {
-    Volume volume({2, 2}, 8, 1, 2);
+    bricks::Volume volume({2, 2}, 8, 1, 2);
     for (int i = 0; i < 1000; ++i) {
-        Field field = frame(i, {2, 2}, 0);
+        fields::Field field = frame(i, {2, 2}, 0);
         field.seeds = {{0, 0, 1, 0}};
         volume.add(field);
     }
     ASSERT_EQ(volume.seeds().size(), 4U);
-    for (const FrameSeed& at : volume.seeds()) EXPECT_EQ(at.frame % 256, 0);
+    for (const bricks::FrameSeed& at : volume.seeds()) EXPECT_EQ(at.frame % 256, 0);
 }
 
-Flow uniform_flow(Size size, float u, float v) {
+fields::Flow uniform_flow(Size size, float u, float v) {
     return {Plane<float>(size, u), Plane<float>(size, v)};
 }
 
 TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
     // Two frames per layer, bricks of three layers: seeds at frames 0, 5, 6 and 13 are those of bricks 0, 0, 1 and 2.
-    Volume volume({4, 4}, 100, 2);
+    bricks::Volume volume({4, 4}, 100, 2);
     for (int i = 0; i < 16; ++i) {
-        Field field{i, 0.1 * i, Plane<std::uint8_t>({4, 4}), {}, {}};
+        fields::Field field{i, 0.1 * i, Plane<std::uint8_t>({4, 4}), {}, {}};
         if (i == 0 || i == 5 || i == 6 || i == 13)
-            field.seeds = {{1, 2, 3, 4, *SeedFlags::parse(i == 5 ? "0" : "101")}};
+            field.seeds = {{1, 2, 3, 4, *fields::SeedFlags::parse(i == 5 ? "0" : "101")}};
         volume.add(field);
     }
-    const std::vector<Brick> bricks = cut_by(volume.layers(), 3);
-    const auto frames = [&](std::int64_t first, const std::optional<SeedFlags>& flags) {
+    const std::vector<bricks::Brick> bricks = bricks::cut_by(volume.layers(), 3);
+    const auto frames = [&](std::int64_t first, const std::optional<fields::SeedFlags>& flags) {
         std::vector<std::int64_t> found;
-        for (const FrameSeed& seed : used_seeds(volume, bricks, first, flags)) found.push_back(seed.frame);
+        for (const bricks::FrameSeed& seed : bricks::used_seeds(volume, bricks, first, flags))
+            found.push_back(seed.frame);
         return found;
     };
     using Frames = std::vector<std::int64_t>;
     EXPECT_EQ(frames(0, {}), (Frames{0, 13}));
     EXPECT_EQ(frames(1, {}), (Frames{6, 13})) << "digits 0, 1 and, from the beginning, 1";
-    EXPECT_EQ(frames(0, SeedFlags::parse("1")), (Frames{0, 5, 6, 13}));
-    EXPECT_EQ(frames(0, SeedFlags::parse("010")), (Frames{6}));
-    EXPECT_EQ(SeedFlags::parse("0010")->text(), "0010");
+    EXPECT_EQ(frames(0, fields::SeedFlags::parse("1")), (Frames{0, 5, 6, 13}));
+    EXPECT_EQ(frames(0, fields::SeedFlags::parse("010")), (Frames{6}));
+    EXPECT_EQ(fields::SeedFlags::parse("0010")->text(), "0010");
     for (const char* const wrong : {"", "2", "1 ", "111111111111111111111111111111110"})
-        EXPECT_FALSE(SeedFlags::parse(wrong)) << wrong;
+        EXPECT_FALSE(fields::SeedFlags::parse(wrong)) << wrong;
 }
 
 TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
-    const auto fill = [](Volume& volume, int begin, int end) {
+    const auto fill = [](bricks::Volume& volume, int begin, int end) {
         volume.keep_flow();
         volume.set_span(4);
         for (int i = begin; i < end; ++i) {
-            Field field = frame(i, {2, 2}, static_cast<std::uint8_t>(i));
+            fields::Field field = frame(i, {2, 2}, static_cast<std::uint8_t>(i));
             field.flow = uniform_flow({2, 2}, static_cast<float>(i), 1);
             field.seeds = {{0, 0, static_cast<float>(i), 0}};
             volume.add(field);
         }
     };
-    Volume moved({2, 2}, 4, 2, 3);
+    bricks::Volume moved({2, 2}, 4, 2, 3);
     fill(moved, 0, 8);
     moved.drop_front(3);
     EXPECT_EQ(moved.layers(), 1);
     EXPECT_NEAR(moved.t_end(), 0.25, 1e-12) << "of a window of four layers";
     fill(moved, 8, 13);
-    Volume fresh({2, 2}, 4, 2, 3);
+    bricks::Volume fresh({2, 2}, 4, 2, 3);
     fill(fresh, 6, 13);
 
     ASSERT_EQ(moved.layers(), fresh.layers());
@@ -138,10 +140,10 @@ TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
 }
 
 TEST(Volume, ThinsFlowWithTheSeeds) {
-    Volume volume({2, 2}, 8, 1, 2);
+    bricks::Volume volume({2, 2}, 8, 1, 2);
     volume.keep_flow();
     for (int i = 13; i < 1013; ++i) {
-        Field field = frame(i, {2, 2}, 0);
+        fields::Field field = frame(i, {2, 2}, 0);
         // A clip that begins in its middle: flow comes with frames whose index in the clip is even.
         if (i % 2 == 0) {
             field.flow = uniform_flow({2, 2}, static_cast<float>(i), 0);
@@ -153,16 +155,16 @@ TEST(Volume, ThinsFlowWithTheSeeds) {
     }
     EXPECT_GE(volume.flow().layers(), 3U);
     EXPECT_EQ(volume.flow().bytes(), volume.flow().layers() * 2 * 2 * 4);
-    for (const FrameSeed& at : volume.seeds()) {
+    for (const bricks::FrameSeed& at : volume.seeds()) {
         EXPECT_EQ(at.seed.u, static_cast<float>(at.frame + 13));
         EXPECT_NEAR(volume.flow().at({0, 0, at.frame}).x, at.seed.u, 1e-3 * at.seed.u) << "flow of the seed's frame";
     }
 }
 
 TEST(FlowVolume, IsTrilinear) {
-    FlowVolume flow;
+    bricks::FlowVolume flow;
     EXPECT_EQ(flow.at({1, 1, 1}), glm::dvec2(0)) << "nothing kept";
-    Flow first = uniform_flow({3, 2}, 0, 1);
+    fields::Flow first = uniform_flow({3, 2}, 0, 1);
     first.u.at(1, 0) = 2;
     first.u.at(1, 1) = 4;
     flow.add(10, first);
@@ -178,9 +180,9 @@ TEST(FlowVolume, IsTrilinear) {
 }
 
 TEST(Volume, RefusesAFrameOfAnotherSize) {
-    Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, 8);
     EXPECT_THROW(volume.add(frame(0, {3, 2}, 0)), Error);
-    EXPECT_THROW(Volume({2, 2}, 1), Error);
+    EXPECT_THROW(bricks::Volume({2, 2}, 1), Error);
 }
 
 }  // namespace

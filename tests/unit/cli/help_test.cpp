@@ -19,31 +19,31 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-const CommandHelp help{
+const options::CommandHelp help{
     .name = "draw",
     .text = "draw something",
     .arguments = "INPUT...",
     .arguments_text = "what is read, and every word of this sentence is short enough to be wrapped",
-    .options = {{Group::run, 'q', {"quiet"}, "", "say nothing", {}},
-                {Group::look,
+    .options = {{options::Group::run, 'q', {"quiet"}, "", "say nothing", {}},
+                {options::Group::look,
                  0,
                  {"start-time", "clock"},
                  "DATETIME",
                  "when it began, which takes a line of its own as its name is long [now]",
                  {}},
-                {Group::look, 0, {"theme"}, "NAME", "colours [light]", {{"light", "dark on white"}}}},
+                {options::Group::look, 0, {"theme"}, "NAME", "colours [light]", {{"light", "dark on white"}}}},
     .examples = {{"vvr draw a b", "both"}}};
 
 TEST(Help, IsWrappedToAnyWidth) {
     for (const int width : {72, 80, 120}) {
-        for (const std::string& line : lines_of(help_text(help, width))) {
+        for (const std::string& line : lines_of(options::help_text(help, width))) {
             EXPECT_LE(line.size(), static_cast<std::size_t>(width)) << line;
         }
     }
 }
 
 TEST(Help, HasGroupsInOrderValuesBelowOptionsAndExamplesLast) {
-    const std::string text = help_text(help, 80);
+    const std::string text = options::help_text(help, 80);
     const auto at = [&](const char* part) { return text.find(part); };
     EXPECT_LT(at("Usage: vvr draw INPUT... [OPTIONS]"), at("\nLook:\n"));
     EXPECT_LT(at("\nLook:\n"), at("\nRun:\n"));
@@ -58,7 +58,7 @@ TEST(Defaults, AreOfTheFirstRowThenOfThoseThatDiffer) {
         int value;
     };
     const std::vector<Row> rows{{"a", 1}, {"b", 2}, {"c", 1}, {"d", 2}, {"e", 3}};
-    EXPECT_EQ(defaults_of(rows, [](const Row& row) { return std::to_string(row.value); }), "1; b, d: 2; e: 3");
+    EXPECT_EQ(options::defaults_of(rows, [](const Row& row) { return std::to_string(row.value); }), "1; b, d: 2; e: 3");
 }
 
 }  // namespace

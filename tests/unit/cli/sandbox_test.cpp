@@ -52,14 +52,14 @@ class Files : public testing::Test {
 };
 
 TEST_F(Files, EachVersionOfLandlockKeepsThem) {
-    const int newest = find_landlock().abi;
+    const int newest = workers::find_landlock().abi;
     if (newest == 0) GTEST_SKIP() << "this kernel has no Landlock";
     for (int abi = 1; abi <= newest; ++abi) {
         SCOPED_TRACE(abi);
-        LandlockRules rules(abi);
-        rules.allow(path("mine"), Use::read);
-        rules.allow(path("out"), Use::write);
-        rules.allow(path("is not there"), Use::read);
+        workers::LandlockRules rules(abi);
+        rules.allow(path("mine"), workers::Use::read);
+        rules.allow(path("out"), workers::Use::write);
+        rules.allow(path("is not there"), workers::Use::read);
         const auto met = [&](const std::function<long()>& call) {
             return error_behind([&] { return rules.enforce(); }, call);
         };
@@ -77,8 +77,8 @@ TEST_F(Files, EachVersionOfLandlockKeepsThem) {
 }
 
 TEST_F(Files, TheFilterTakesSocketsAndLeavesFiles) {
-    if (why_no_call_filter() != 0) GTEST_SKIP() << "this kernel has no seccomp filters";
-    const CallFilter filter(false);
+    if (workers::why_no_call_filter() != 0) GTEST_SKIP() << "this kernel has no seccomp filters";
+    const workers::CallFilter filter(false);
     const auto met = [&](const std::function<long()>& call) {
         return error_behind([&] { return filter.enforce(); }, call);
     };
@@ -90,26 +90,26 @@ TEST_F(Files, TheFilterTakesSocketsAndLeavesFiles) {
 }
 
 TEST(Sandbox, OffIsNone) {
-    const Sandbox off(SandboxMode::off, {});
+    const workers::Sandbox off(workers::SandboxMode::off, {});
     EXPECT_TRUE(off.is_whole());
-    const Confinement walls = off.around({"/nowhere"}, "/nowhere");
+    const workers::Confinement walls = off.around({"/nowhere"}, "/nowhere");
     EXPECT_EQ(error_behind([&] { return walls.enter(); }, [] { return ::socket(AF_UNIX, SOCK_STREAM, 0); }), 0);
 }
 
 TEST(Sandbox, ItsSummaryTellsOfBothWalls) {
-    const Sandbox sandbox(SandboxMode::automatic, {});
+    const workers::Sandbox sandbox(workers::SandboxMode::automatic, {});
 #ifdef __SANITIZE_ADDRESS__
     EXPECT_NE(sandbox.summary().find("no sandbox"), std::string::npos);
 #else
     EXPECT_NE(sandbox.summary().find("Landlock"), std::string::npos);
     EXPECT_NE(sandbox.summary().find("seccomp"), std::string::npos);
-    EXPECT_EQ(sandbox.is_whole(), find_landlock().abi > 0 && why_no_call_filter() == 0);
+    EXPECT_EQ(sandbox.is_whole(), workers::find_landlock().abi > 0 && workers::why_no_call_filter() == 0);
 #endif
 }
 
 TEST(Sandbox, AGraphicsCardIsForThoseWhoUseOne) {
     const auto opens_cards = [](bool gpu) {
-        return std::ranges::count(program_files(gpu), fs::path("/dev/dri"), &ProgramFile::path) > 0;
+        return std::ranges::count(workers::program_files(gpu), fs::path("/dev/dri"), &workers::ProgramFile::path) > 0;
     };
     EXPECT_TRUE(opens_cards(true));
     EXPECT_FALSE(opens_cards(false));

@@ -9,21 +9,21 @@ namespace vvr {
 namespace {
 
 TEST(ParseTime, TakesFramesSecondsUnitsAndClockTimes) {
-    EXPECT_EQ(parse_time("250f"), (Time{250, Time::Unit::frames}));
-    EXPECT_EQ(parse_time("12.5s"), (Time{12.5, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("0"), (Time{0, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("1h30m"), (Time{5400, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("1d2h3m4.5s"), (Time{93784.5, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("00:00:12.5"), (Time{12.5, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("90:30"), (Time{5430, Time::Unit::seconds}));
-    EXPECT_EQ(parse_time("25:01:02.25"), (Time{90062.25, Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("250f"), (app::Time{250, app::Time::Unit::frames}));
+    EXPECT_EQ(options::parse_time("12.5s"), (app::Time{12.5, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("0"), (app::Time{0, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("1h30m"), (app::Time{5400, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("1d2h3m4.5s"), (app::Time{93784.5, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("00:00:12.5"), (app::Time{12.5, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("90:30"), (app::Time{5430, app::Time::Unit::seconds}));
+    EXPECT_EQ(options::parse_time("25:01:02.25"), (app::Time{90062.25, app::Time::Unit::seconds}));
 }
 
 TEST(ParseTime, RefusesEverythingElse) {
     for (const char* text :
          {"",        "s",      "f",       ":",    "1:",   "-1",   "-1f",   "1.5f",    "1e400s", "nans", "infs", "1:60",
           "1:60:00", "1.5:00", "1:2:3:4", "12 s", "0x10", "1,5s", "30m1h", "1.5h30m", "1h2h",   "10ms", "5w"}) {
-        EXPECT_THROW(parse_time(text), Error) << text;
+        EXPECT_THROW(options::parse_time(text), Error) << text;
     }
 }
 
@@ -39,94 +39,99 @@ std::string refusal(Action action) {
 }
 
 TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
-    EXPECT_EQ(refusal([] { parse_time("250"); }), "'250' has no unit: write 250f for frames or 250s for seconds");
-    EXPECT_EQ(refusal([] { parse_time("2.5"); }), "'2.5' has no unit: write 2.5s for seconds");
+    EXPECT_EQ(refusal([] { options::parse_time("250"); }),
+              "'250' has no unit: write 250f for frames or 250s for seconds");
+    EXPECT_EQ(refusal([] { options::parse_time("2.5"); }), "'2.5' has no unit: write 2.5s for seconds");
 }
 
 TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
     const std::int64_t at = 1'795'312'800;  // 2026-11-22 02:00:00
-    const auto asked = [](const char* text) { return std::get<AskedTime>(parse_place(text)); };
-    EXPECT_EQ(asked("2026-11-22 02:00"), (AskedTime{at, true, "2026-11-22 02:00"}));
+    const auto asked = [](const char* text) { return std::get<video::AskedTime>(options::parse_place(text)); };
+    EXPECT_EQ(asked("2026-11-22 02:00"), (video::AskedTime{at, true, "2026-11-22 02:00"}));
     EXPECT_EQ(asked("2026-11-22T02:00:07").seconds, at + 7);
-    EXPECT_EQ(asked("@02:00"), (AskedTime{7200, false, "@02:00"}));
+    EXPECT_EQ(asked("@02:00"), (video::AskedTime{7200, false, "@02:00"}));
     EXPECT_EQ(asked("@23:59:59").seconds, 86'399);
-    EXPECT_EQ(std::get<Time>(parse_place("02:00")), (Time{120, Time::Unit::seconds})) << "an offset, as ever";
-    EXPECT_EQ(std::get<Time>(parse_place("250f")), (Time{250, Time::Unit::frames}));
+    EXPECT_EQ(std::get<app::Time>(options::parse_place("02:00")), (app::Time{120, app::Time::Unit::seconds}))
+        << "an offset, as ever";
+    EXPECT_EQ(std::get<app::Time>(options::parse_place("250f")), (app::Time{250, app::Time::Unit::frames}));
     for (const char* text :
          {"@", "@2:00", "@24:00", "@02", "@02:60", "2026-02-30 08:00", "2026-11-22", "2026-11-22 8:00",
           "2026-11-22  02:00", "2026-11-22 02:00 ", "2026-11-22X02:00", "2026-13-01 00:00"}) {
-        EXPECT_THROW(parse_place(text), Error) << text;
+        EXPECT_THROW(options::parse_place(text), Error) << text;
     }
-    EXPECT_EQ(refusal([] { parse_place("2026-02-30 08:00"); }),
+    EXPECT_EQ(refusal([] { options::parse_place("2026-02-30 08:00"); }),
               "'2026-02-30 08:00' is not a date and time like 2026-11-22 02:00, or a time of day like @02:00");
 }
 
 TEST(ParseDayPart, TakesTwoTimesOfDay) {
-    EXPECT_EQ(parse_day_part("02:00-05:00"), (DayPart{7200, 18'000, "02:00-05:00"}));
-    EXPECT_EQ(parse_day_part("22:00:30-05:00").begin, 79'230);
+    EXPECT_EQ(options::parse_day_part("02:00-05:00"), (video::DayPart{7200, 18'000, "02:00-05:00"}));
+    EXPECT_EQ(options::parse_day_part("22:00:30-05:00").begin, 79'230);
     for (const char* text : {"", "02:00", "02:00-", "02:00-02:00", "2-5", "02:00-25:00", "02:00-05:00-07:00"}) {
-        EXPECT_THROW(parse_day_part(text), Error) << text;
+        EXPECT_THROW(options::parse_day_part(text), Error) << text;
     }
-    EXPECT_EQ(refusal([] { parse_day_part("2-5"); }), "'2-5' is not a part of the day like 02:00-05:00");
+    EXPECT_EQ(refusal([] { options::parse_day_part("2-5"); }), "'2-5' is not a part of the day like 02:00-05:00");
 }
 
 TEST(ParseDuration, IsInSecondsWithoutAUnit) {
-    EXPECT_EQ(parse_duration("90"), 90);
-    EXPECT_EQ(parse_duration("0.5"), 0.5);
-    EXPECT_EQ(parse_duration("60s"), 60);
-    EXPECT_EQ(parse_duration("10m"), 600);
-    EXPECT_EQ(parse_duration("1.5h"), 5400);
-    EXPECT_EQ(parse_duration("1d"), 86400);
-    EXPECT_EQ(parse_duration("00:01:30"), 90);
-    EXPECT_EQ(parse_whole_seconds("1.2s"), std::chrono::seconds(2));
+    EXPECT_EQ(options::parse_duration("90"), 90);
+    EXPECT_EQ(options::parse_duration("0.5"), 0.5);
+    EXPECT_EQ(options::parse_duration("60s"), 60);
+    EXPECT_EQ(options::parse_duration("10m"), 600);
+    EXPECT_EQ(options::parse_duration("1.5h"), 5400);
+    EXPECT_EQ(options::parse_duration("1d"), 86400);
+    EXPECT_EQ(options::parse_duration("00:01:30"), 90);
+    EXPECT_EQ(options::parse_whole_seconds("1.2s"), std::chrono::seconds(2));
     for (const char* text : {"", "s", "-1s", "1 h", "2w", "1hs", "250f", "99999999999999999999"}) {
-        EXPECT_THROW(parse_duration(text), Error) << text;
+        EXPECT_THROW(options::parse_duration(text), Error) << text;
     }
-    EXPECT_EQ(refusal([] { parse_duration("2m", {0.1, 60}); }), "'2m' is not a length of time from 0.1s to 60s");
+    EXPECT_EQ(refusal([] {
+                  options::parse_duration("2m", {0.1, 60});
+              }),
+              "'2m' is not a length of time from 0.1s to 60s");
 }
 
 TEST(ParseBytes, TakesUnits) {
-    EXPECT_EQ(parse_bytes("5"), 5);
-    EXPECT_EQ(parse_bytes("500M"), 500'000'000);
-    EXPECT_EQ(parse_bytes("2GB"), 2'000'000'000);
+    EXPECT_EQ(options::parse_bytes("5"), 5);
+    EXPECT_EQ(options::parse_bytes("500M"), 500'000'000);
+    EXPECT_EQ(options::parse_bytes("2GB"), 2'000'000'000);
     for (const char* text : {"", "G", "0", "-1G", "1.5G", "1T", "1 G", "1GG"})
-        EXPECT_THROW(parse_bytes(text), Error) << text;
+        EXPECT_THROW(options::parse_bytes(text), Error) << text;
 }
 
 TEST(ParseShare, CountsFromOne) {
-    EXPECT_EQ(parse_share("1/1"), (std::pair(1, 1)));
-    EXPECT_EQ(parse_share("3/8"), (std::pair(3, 8)));
+    EXPECT_EQ(options::parse_share("1/1"), (std::pair(1, 1)));
+    EXPECT_EQ(options::parse_share("3/8"), (std::pair(3, 8)));
     for (const char* text : {"", "/", "1", "0/2", "3/2", "1/0", "-1/2", "1/2/3", "a/b"})
-        EXPECT_THROW(parse_share(text), Error) << text;
+        EXPECT_THROW(options::parse_share(text), Error) << text;
 }
 
 TEST(ParseSize, TakesWhatATextureCanHold) {
-    EXPECT_EQ(parse_size("1280x800"), (Size{1280, 800}));
-    EXPECT_EQ(parse_size("1x16384"), (Size{1, 16384}));
+    EXPECT_EQ(options::parse_size("1280x800"), (Size{1280, 800}));
+    EXPECT_EQ(options::parse_size("1x16384"), (Size{1, 16384}));
     for (const char* text :
          {"", "x", "1x", "x1", "0x1", "1x16385", "1x2x3", "1.5x2", "-1x2", "99999999999999999999x1"}) {
-        EXPECT_THROW(parse_size(text), Error) << text;
+        EXPECT_THROW(options::parse_size(text), Error) << text;
     }
 }
 
 TEST(ParseNumber, IsFiniteAndWithinItsRange) {
-    EXPECT_EQ(parse_number("-2.5e1", {-30, 0}), -25);
+    EXPECT_EQ(options::parse_number("-2.5e1", {-30, 0}), -25);
     for (const char* text : {"", "nan", "inf", "-inf", "1e999", "1 ", " 1", "1x", "31", "-31", "1,5"}) {
-        EXPECT_THROW(parse_number(text, {-30, 30}), Error) << text;
+        EXPECT_THROW(options::parse_number(text, {-30, 30}), Error) << text;
     }
 }
 
 TEST(ParsePair, NeedsBothNumbers) {
-    EXPECT_EQ(parse_pair("-20,35", ',', {-360, 360}, {-90, 90}), std::pair(-20.0, 35.0));
+    EXPECT_EQ(options::parse_pair("-20,35", ',', {-360, 360}, {-90, 90}), std::pair(-20.0, 35.0));
     for (const char* text : {"", ",", "1", "1,", ",1", "1,2,3", "1:2", "400,0", "0,100"}) {
-        EXPECT_THROW(parse_pair(text, ',', {-360, 360}, {-90, 90}), Error) << text;
+        EXPECT_THROW(options::parse_pair(text, ',', {-360, 360}, {-90, 90}), Error) << text;
     }
 }
 
 TEST(ExitStatusTable, HasARowForEveryKind) {
     for (const auto kind : {ErrorKind::usage, ErrorKind::io, ErrorKind::not_video, ErrorKind::backend, ErrorKind::limit,
                             ErrorKind::partial, ErrorKind::differs}) {
-        EXPECT_NE(exit_status(kind), ExitStatus::bug);
+        EXPECT_NE(cli::exit_status(kind), cli::ExitStatus::bug);
     }
 }
 

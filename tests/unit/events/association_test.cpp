@@ -25,7 +25,7 @@ struct Stage {
     Plane<std::uint8_t> field = Plane<std::uint8_t>(size);
     Plane<Bgr> colour = Plane<Bgr>(size, {90, 90, 90});
 
-    Sight sight() const { return {field, grey_, colour}; }
+    events::Sight sight() const { return {field, grey_, colour}; }
 
     void paint(const PixelBox& box, const Bgr& paint) {
         const PixelBox there = common(box, {0, 0, size.width, size.height});
@@ -55,18 +55,18 @@ Plane<double> costs_of(const std::vector<std::vector<double>>& rows) {
 
 TEST(Assign, TakesTheLeastSumAndNotTheLeastFirst) {
     // The first row's best column is what the second row needs more.
-    const auto chosen = assign(costs_of({{1, 2, 9}, {1, 8, 9}, {9, 9, 3}}), never);
+    const auto chosen = events::assign(costs_of({{1, 2, 9}, {1, 8, 9}, {9, 9, 3}}), never);
     EXPECT_EQ(chosen[0], 1);
     EXPECT_EQ(chosen[1], 0);
     EXPECT_EQ(chosen[2], 2);
 }
 
 TEST(Assign, LeavesRowsWithoutAColumnWhereAllCostTooMuch) {
-    const auto chosen = assign(costs_of({{0.2, 3}, {0.3, 3}, {5, 5}}), 1);
+    const auto chosen = events::assign(costs_of({{0.2, 3}, {0.3, 3}, {5, 5}}), 1);
     EXPECT_EQ(chosen[0], 0);
     EXPECT_FALSE(chosen[1]);
     EXPECT_FALSE(chosen[2]);
-    EXPECT_TRUE(assign(Plane<double>({0, 0}), 1).empty());
+    EXPECT_TRUE(events::assign(Plane<double>({0, 0}), 1).empty());
 }
 
 TEST(Assign, IsTheLeastOfAllPermutations) {
@@ -84,7 +84,7 @@ TEST(Assign, IsTheLeastOfAllPermutations) {
             least = std::min(least, sum);
         } while (std::ranges::next_permutation(order).found);
         double sum = 0;
-        const auto chosen = assign(costs_of(rows), 1000);
+        const auto chosen = events::assign(costs_of(rows), 1000);
         for (std::size_t k = 0; k < 5; ++k) sum += rows[k][static_cast<std::size_t>(chosen[k].value())];
         EXPECT_DOUBLE_EQ(sum, least);
     }
@@ -95,36 +95,36 @@ TEST(Appearance, TellsCoatAndTrousersApart) {
         Stage stage;
         stage.paint({10, 10, 20, 25}, coat);
         stage.paint({10, 25, 20, 40}, trousers);
-        const Blobs blobs = find_blobs(stage.field, {1, 1}, 4);
-        return Appearance(blobs.patches.front(), stage.sight());
+        const events::Blobs blobs = events::find_blobs(stage.field, {1, 1}, 4);
+        return events::Appearance(blobs.patches.front(), stage.sight());
     };
-    EXPECT_NEAR(distance(look(red, blue), look(red, blue)), 0, 1e-3);
-    EXPECT_GT(distance(look(red, blue), look(blue, red)), 0.4) << "the same colours in other places";
-    EXPECT_LT(distance(look({40, 40, 190}, blue), look({46, 46, 200}, blue)), 0.25) << "a little more light";
+    EXPECT_NEAR(events::distance(look(red, blue), look(red, blue)), 0, 1e-3);
+    EXPECT_GT(events::distance(look(red, blue), look(blue, red)), 0.4) << "the same colours in other places";
+    EXPECT_LT(events::distance(look({40, 40, 190}, blue), look({46, 46, 200}, blue)), 0.25) << "a little more light";
 }
 
 struct Tracked {
-    Patch patch;
-    Appearance look;
+    events::Patch patch;
+    events::Appearance look;
 };
 
 Tracked tracked(const PixelBox& box, const Bgr& colour) {
     Stage stage;
     stage.paint(box, colour);
-    Patch patch = find_blobs(stage.field, {1, 1}, 4).patches.front();
-    Appearance look(patch, stage.sight());
+    events::Patch patch = events::find_blobs(stage.field, {1, 1}, 4).patches.front();
+    events::Appearance look(patch, stage.sight());
     return {std::move(patch), look};
 }
 
-Expected expected(const Tracked& track, const glm::ivec2& shift, bool was_merged = false) {
+events::Expected expected(const Tracked& track, const glm::ivec2& shift, bool was_merged = false) {
     return {&track.patch, shift, &track.look, was_merged, {track.patch.box.width(), track.patch.box.height()}};
 }
 
-Assignment associate_with(const Stage& stage, const std::vector<Expected>& tracks) {
-    const Blobs blobs = find_blobs(stage.field, {1, 1}, 4);
-    std::vector<Appearance> looks;
-    for (const Patch& patch : blobs.patches) looks.emplace_back(patch, stage.sight());
-    return associate(tracks, blobs, looks, {});
+events::Assignment associate_with(const Stage& stage, const std::vector<events::Expected>& tracks) {
+    const events::Blobs blobs = events::find_blobs(stage.field, {1, 1}, 4);
+    std::vector<events::Appearance> looks;
+    for (const events::Patch& patch : blobs.patches) looks.emplace_back(patch, stage.sight());
+    return events::associate(tracks, blobs, looks, {});
 }
 
 TEST(Associate, FollowsMotionAndBeginsWhatIsNew) {
@@ -132,7 +132,7 @@ TEST(Associate, FollowsMotionAndBeginsWhatIsNew) {
     Stage stage;
     stage.paint({14, 10, 22, 30}, red);
     stage.paint({60, 10, 68, 30}, blue);
-    const Assignment result = associate_with(stage, {expected(one, {4, 0})});
+    const events::Assignment result = associate_with(stage, {expected(one, {4, 0})});
     EXPECT_EQ(result.tracks[0], std::vector<std::size_t>{0});
     EXPECT_TRUE(result.tracks[1].empty());
     EXPECT_FALSE(result.piece_of[1]);
@@ -145,7 +145,7 @@ TEST(Associate, LetsTwoShareABlob) {
     Stage stage;
     stage.paint({13, 10, 21, 30}, red);
     stage.paint({19, 10, 27, 30}, blue);
-    const Assignment result = associate_with(stage, {expected(one, {3, 0}), expected(two, {-3, 0})});
+    const events::Assignment result = associate_with(stage, {expected(one, {3, 0}), expected(two, {-3, 0})});
     ASSERT_EQ(result.tracks.size(), 1U);
     EXPECT_EQ(result.tracks[0].size(), 2U);
 }
@@ -156,7 +156,7 @@ TEST(Associate, TellsByLooksWhoIsWhoWhenTheyPart) {
     Stage stage;
     stage.paint({14, 10, 22, 30}, blue);
     stage.paint({28, 10, 36, 30}, red);
-    const Assignment result = associate_with(stage, {expected(one, {0, 0}, true), expected(two, {0, 0}, true)});
+    const events::Assignment result = associate_with(stage, {expected(one, {0, 0}, true), expected(two, {0, 0}, true)});
     ASSERT_EQ(result.tracks.size(), 2U);
     EXPECT_EQ(result.tracks[0], std::vector<std::size_t>{1});
     EXPECT_EQ(result.tracks[1], std::vector<std::size_t>{0});
@@ -178,16 +178,16 @@ TEST(ShareBlob, FindsEachByItsLooksAndGivesItItsPixels) {
     Stage before;
     before.paint({10, 10, 18, 40}, red);
     before.paint({40, 12, 48, 42}, blue);
-    const Blobs alone = find_blobs(before.field, {1, 1}, 4);
-    const Template first(alone.patches[0], before.sight());
-    const Template second(alone.patches[1], before.sight());
+    const events::Blobs alone = events::find_blobs(before.field, {1, 1}, 4);
+    const events::Template first(alone.patches[0], before.sight());
+    const events::Template second(alone.patches[1], before.sight());
     Stage now;
     now.paint({24, 10, 32, 40}, red);
     now.paint({29, 12, 37, 42}, blue);
-    const Patch blob = find_blobs(now.field, {1, 1}, 4).patches.front();
-    const std::vector<const Template*> templates{&first, &second};
+    const events::Patch blob = events::find_blobs(now.field, {1, 1}, 4).patches.front();
+    const std::vector<const events::Template*> templates{&first, &second};
     const std::vector<glm::ivec2> shifts{{13, 0}, {-10, 1}};
-    const std::vector<Share> shares = share_blob(blob, now.sight(), templates, shifts);
+    const std::vector<events::Share> shares = events::share_blob(blob, now.sight(), templates, shifts);
     EXPECT_EQ(shares[0].shift, glm::ivec2(14, 0));
     EXPECT_EQ(shares[1].shift, glm::ivec2(-11, 0));
     EXPECT_GT(shares[1].likeness, 0.95) << "it is in front";
@@ -196,8 +196,8 @@ TEST(ShareBlob, FindsEachByItsLooksAndGivesItItsPixels) {
     EXPECT_EQ(shares[1].patch.area, 8 * 30);
 }
 
-Tracklet tracklet(std::size_t number, double begin, double end, double x0, double x1) {
-    Tracklet t;
+events::Tracklet tracklet(std::size_t number, double begin, double end, double x0, double x1) {
+    events::Tracklet t;
     t.number = number;
     const double speed = (x1 - x0) / (end - begin);
     t.begin = {{static_cast<std::int64_t>(begin * 25), begin}, {x0, 30}, {speed, 0}, false};
@@ -209,50 +209,50 @@ Tracklet tracklet(std::size_t number, double begin, double end, double x0, doubl
 }
 
 TEST(Link, JoinsWhatGoesOnBehindAPostAndNothingElse) {
-    std::vector<Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100), tracklet(2, 5, 9, 62, 20)};
+    std::vector<events::Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100), tracklet(2, 5, 9, 62, 20)};
     all[2].look = tracked({10, 10, 18, 30}, blue).look;
-    const auto next = link(all, {});
+    const auto next = events::link(all, {});
     EXPECT_EQ(next[0], 1U);
     EXPECT_FALSE(next[1]);
     EXPECT_FALSE(next[2]);
 }
 
 TEST(Link, DoesNotJoinWhoLeftThePictureWithWhoComesIn) {
-    std::vector<Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100)};
+    std::vector<events::Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100)};
     all[0].end.at_border = true;
-    EXPECT_FALSE(link(all, {})[0]);
+    EXPECT_FALSE(events::link(all, {})[0]);
 }
 
 TEST(Link, IsQuickOverDays) {
-    std::vector<Tracklet> all;
+    std::vector<events::Tracklet> all;
     for (std::size_t k = 0; k < 20'000; ++k) {
         const double begin = 5.0 * static_cast<double>(k);
         all.push_back(tracklet(k, begin, begin + 4, 10, k % 2 == 0 ? 50 : 90));
     }
     // Each even one ends where motion leads on, and the next begins there.
     for (std::size_t k = 1; k < all.size(); k += 2) all[k].begin.place.x = 60;
-    const auto next = link(all, {});
+    const auto next = events::link(all, {});
     EXPECT_EQ(next[0], 1U);
     EXPECT_EQ(next[19'998], 19'999U);
 }
 
 TEST(Flicker, CountsComingAndGoing) {
-    Flicker flicker(20);
+    events::Flicker flicker(20);
     Plane<std::uint8_t> on(size);
     on.at(5, 5) = 100;
     const Plane<std::uint8_t> off(size);
     for (int f = 0; f < 40; ++f) flicker.add(f % 2 ? on : off, {f, f / 25.0});
-    Patch patch{.box = {5, 5, 6, 6}, .values = Plane<std::uint8_t>({1, 1}, 1), .area = 1, .centre = {5, 5}};
+    events::Patch patch{.box = {5, 5, 6, 6}, .values = Plane<std::uint8_t>({1, 1}, 1), .area = 1, .centre = {5, 5}};
     EXPECT_NEAR(flicker.of(patch), 20, 2);
     patch.box = {6, 5, 7, 6};
     EXPECT_EQ(flicker.of(patch), 0);
 }
 
 TEST(Labels, AreRunsOfRows) {
-    Patch patch{.box = {3, 4, 8, 6}, .values = Plane<std::uint8_t>({5, 2}, 9), .area = 9, .centre = {}};
+    events::Patch patch{.box = {3, 4, 8, 6}, .values = Plane<std::uint8_t>({5, 2}, 9), .area = 9, .centre = {}};
     patch.values.at(2, 0) = 0;
-    FrameLabels labels;
-    add_runs(patch, 7, labels);
+    events::FrameLabels labels;
+    events::add_runs(patch, 7, labels);
     ASSERT_EQ(labels.runs.size(), 3U);
     EXPECT_EQ(labels.runs[1].row, 4);
     EXPECT_EQ(labels.runs[1].first, 6);
@@ -261,13 +261,13 @@ TEST(Labels, AreRunsOfRows) {
 }
 
 TEST(ChooseEvents, KeepsNumbersTrue) {
-    std::vector<Event> events(3);
+    std::vector<events::Event> events(3);
     for (std::size_t k = 0; k < 3; ++k) events[k].last.seconds = static_cast<double>(k + 1);
-    events[1].kind = EventKind::left;
-    events[2].kind = EventKind::left;
+    events[1].kind = events::EventKind::left;
+    events[2].kind = events::EventKind::left;
     events[1].by = 0;
     events[2].from = 1;
-    const auto chosen = choose_events(events, {{EventKind::left}, 1.5});
+    const auto chosen = events::choose_events(events, {{events::EventKind::left}, 1.5});
     ASSERT_EQ(chosen.size(), 2U);
     EXPECT_FALSE(chosen[0].by);
     EXPECT_EQ(chosen[1].from, 0U);

@@ -14,56 +14,57 @@ namespace {
 constexpr double rate = 25;
 
 /// Something of 20 x 40 pixels that goes from one place to another.
-Event walker(double begin, double end, const glm::dvec2& from, const glm::dvec2& to) {
+events::Event walker(double begin, double end, const glm::dvec2& from, const glm::dvec2& to) {
     const auto at = [](double seconds) { return Moment{static_cast<std::int64_t>(seconds * rate), seconds}; };
     const auto box = [](const glm::dvec2& place) {
         const glm::ivec2 p(place);
         return PixelBox{p.x - 10, p.y - 20, p.x + 10, p.y + 20};
     };
-    Event event;
+    events::Event event;
     event.first = at(begin);
     event.last = at(end);
     event.box = hull_of(box(from), box(to));
     event.path = {{event.first, from}, {event.last, to}};
-    event.portrait = Portrait{event.first, box(from), 1};
+    event.portrait = events::Portrait{event.first, box(from), 1};
     return event;
 }
 
 /// Makes the scene 360 x 270 and the clip 100 s, whatever else there is.
-std::vector<Event> within_a_scene(std::vector<Event> events) {
+std::vector<events::Event> within_a_scene(std::vector<events::Event> events) {
     events.push_back(walker(0, 0.1, {10, 20}, {10, 20}));
     events.push_back(walker(99.9, 100, {350, 250}, {350, 250}));
     return events;
 }
 
 TEST(Colouring, SidesOfACrowdDiffer) {
-    std::vector<Event> crowd;
-    for (int k = 0; k < object_colours; ++k) {
+    std::vector<events::Event> crowd;
+    for (int k = 0; k < events::object_colours; ++k) {
         crowd.push_back(walker(40 + 0.2 * k, 45, {100 + 10 * k, 130}, {130 + 10 * k, 140}));
     }
-    const std::vector<int> colours = colours_of(within_a_scene(crowd));
-    EXPECT_EQ(std::set(colours.begin(), colours.begin() + object_colours).size(), object_colours);
+    const std::vector<int> colours = events::colours_of(within_a_scene(crowd));
+    EXPECT_EQ(std::set(colours.begin(), colours.begin() + events::object_colours).size(), events::object_colours);
 }
 
 TEST(Colouring, WhatFollowsAtTheSamePlaceDiffers) {
-    const std::vector<int> colours =
-        colours_of(within_a_scene({walker(40, 42, {100, 100}, {140, 100}), walker(42.5, 44, {140, 100}, {180, 100}),
-                                   walker(44.5, 46, {180, 100}, {140, 100})}));
+    const std::vector<int> colours = events::colours_of(
+        within_a_scene({walker(40, 42, {100, 100}, {140, 100}), walker(42.5, 44, {140, 100}, {180, 100}),
+                        walker(44.5, 46, {180, 100}, {140, 100})}));
     EXPECT_NE(colours[0], colours[1]);
     EXPECT_NE(colours[1], colours[2]);
     EXPECT_NE(colours[0], colours[2]);
 }
 
 TEST(Colouring, FewObjectsHaveAColourEachWhereverTheyAre) {
-    std::vector<Event> few;
-    for (int k = 0; k < object_colours; ++k) few.push_back(walker(12 * k, 12 * k + 3, {40 + 40 * k, 100}, {50, 200}));
-    const std::vector<int> colours = colours_of(few);
-    EXPECT_EQ(std::set(colours.begin(), colours.end()).size(), object_colours);
+    std::vector<events::Event> few;
+    for (int k = 0; k < events::object_colours; ++k)
+        few.push_back(walker(12 * k, 12 * k + 3, {40 + 40 * k, 100}, {50, 200}));
+    const std::vector<int> colours = events::colours_of(few);
+    EXPECT_EQ(std::set(colours.begin(), colours.end()).size(), events::object_colours);
 }
 
 TEST(Colouring, TheMostTellingChoosesFirst) {
     const std::vector<int> colours =
-        colours_of(within_a_scene({walker(10, 12, {50, 50}, {60, 50}), walker(30, 70, {50, 200}, {300, 200})}));
+        events::colours_of(within_a_scene({walker(10, 12, {50, 50}, {60, 50}), walker(30, 70, {50, 200}, {300, 200})}));
     EXPECT_EQ(colours[1], 0);
 }
 
@@ -71,13 +72,13 @@ TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {
     std::mt19937 random(7);
     const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };
     for (int scene = 0; scene < 20; ++scene) {
-        std::vector<Event> events;
+        std::vector<events::Event> events;
         for (int k = 0; k < 60; ++k) {
             const glm::dvec2 from(20 + upto(320), 30 + upto(210));
             const double begin = upto(95);
             events.push_back(walker(begin, begin + 1 + upto(4), from, from + glm::dvec2(upto(60) - 30, upto(40) - 20)));
         }
-        const std::vector<int> colours = colours_of(within_a_scene(events));
+        const std::vector<int> colours = events::colours_of(within_a_scene(events));
         for (std::size_t a = 0; a < events.size(); ++a) {
             std::vector<std::size_t> near;
             for (std::size_t b = 0; b < events.size(); ++b) {
@@ -93,24 +94,24 @@ TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {
 TEST(Colouring, IsTheSameEachTimeAndQuickForADay) {
     std::mt19937 random(3);
     const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };
-    std::vector<Event> day;
+    std::vector<events::Event> day;
     for (int k = 0; k < 10'000; ++k) {
         const double begin = upto(86'000);
         const double length = k % 50 == 0 ? 3000 : 20;
         day.push_back(walker(begin, begin + upto(length), {upto(360), upto(270)}, {upto(360), upto(270)}));
     }
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<int> colours = colours_of(day);
+    const std::vector<int> colours = events::colours_of(day);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     EXPECT_LT(took.count(), 2) << "it takes a thirtieth of a second; a busy machine is slower";
-    EXPECT_EQ(colours, colours_of(day));
-    for (int c = 0; c < object_colours; ++c) EXPECT_GT(std::ranges::count(colours, c), 500) << c;
+    EXPECT_EQ(colours, events::colours_of(day));
+    for (int c = 0; c < events::object_colours; ++c) EXPECT_GT(std::ranges::count(colours, c), 500) << c;
 }
 
 TEST(Colouring, TakesWhatHasNoPathAndNoLength) {
-    EXPECT_TRUE(colours_of({}).empty());
-    EXPECT_EQ(colours_of(std::vector<Event>(1)), std::vector<int>{0});
-    EXPECT_EQ(colours_of(std::vector<Event>(3)).size(), 3U);
+    EXPECT_TRUE(events::colours_of({}).empty());
+    EXPECT_EQ(events::colours_of(std::vector<events::Event>(1)), std::vector<int>{0});
+    EXPECT_EQ(events::colours_of(std::vector<events::Event>(3)).size(), 3U);
 }
 
 }  // namespace

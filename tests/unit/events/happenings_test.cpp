@@ -23,10 +23,10 @@ namespace {
 
 constexpr double half_a_second = 12.5;  // frames
 
-using Make = scene::Scene (*)(const scene::Options&);
+using Make = generator::Scene (*)(const generator::Options&);
 
-scene::Options small(std::uint64_t seed = 1, double noise = 0) {
-    scene::Options options;
+generator::Options small(std::uint64_t seed = 1, double noise = 0) {
+    generator::Options options;
     options.size = {192, 144};
     options.seed = seed;
     options.noise = noise;
@@ -34,36 +34,37 @@ scene::Options small(std::uint64_t seed = 1, double noise = 0) {
 }
 
 struct Found {
-    scene::Scene scene;
-    std::vector<Event> events;
-    std::vector<FrameLabels> labels;
+    generator::Scene scene;
+    std::vector<events::Event> events;
+    std::vector<events::FrameLabels> labels;
 };
 
-Found found_in(scene::Scene scene, const std::string& reference = "median") {
+Found found_in(generator::Scene scene, const std::string& reference = "median") {
     Found found{std::move(scene), {}, {}};
-    SourceOptions source;
+    video::SourceOptions source;
     source.colour = true;
     source.field_size = {-1, -1};
-    FieldOptions fields;
+    fields::FieldOptions fields;
     fields.reference = reference;
     fields.flow.method = "none";
-    EventFinder finder(found.scene.size());
-    finder.set_label_sink([&](const FrameLabels& labels) { found.labels.push_back(labels); });
-    const auto clip = scene::open_scene(found.scene, source);
-    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, Field&& field) {
-        finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-    });
+    events::EventFinder finder(found.scene.size());
+    finder.set_label_sink([&](const events::FrameLabels& labels) { found.labels.push_back(labels); });
+    const auto clip = generator::open_scene(found.scene, source);
+    const fields::FieldSummary summary =
+        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+            finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        });
     found.events = finder.finish(summary.reference);
     return found;
 }
 
-Found found_in(Make make, const scene::Options& options) {
+Found found_in(Make make, const generator::Options& options) {
     return found_in(make(options));
 }
 
-std::vector<EventKind> kinds_of(const std::vector<Event>& events) {
-    std::vector<EventKind> kinds;
-    for (const Event& event : events) kinds.push_back(event.kind);
+std::vector<events::EventKind> kinds_of(const std::vector<events::Event>& events) {
+    std::vector<events::EventKind> kinds;
+    for (const events::Event& event : events) kinds.push_back(event.kind);
     return kinds;
 }
 
@@ -72,15 +73,15 @@ void expect_near(const Moment& moment, int frame) {
 }
 
 /// The mean distance of an event from an object of the scene, pixels.
-double distance_to(const Event& event, const scene::Scene& scene, const std::string& name) {
+double distance_to(const events::Event& event, const generator::Scene& scene, const std::string& name) {
     double sum = 0;
     int count = 0;
     for (int f = 0; f < scene.frames(); f += 5) {
         if (f < event.first.frame || f > event.last.frame) continue;
-        const scene::Truth truth = scene.truth(f);
-        const auto object = std::ranges::find(truth.objects, name, &scene::Object::name);
+        const generator::Truth truth = scene.truth(f);
+        const auto object = std::ranges::find(truth.objects, name, &generator::Object::name);
         if (object == truth.objects.end()) continue;
-        sum += glm::distance(place_at(event.path, f), {object->x, object->y});
+        sum += glm::distance(events::place_at(event.path, f), {object->x, object->y});
         ++count;
     }
     return count == 0 ? std::numeric_limits<double>::infinity() : sum / count;
@@ -88,7 +89,7 @@ double distance_to(const Event& event, const scene::Scene& scene, const std::str
 
 TEST(TenCrossings, LeaveTwoPeopleTwo) {
     for (const std::uint64_t seed : {2U}) {
-        const Found found = found_in(scene::make_ten_crossings, small(seed));
+        const Found found = found_in(generator::make_ten_crossings, small(seed));
         ASSERT_EQ(found.events.size(), 2U);
         const bool first_is_0 = distance_to(found.events[0], found.scene, "person 0") <
                                 distance_to(found.events[0], found.scene, "person 1");
@@ -99,28 +100,28 @@ TEST(TenCrossings, LeaveTwoPeopleTwo) {
 }
 
 TEST(GroupThatSplits, IsTwoFromTheBeginning) {
-    const Found found = found_in(scene::make_group_splits, small());
+    const Found found = found_in(generator::make_group_splits, small());
     ASSERT_EQ(found.events.size(), 2U);
-    for (const Event& event : found.events) {
-        EXPECT_EQ(event.kind, EventKind::moved);
+    for (const events::Event& event : found.events) {
+        EXPECT_EQ(event.kind, events::EventKind::moved);
         expect_near(event.first, 6);
     }
 }
 
 TEST(Train, IsOneAndHidesNobody) {
-    const Found found = found_in(scene::make_train, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::stood, EventKind::moved}));
+    const Found found = found_in(generator::make_train, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::stood, events::EventKind::moved}));
     ASSERT_EQ(found.events[0].stays.size(), 1U);
-    expect_near(found.events[0].stays[0].first, scene::train_stands().first);
-    expect_near(found.events[0].stays[0].last, scene::train_stands().last);
+    expect_near(found.events[0].stays[0].first, generator::train_stands().first);
+    expect_near(found.events[0].stays[0].last, generator::train_stands().last);
 }
 
 TEST(PaleBag, IsOneThingThatWasLeft) {
-    const Found found = found_in(scene::make_pale_bag, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::moved, EventKind::left}));
-    const Event& bag = found.events[1];
-    expect_near(bag.first, scene::pale_bag_stands().first);
-    expect_near(bag.last, scene::pale_bag_stands().last);
+    const Found found = found_in(generator::make_pale_bag, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::moved, events::EventKind::left}));
+    const events::Event& bag = found.events[1];
+    expect_near(bag.first, generator::pale_bag_stands().first);
+    expect_near(bag.last, generator::pale_bag_stands().last);
     EXPECT_EQ(bag.by, 0U);
     ASSERT_TRUE(bag.alone_since);
     EXPECT_GT(bag.alone_since->frame, 150) << "then its owner goes";
@@ -130,18 +131,18 @@ TEST(PaleBag, IsOneThingThatWasLeft) {
 }
 
 TEST(TakenBox, IsTakenAndNotLeft) {
-    const Found found = found_in(scene::make_taken_box, small());
-    ASSERT_EQ(kinds_of(found.events), (std::vector{EventKind::moved, EventKind::taken}));
-    const Event& box = found.events[1];
-    expect_near(box.first, scene::box_is_gone().first);
-    expect_near(box.last, scene::box_is_gone().last);
+    const Found found = found_in(generator::make_taken_box, small());
+    ASSERT_EQ(kinds_of(found.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
+    const events::Event& box = found.events[1];
+    expect_near(box.first, generator::box_is_gone().first);
+    expect_near(box.last, generator::box_is_gone().last);
     EXPECT_EQ(box.by, 0U);
     EXPECT_TRUE(box.stays.empty()) << "nothing stands there";
 }
 
 TEST(Rain, IsNoneAndHidesNobody) {
     for (const std::uint64_t seed : {1U, 3U}) {
-        const Found found = found_in(scene::make_rain, small(seed, 5));
+        const Found found = found_in(generator::make_rain, small(seed, 5));
         ASSERT_EQ(found.events.size(), 1U) << seed;
         // Drops that touch a person are taken for parts of them.
         EXPECT_LT(distance_to(found.events[0], found.scene, "person"), 20) << seed;
@@ -149,53 +150,53 @@ TEST(Rain, IsNoneAndHidesNobody) {
 }
 
 TEST(Crowd, LeavesNothing) {
-    for (const Event& event : found_in(scene::make_crowd, small()).events) {
-        EXPECT_EQ(event.kind, EventKind::moved) << event.first.frame;
+    for (const events::Event& event : found_in(generator::make_crowd, small()).events) {
+        EXPECT_EQ(event.kind, events::EventKind::moved) << event.first.frame;
     }
 }
 
 // A picture of half the size would have too few corners to know the camera's motion by.
 TEST(ShakingCamera, ChangesNoEvents) {
-    scene::Options options;
+    generator::Options options;
     options.detail = 6;
-    const Found who = found_in(scene::make_shaken(scene::make_stands_long(options)));
-    ASSERT_EQ(kinds_of(who.events), std::vector{EventKind::stood});
+    const Found who = found_in(generator::make_shaken(generator::make_stands_long(options)));
+    ASSERT_EQ(kinds_of(who.events), std::vector{events::EventKind::stood});
     ASSERT_EQ(who.events[0].stays.size(), 1U);
-    expect_near(who.events[0].stays[0].first, scene::long_stand().first);
-    expect_near(who.events[0].stays[0].last, scene::long_stand().last);
-    const Found box = found_in(scene::make_shaken(scene::make_taken_box(options)));
-    ASSERT_EQ(kinds_of(box.events), (std::vector{EventKind::moved, EventKind::taken}));
-    expect_near(box.events[1].first, scene::box_is_gone().first);
-    EXPECT_TRUE(found_in(scene::make_shaken(scene::make_still(options))).events.empty());
+    expect_near(who.events[0].stays[0].first, generator::long_stand().first);
+    expect_near(who.events[0].stays[0].last, generator::long_stand().last);
+    const Found box = found_in(generator::make_shaken(generator::make_taken_box(options)));
+    ASSERT_EQ(kinds_of(box.events), (std::vector{events::EventKind::moved, events::EventKind::taken}));
+    expect_near(box.events[1].first, generator::box_is_gone().first);
+    EXPECT_TRUE(found_in(generator::make_shaken(generator::make_still(options))).events.empty());
 }
 
 TEST(WhoStandsLong, IsOneThatStood) {
     for (const std::string reference : {"median", "running"}) {
-        const Found found = found_in(scene::make_stands_long(small()), reference);
-        ASSERT_EQ(kinds_of(found.events), std::vector{EventKind::stood}) << reference;
+        const Found found = found_in(generator::make_stands_long(small()), reference);
+        ASSERT_EQ(kinds_of(found.events), std::vector{events::EventKind::stood}) << reference;
         ASSERT_EQ(found.events[0].stays.size(), 1U) << reference;
-        expect_near(found.events[0].stays[0].first, scene::long_stand().first);
-        expect_near(found.events[0].stays[0].last, scene::long_stand().last);
+        expect_near(found.events[0].stays[0].first, generator::long_stand().first);
+        expect_near(found.events[0].stays[0].last, generator::long_stand().last);
     }
 }
 
 TEST(Clock, IsNoEvent) {
-    EXPECT_TRUE(found_in(scene::make_clock, small()).events.empty());
+    EXPECT_TRUE(found_in(generator::make_clock, small()).events.empty());
 }
 
 TEST(Labels, SayWhosePixelsTheyAre) {
-    const Found found = found_in(scene::make_ten_crossings, small());
+    const Found found = found_in(generator::make_ten_crossings, small());
     ASSERT_EQ(found.events.size(), 2U);
-    const auto places = events_of_tracks(found.events);
+    const auto places = events::events_of_tracks(found.events);
     ASSERT_EQ(found.labels.size(), static_cast<std::size_t>(found.scene.frames()));
-    const FrameLabels& labels = found.labels[30];
+    const events::FrameLabels& labels = found.labels[30];
     std::set<std::size_t> seen;
-    for (const LabelRun& run : labels.runs) {
+    for (const fields::LabelRun& run : labels.runs) {
         ASSERT_LT(run.track, places.size());
         ASSERT_TRUE(places[run.track]);
         seen.insert(*places[run.track]);
         const double middle = 0.5 * (run.first + run.last);
-        EXPECT_NEAR(middle, place_at(found.events[*places[run.track]].path, labels.at.frame).x, 25);
+        EXPECT_NEAR(middle, events::place_at(found.events[*places[run.track]].path, labels.at.frame).x, 25);
     }
     EXPECT_EQ(seen.size(), 2U);
 }

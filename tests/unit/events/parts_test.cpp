@@ -31,7 +31,7 @@ TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     fill(field, {12, 5, 14, 12}, 200);
     fill(field, {40, 20, 50, 30}, 70);
     fill(field, {30, 2, 31, 3}, 255);
-    const Blobs blobs = find_blobs(field, {1, 1}, 4);
+    const events::Blobs blobs = events::find_blobs(field, {1, 1}, 4);
     ASSERT_EQ(blobs.patches.size(), 2U);
     EXPECT_EQ(blobs.patches[0].box, (PixelBox{5, 5, 14, 12}));
     EXPECT_EQ(blobs.patches[0].area, 7 * 7);
@@ -42,11 +42,11 @@ TEST(FindBlobs, JoinsWhatIsNearAndLeavesOutWhatIsSmall) {
     EXPECT_DOUBLE_EQ(blobs.patches[1].centre.y, 24.5);
     EXPECT_EQ(blobs.labels.at(4, 4), 1) << "labels reach farther than the pixels";
     EXPECT_EQ(blobs.labels.at(30, 2), 0);
-    EXPECT_TRUE(find_blobs(Plane<std::uint8_t>({8, 8}), {1, 1}, 4).patches.empty());
+    EXPECT_TRUE(events::find_blobs(Plane<std::uint8_t>({8, 8}), {1, 1}, 4).patches.empty());
 }
 
 TEST(Steadiness, KnowsSinceWhenThroughNoiseAndShortGaps) {
-    Steadiness steadiness;
+    events::Steadiness steadiness;
     Plane<std::uint8_t> field({1, 1});
     const auto show = [&](std::int64_t frame, int value) {
         field.at(0, 0) = static_cast<std::uint8_t>(value);
@@ -63,40 +63,40 @@ TEST(Steadiness, KnowsSinceWhenThroughNoiseAndShortGaps) {
 }
 
 TEST(Path, IsCoarseHoweverLongItIs) {
-    Path path;
+    events::Path path;
     for (int f = 0; f < 100'000; ++f) path.add(at(f), {0.01 * f, 5});
-    const std::vector<PathPoint> points = path.points();
+    const std::vector<events::PathPoint> points = path.points();
     EXPECT_LE(points.size(), 129U);
     EXPECT_GT(points.size(), 60U);
     EXPECT_EQ(points.front().at.frame, 0);
     EXPECT_EQ(points.back().at.frame, 99'999);
-    EXPECT_NEAR(length_of(points), 999.99, 1e-6);
+    EXPECT_NEAR(events::length_of(points), 999.99, 1e-6);
 }
 
 TEST(Path, OfWhatStandsIsTwoPoints) {
-    Path path;
+    events::Path path;
     for (int f = 0; f < 1000; ++f) path.add(at(f), {7, 5});
-    const std::vector<PathPoint> points = path.points();
+    const std::vector<events::PathPoint> points = path.points();
     ASSERT_LE(points.size(), 3U);
     EXPECT_EQ(points.back().at.frame, 999);
-    EXPECT_EQ(length_of(points), 0);
+    EXPECT_EQ(events::length_of(points), 0);
 }
 
 TEST(Stays, AreWhereTheMiddleKeepsItsPlace) {
-    Stays stays(2);
+    events::Stays stays(2);
     for (int f = 0; f < 300; ++f) {
         const double x = f < 100 ? f : f < 200 ? 100 + std::sin(f) : f - 100;
         stays.add(at(f), {x, 0}, {}, 3);
     }
-    const std::vector<Stay> found = stays.finish();
+    const std::vector<events::Stay> found = stays.finish();
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(static_cast<double>(found[0].first.frame), 98, 3);
     EXPECT_NEAR(static_cast<double>(found[0].last.frame), 202, 3);
     EXPECT_NEAR(found[0].place.x, 100, 3);
 }
 
-std::vector<Event> events_of(int frames, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
-    EventFinder finder({120, 90});
+std::vector<events::Event> events_of(int frames, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
+    events::EventFinder finder({120, 90});
     for (int f = 0; f < frames; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
@@ -132,7 +132,7 @@ TEST(EventFinder, ABoxBeginsWhenItIsPutDownAndEndsWhenItIsTaken) {
         if (f >= 410) person(field, 70 - (f - 410));
     });
     ASSERT_EQ(events.size(), 3U);
-    const Event& box = events[1];
+    const events::Event& box = events[1];
     EXPECT_NEAR(static_cast<double>(box.first.frame), 120, 5) << "it comes to light from frame 113 to 124";
     EXPECT_NEAR(static_cast<double>(box.last.frame), 399, 5);
     ASSERT_EQ(box.stays.size(), 1U);
@@ -151,7 +151,7 @@ TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
         fill(field, {f - 30, 30, f - 18, 70}, 90);
     });
     ASSERT_EQ(events.size(), 2U);
-    for (const Event& event : events) {
+    for (const events::Event& event : events) {
         EXPECT_GT(event.path_length, 90);
         EXPECT_LT(std::abs(event.path.back().place.y - event.path.front().place.y), 8);
         EXPECT_GT(std::abs(event.path.back().place.x - event.path.front().place.x), 90) << "it turned back";
@@ -159,8 +159,8 @@ TEST(EventFinder, TwoThatMeetAndPartStayTwo) {
 }
 
 /// Two files of 200 frames, and between them nothing for so many.
-std::vector<Event> events_about_gap(int gap, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
-    EventFinder finder({120, 90});
+std::vector<events::Event> events_about_gap(int gap, const std::function<void(int, Plane<std::uint8_t>&)>& paint) {
+    events::EventFinder finder({120, 90});
     for (int f = 0; f < 400; ++f) {
         Plane<std::uint8_t> field({120, 90});
         paint(f, field);
@@ -178,9 +178,9 @@ TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
         EXPECT_EQ(events[0].last.frame, 199);
         EXPECT_EQ(events[1].first.frame, 200 + gap) << "what is there after the gap is seen from then on";
         EXPECT_EQ(events[1].last.frame, 399 + gap);
-        EXPECT_NEAR(still_seconds(events[0]) + still_seconds(events[1]), 16, 0.1);
-        for (const Event& event : events) {
-            for (const PathPoint& point : event.path) {
+        EXPECT_NEAR(events::still_seconds(events[0]) + events::still_seconds(events[1]), 16, 0.1);
+        for (const events::Event& event : events) {
+            for (const events::PathPoint& point : event.path) {
                 EXPECT_TRUE(point.at.frame < 200 || point.at.frame >= 200 + gap);
             }
         }
@@ -201,12 +201,12 @@ TEST(EventFinder, NobodyWalksThroughTimeWithoutSignal) {
 
 // The empty scene was made of frames with a box in it; fields show its ghost where it is not there.
 TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
-    Planes scene;
+    fields::Planes scene;
     scene.grey = Plane<std::uint8_t>({120, 90}, 90);
     fill(scene.grey, {60, 60, 72, 70}, 220);
     const Plane<std::uint8_t> floor({120, 90}, 90);
     const auto events_of_ghost = [&](int from, int to) {
-        EventFinder finder({120, 90});
+        events::EventFinder finder({120, 90});
         for (int f = 0; f < 400; ++f) {
             Plane<std::uint8_t> field({120, 90});
             const bool ghost = f >= from && f < to;
@@ -221,21 +221,21 @@ TEST(EventFinder, WhatCameOrWentInAGapNobodyTells) {
     // It came while somebody could see it, in the second file: the ghost had been there before the gap, too.
     const auto came = events_of_ghost(0, 300);
     ASSERT_EQ(came.size(), 2U);
-    EXPECT_EQ(came[1].kind, EventKind::left);
+    EXPECT_EQ(came[1].kind, events::EventKind::left);
     EXPECT_NEAR(static_cast<double>(came[1].first.frame), 1300, 5);
     EXPECT_EQ(came[1].last.frame, 1399);
     // It came in the first file: that it lay there in the second nobody has followed.
     const auto early = events_of_ghost(0, 100);
     ASSERT_EQ(early.size(), 2U);
-    EXPECT_EQ(early[1].kind, EventKind::left);
+    EXPECT_EQ(early[1].kind, events::EventKind::left);
     EXPECT_EQ(early[1].last.frame, 199);
 }
 
 TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
-    Planes scene;
+    fields::Planes scene;
     scene.grey = Plane<std::uint8_t>({120, 90}, 90);
     const auto events_of_patch = [&](int to) {
-        EventFinder finder({120, 90});
+        events::EventFinder finder({120, 90});
         for (int f = 0; f < 400; ++f) {
             Plane<std::uint8_t> field({120, 90});
             Plane<std::uint8_t> grey = scene.grey;
@@ -253,7 +253,7 @@ TEST(EventFinder, WhatAllOfTheClipShowsIsLight) {
 }
 
 TEST(EventFinder, ASlowRateIsNoGap) {
-    EventFinder finder({120, 90});
+    events::EventFinder finder({120, 90});
     for (int f = 0; f < 40; ++f) {
         Plane<std::uint8_t> field({120, 90});
         if (f >= 5) fill(field, {60, 60, 72, 70}, 220);
@@ -268,7 +268,7 @@ TEST(EventFinder, EventsDoNotLeaveTheField) {
         fill(field, {60, 10, 70, 30}, 200);
     });
     ASSERT_FALSE(events.empty());
-    for (const Event& event : events) {
+    for (const events::Event& event : events) {
         EXPECT_GE(event.box.left, 0);
         EXPECT_GE(event.box.top, 0);
         EXPECT_LE(event.box.right, 120);

@@ -18,17 +18,18 @@ namespace {
 constexpr double frames_off = 5;
 constexpr double pixels_off = 5;
 
-std::vector<Event> events_of(const scene::Scene& scene) {
-    SourceOptions source;
+std::vector<events::Event> events_of(const generator::Scene& scene) {
+    video::SourceOptions source;
     source.colour = true;
     source.field_size = {-1, -1};
-    FieldOptions fields;
+    fields::FieldOptions fields;
     fields.flow.method = "none";
-    EventFinder finder(scene.size());
-    const auto clip = scene::open_scene(scene, source);
-    const FieldSummary summary = compute_fields(*clip, fields, [&](const SharedFrame& frame, Field&& field) {
-        finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
-    });
+    events::EventFinder finder(scene.size());
+    const auto clip = generator::open_scene(scene, source);
+    const fields::FieldSummary summary =
+        fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
+            finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        });
     return finder.finish(summary.reference);
 }
 
@@ -38,11 +39,11 @@ struct Visit {
 };
 
 /// When an object can be seen: enough of it to be told from nothing.
-std::vector<Visit> visits_of(const scene::Scene& scene, const std::string& name) {
+std::vector<Visit> visits_of(const generator::Scene& scene, const std::string& name) {
     constexpr int least = 30;  // pixels
     std::vector<Visit> visits;
     for (int f = 0; f < scene.frames(); ++f) {
-        for (const scene::Object& object : scene.truth(f).objects) {
+        for (const generator::Object& object : scene.truth(f).objects) {
             if (object.name != name || std::ranges::count(object.mask.pixels(), 255) < least) continue;
             if (visits.empty() || visits.back().last < f - 1) visits.push_back({f, f});
             visits.back().last = f;
@@ -51,9 +52,9 @@ std::vector<Visit> visits_of(const scene::Scene& scene, const std::string& name)
     return visits;
 }
 
-bool goes_right(const scene::Scene& scene, const std::string& name, int frame) {
-    const scene::Truth truth = scene.truth(frame);
-    const auto found = std::ranges::find(truth.objects, name, &scene::Object::name);
+bool goes_right(const generator::Scene& scene, const std::string& name, int frame) {
+    const generator::Truth truth = scene.truth(frame);
+    const auto found = std::ranges::find(truth.objects, name, &generator::Object::name);
     return found != truth.objects.end() && found->vx > 0;
 }
 
@@ -76,13 +77,13 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 class LeftBagEvents : public testing::TestWithParam<Case> {};
 
 TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
-    scene::Options options;
+    generator::Options options;
     options.frames = GetParam().frames;
     options.seed = GetParam().seed;
     options.noise = GetParam().noise;
-    const scene::Scene scene = scene::make_left_bag(options);
-    const scene::LeftBag facts = scene::left_bag_facts(options);
-    const std::vector<Event> events = events_of(scene);
+    const generator::Scene scene = generator::make_left_bag(options);
+    const generator::LeftBag facts = generator::left_bag_facts(options);
+    const std::vector<events::Event> events = events_of(scene);
     ASSERT_EQ(events.size(), 3U);
 
     const std::vector<Visit> visits = visits_of(scene, "person");
@@ -90,7 +91,7 @@ TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
     expect_frames(events[0].first, events[0].last, visits[0].first, visits[0].last);
     expect_frames(events[2].first, events[2].last, visits[1].first, visits[1].last);
 
-    const Event& bag = events[1];
+    const events::Event& bag = events[1];
     expect_frames(bag.first, bag.last, facts.put_down, facts.taken_up - 1);
     ASSERT_EQ(bag.stays.size(), 1U);
     expect_frames(bag.stays[0].first, bag.stays[0].last, facts.put_down, facts.taken_up - 1);
@@ -102,9 +103,9 @@ TEST_P(LeftBagEvents, AreTwoVisitsAndTheBagBetweenThem) {
 
     // He goes through the picture; his middle is that of what he carries as well.
     EXPECT_GT(events[0].path_length, 0.9 * scene.size().width);
-    for (const PathPoint& point : events[0].path) {
-        const scene::Truth truth = scene.truth(static_cast<int>(point.at.frame));
-        const auto person = std::ranges::find(truth.objects, "person", &scene::Object::name);
+    for (const events::PathPoint& point : events[0].path) {
+        const generator::Truth truth = scene.truth(static_cast<int>(point.at.frame));
+        const auto person = std::ranges::find(truth.objects, "person", &generator::Object::name);
         ASSERT_NE(person, truth.objects.end());
         if (person->x < 30 || person->x > scene.size().width - 30 || std::abs(person->x - facts.x) < 40) continue;
         EXPECT_NEAR(point.place.x, person->x, 10) << point.at.frame;
@@ -119,17 +120,17 @@ INSTANTIATE_TEST_SUITE_P(All, LeftBagEvents,
 
 TEST(StillEvents, NoiseIsNone) {
     for (const double noise : {0.0, 5.0, 8.0}) {
-        scene::Options options;
+        generator::Options options;
         options.noise = noise;
         options.frames = 150;
-        EXPECT_TRUE(events_of(scene::make_still(options)).empty()) << noise;
+        EXPECT_TRUE(events_of(generator::make_still(options)).empty()) << noise;
     }
 }
 
 TEST(FallOnFloorEvents, AreOneThatLiesStill) {
-    const scene::Scene scene = scene::make_fall_on_floor({});
-    const scene::FallOnFloor facts = scene::fall_on_floor_facts({});
-    const std::vector<Event> events = events_of(scene);
+    const generator::Scene scene = generator::make_fall_on_floor({});
+    const generator::FallOnFloor facts = generator::fall_on_floor_facts({});
+    const std::vector<events::Event> events = events_of(scene);
     ASSERT_EQ(events.size(), 1U);
     const std::vector<Visit> visits = visits_of(scene, "person");
     expect_frames(events[0].first, events[0].last, visits.front().first, visits.back().last);
@@ -141,16 +142,17 @@ TEST(FallOnFloorEvents, AreOneThatLiesStill) {
 
 TEST(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
     for (const double noise : {0.0, 5.0}) {
-        scene::Options options;
+        generator::Options options;
         options.noise = noise;
-        const scene::Scene scene = scene::make_two_walkers_cross(options);
-        const std::vector<Event> events = events_of(scene);
+        const generator::Scene scene = generator::make_two_walkers_cross(options);
+        const std::vector<events::Event> events = events_of(scene);
         ASSERT_EQ(events.size(), 2U) << noise;
         for (const std::string name : {"walker 0", "walker 1"}) {
             const Visit visit = visits_of(scene, name).front();
             const bool rightward = goes_right(scene, name, visit.first + 20);
-            const auto event = std::ranges::find_if(
-                events, [&](const Event& e) { return (e.path.back().place.x > e.path.front().place.x) == rightward; });
+            const auto event = std::ranges::find_if(events, [&](const events::Event& e) {
+                return (e.path.back().place.x > e.path.front().place.x) == rightward;
+            });
             ASSERT_NE(event, events.end()) << name;
             expect_frames(event->first, event->last, visit.first, visits_of(scene, name).back().last);
             EXPECT_GT(event->path_length, 0.9 * scene.size().width);
@@ -159,13 +161,13 @@ TEST(TwoWalkersCrossEvents, AreTwoThatKeepTheirWays) {
 }
 
 TEST(WalkersEvents, AreAsManyAsWalkers) {
-    const scene::Scene scene = scene::make_walkers({});
-    const std::vector<Event> events = events_of(scene);
+    const generator::Scene scene = generator::make_walkers({});
+    const std::vector<events::Event> events = events_of(scene);
     ASSERT_EQ(events.size(), 6U);
     for (int k = 0; k < 6; ++k) {
         const Visit visit = visits_of(scene, "walker " + std::to_string(k)).front();
         // One of them comes in behind another, so his beginning is not so well known.
-        const bool there = std::ranges::any_of(events, [&](const Event& event) {
+        const bool there = std::ranges::any_of(events, [&](const events::Event& event) {
             return std::abs(event.first.frame - visit.first) <= 12 && std::abs(event.last.frame - visit.last) <= 5;
         });
         EXPECT_TRUE(there) << "walker " << k << ": " << visit.first << " to " << visit.last;

@@ -10,15 +10,15 @@ namespace {
 constexpr Size field{384, 288};
 constexpr int most = 384 / 8;
 
-Event event_in(const PixelBox& box) {
-    Event event;
+events::Event event_in(const PixelBox& box) {
+    events::Event event;
     event.box = box;
     return event;
 }
 
 /// `count` small events side by side from a place on.
-std::vector<Event> small_events(int count, int left, int top, int step) {
-    std::vector<Event> events;
+std::vector<events::Event> small_events(int count, int left, int top, int step) {
+    std::vector<events::Event> events;
     for (int k = 0; k < count; ++k) {
         const int x = left + step * (k % 4);
         const int y = top + step * (k / 4);
@@ -27,48 +27,48 @@ std::vector<Event> small_events(int count, int left, int top, int step) {
     return events;
 }
 
-void add(std::vector<Event>& events, int count, const PixelBox& box) {
+void add(std::vector<events::Event>& events, int count, const PixelBox& box) {
     for (int k = 0; k < count; ++k) events.push_back(event_in(box));
 }
 
 TEST(Scraps, ADozenInOnePartDominate) {
-    std::vector<Event> events = small_events(12, 250, 20, 20);
+    std::vector<events::Event> events = small_events(12, 250, 20, 20);
     add(events, 12, {0, 100, 384, 160});
-    const auto scraps = find_scraps(events, field);
+    const auto scraps = events::find_scraps(events, field);
     ASSERT_TRUE(scraps);
     EXPECT_EQ(scraps->count, 12);
     EXPECT_EQ(scraps->box, (PixelBox{250, 20, 320, 72}));
 }
 
 TEST(Scraps, FewerThanADozenAreFew) {
-    EXPECT_FALSE(find_scraps(small_events(11, 250, 20, 20), field));
-    EXPECT_FALSE(find_scraps({}, field));
+    EXPECT_FALSE(events::find_scraps(small_events(11, 250, 20, 20), field));
+    EXPECT_FALSE(events::find_scraps({}, field));
 }
 
 TEST(Scraps, LessThanHalfOfAllEventsDoNotDominate) {
-    std::vector<Event> events = small_events(12, 250, 20, 20);
+    std::vector<events::Event> events = small_events(12, 250, 20, 20);
     add(events, 13, {0, 100, 384, 160});
-    EXPECT_FALSE(find_scraps(events, field));
+    EXPECT_FALSE(events::find_scraps(events, field));
 }
 
 TEST(Scraps, ThoseOfAllPartsOfThePictureAreLeftAlone) {
     // Far people walk everywhere: no region is without them.
-    std::vector<Event> events;
+    std::vector<events::Event> events;
     for (int k = 0; k < 40; ++k) {
         const int x = 36 * (k % 10);
         const int y = 70 * (k / 10);
         events.push_back(event_in({x, y, x + 10, y + 12}));
     }
-    EXPECT_FALSE(find_scraps(events, field));
+    EXPECT_FALSE(events::find_scraps(events, field));
 }
 
 TEST(Scraps, WhatGoesFarIsNone) {
-    std::vector<Event> events;
+    std::vector<events::Event> events;
     add(events, 30, {200, 20, 200 + most, 20 + most});
-    EXPECT_TRUE(find_scraps(events, field));
+    EXPECT_TRUE(events::find_scraps(events, field));
     events.clear();
     add(events, 30, {200, 20, 200 + most + 1, 30});
-    EXPECT_FALSE(find_scraps(events, field));
+    EXPECT_FALSE(events::find_scraps(events, field));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int border = 14;
 
-FlowOptions paper_solver(const char* derivatives, double pre_smooth) {
-    FlowOptions options;
+fields::FlowOptions paper_solver(const char* derivatives, double pre_smooth) {
+    fields::FlowOptions options;
     options.solver = "jacobi";
     options.alpha = 0.5;
     options.iterations = 100;
@@ -46,12 +46,12 @@ std::vector<Plane<std::uint8_t>> sinusoids() {
 }
 
 TEST(Accuracy, SinusoidsWithBarronsDerivatives) {
-    const Flow flow = test::flow_of(sinusoids(), 7, paper_solver("barron", 1.5));
+    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("barron", 1.5));
     EXPECT_NEAR(test::error_of(flow, sinusoid_u, sinusoid_v, border).angle, 2.53, 0.15);
 }
 
 TEST(Accuracy, SinusoidsWithTheCube) {
-    const Flow flow = test::flow_of(sinusoids(), 7, paper_solver("cube", 0));
+    const fields::Flow flow = test::flow_of(sinusoids(), 7, paper_solver("cube", 0));
     EXPECT_NEAR(test::error_of(flow, sinusoid_u, sinusoid_v, border).angle, 4.19, 0.15);
 }
 
@@ -59,22 +59,22 @@ TEST(Accuracy, SinusoidsWithTheCube) {
 // and reduced. A square's sides show motion across them only, so the error must be large.
 TEST(Accuracy, SquareHasTheApertureProblem) {
     std::vector<Plane<std::uint8_t>> frames;
-    const std::vector<float> blur = gaussian_taps(3);
+    const std::vector<float> blur = fields::gaussian_taps(3);
     for (int f = -7; f <= 7; ++f) {
         const auto inside = [f](int p) { return p >= 90 + 4 * f && p < 210 + 4 * f; };
         const Plane<std::uint8_t> large =
             test::grey_plane({300, 300}, [&](int i, int j) { return inside(i) && inside(j) ? 0 : 255; });
-        const Plane<float> blurred = smoothed(large, blur);
+        const Plane<float> blurred = fields::smoothed(large, blur);
         frames.push_back(test::grey_plane({100, 100}, [&](int i, int j) { return blurred.at(3 * i + 1, 3 * j + 1); }));
     }
-    const Flow flow = test::flow_of(frames, 7, paper_solver("barron", 1.5));
+    const fields::Flow flow = test::flow_of(frames, 7, paper_solver("barron", 1.5));
     EXPECT_NEAR(test::error_of(flow, 4.0 / 3, 4.0 / 3, border).angle, 32, 1.5);
 }
 
 TEST(Accuracy, ConvergedSolverHalvesTheErrorOfSixtySteps) {
     for (const auto& [u, v] : {std::array{0.8, -0.5}, std::array{1.2, 0.9}}) {
         const auto frames = test::moving_texture({192, 144}, 15, u, v);
-        FlowOptions options;
+        fields::FlowOptions options;
         options.solver = "jacobi";
         const double jacobi = test::error_of(test::flow_of(frames, 7, options), u, v, border).angle;
         options.solver = "multigrid";

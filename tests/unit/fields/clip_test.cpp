@@ -36,8 +36,8 @@ class Clip : public testing::Test {
 
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-    FieldSummary run(const FieldOptions& options, const FieldSink& sink) const {
-        return compute_fields(*open_source(path("clip")), options, sink);
+    fields::FieldSummary run(const fields::FieldOptions& options, const fields::FieldSink& sink) const {
+        return fields::compute_fields(*video::open_source(path("clip")), options, sink);
     }
 
   private:
@@ -55,11 +55,12 @@ class Clip : public testing::Test {
 };
 
 TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
-    const FieldSummary summary = run({.threads = 2}, [&](const SharedFrame& frame, Field&& field) {
-        const auto f = static_cast<int>(frame->index);
-        EXPECT_NE(field.scalar.at(5 * f + 2, 24), 0) << "the walker in frame " << f;
-        EXPECT_EQ(field.scalar.at((5 * f + 30) % 64, 24), 0) << "where it isn't in frame " << f;
-    });
+    const fields::FieldSummary summary =
+        run({.threads = 2}, [&](const video::SharedFrame& frame, fields::Field&& field) {
+            const auto f = static_cast<int>(frame->index);
+            EXPECT_NE(field.scalar.at(5 * f + 2, 24), 0) << "the walker in frame " << f;
+            EXPECT_EQ(field.scalar.at((5 * f + 30) % 64, 24), 0) << "where it isn't in frame " << f;
+        });
     EXPECT_EQ(summary.frames, count);
     EXPECT_EQ(summary.damaged, 0);
     for (const int p : summary.reference.grey.pixels()) ASSERT_NEAR(p, 50, 1);
@@ -67,28 +68,29 @@ TEST_F(Clip, MedianReferenceIsTheEmptyScene) {
 
 TEST_F(Clip, ReferenceFromAPicture) {
     std::int64_t lit = 0;
-    FieldOptions options{.reference = path("full.pgm"), .illumination = "none", .threads = 2};
-    run(options, [&](const SharedFrame&, Field&& field) { lit += field.scalar.at(63, 2) > 0; });
+    fields::FieldOptions options{.reference = path("full.pgm"), .illumination = "none", .threads = 2};
+    run(options, [&](const video::SharedFrame&, fields::Field&& field) { lit += field.scalar.at(63, 2) > 0; });
     EXPECT_EQ(lit, count);
     options.reference = path("empty.pgm");
-    run(options, [&](const SharedFrame&, Field&& field) { lit -= field.scalar.at(63, 2) == 0; });
+    run(options, [&](const video::SharedFrame&, fields::Field&& field) { lit -= field.scalar.at(63, 2) == 0; });
     EXPECT_EQ(lit, 0);
 }
 
 TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
     for (const char* const filter : {"difference", "temporal", "bands"}) {
         for (const char* const solver : {"pyramid", "multigrid", "jacobi"}) {
-            FieldOptions options{.filter = filter, .threads = 2};
+            fields::FieldOptions options{.filter = filter, .threads = 2};
             options.flow.solver = solver;
             options.seeds.grid = 4;
-            std::vector<Field> whole, parts;
-            run(options, [&](const SharedFrame&, Field&& field) { whole.push_back(std::move(field)); });
+            std::vector<fields::Field> whole, parts;
+            run(options, [&](const video::SharedFrame&, fields::Field&& field) { whole.push_back(std::move(field)); });
             const double seconds = count / 25.0;
             for (int k = 0; k < 4; ++k) {
                 options.span.start = k * seconds / 4;
                 options.span.end = (k + 1) * seconds / 4;
-                const FieldSummary summary =
-                    run(options, [&](const SharedFrame&, Field&& field) { parts.push_back(std::move(field)); });
+                const fields::FieldSummary summary =
+                    run(options,
+                        [&](const video::SharedFrame&, fields::Field&& field) { parts.push_back(std::move(field)); });
                 EXPECT_EQ(summary.frames, count / 4);
             }
             ASSERT_EQ(parts.size(), whole.size());
@@ -105,11 +107,12 @@ TEST_F(Clip, FourPartsGiveWhatTheWholeGives) {
 
 TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
     const auto still = [&](const char* area) {
-        FieldOptions options{.threads = 2};
+        fields::FieldOptions options{.threads = 2};
         options.flow.area = area;
         std::int64_t zeros = 0;
-        run(options,
-            [&](const SharedFrame&, Field&& field) { zeros += std::ranges::count(field.flow.u.pixels(), 0.F); });
+        run(options, [&](const video::SharedFrame&, fields::Field&& field) {
+            zeros += std::ranges::count(field.flow.u.pixels(), 0.F);
+        });
         return zeros;
     };
     EXPECT_EQ(still("auto"), still("all"));
@@ -117,10 +120,10 @@ TEST_F(Clip, FlowOfAShortClipIsThatOfTheWholeFrame) {
 }
 
 TEST_F(Clip, APartWithoutFramesIsAnError) {
-    FieldOptions options;
+    fields::FieldOptions options;
     options.span.start = 100;
     try {
-        run(options, [](const SharedFrame&, Field&&) {});
+        run(options, [](const video::SharedFrame&, fields::Field&&) {});
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
@@ -130,20 +133,20 @@ TEST_F(Clip, APartWithoutFramesIsAnError) {
 }
 
 TEST_F(Clip, WhatIsMaskedIsNotLookedAt) {
-    FieldOptions options{.mask = "0,0 64,0 64,24 0,24", .threads = 2};
-    run(options, [&](const SharedFrame&, Field&& field) {
+    fields::FieldOptions options{.mask = "0,0 64,0 64,24 0,24", .threads = 2};
+    run(options, [&](const video::SharedFrame&, fields::Field&& field) {
         for (int j = 0; j < 23; ++j) ASSERT_EQ(std::ranges::count(field.scalar.row(j), 0), size.width);
         EXPECT_NE(field.scalar.at(5 * static_cast<int>(field.index) + 3, 28), 0);
     });
     options.mask = path("full.pgm");  // all of it is bright
-    run(options, [&](const SharedFrame&, Field&& field) {
+    run(options, [&](const video::SharedFrame&, fields::Field&& field) {
         EXPECT_EQ(std::ranges::count(field.scalar.pixels(), 0), size.width * size.height);
     });
 }
 
 TEST_F(Clip, ReferenceThatIsNotThere) {
     try {
-        run({.reference = path("nowhere.png")}, [](const SharedFrame&, Field&&) {});
+        run({.reference = path("nowhere.png")}, [](const video::SharedFrame&, fields::Field&&) {});
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("nowhere.png"), std::string::npos);

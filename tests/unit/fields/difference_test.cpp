@@ -12,15 +12,15 @@ namespace {
 constexpr Size size{96, 64};
 constexpr int pixels = size.width * size.height;
 
-Plane<std::uint8_t> object_in(const Frame& frame, const Frame& empty, const FieldOptions& options,
+Plane<std::uint8_t> object_in(const video::Frame& frame, const video::Frame& empty, const fields::FieldOptions& options,
                               const Plane<std::uint8_t>& region = {}) {
-    const ObjectFinder finder(options, 24, Planes{empty.grey, empty.colour}, region);
-    return finder.find(smoothed(frame.grey, frame.colour, options.smooth)).values;
+    const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, empty.colour}, region);
+    return finder.find(fields::smoothed(frame.grey, frame.colour, options.smooth)).values;
 }
 
 /// Every pixel counts, in whatever light.
-FieldOptions plain() {
-    FieldOptions options;
+fields::FieldOptions plain() {
+    fields::FieldOptions options;
     options.smooth = 0;
     options.min_area = 0;
     options.illumination = "none";
@@ -31,15 +31,15 @@ std::ptrdiff_t lit(const Plane<std::uint8_t>& object) {
     return std::ranges::count_if(object.pixels(), [](int p) { return p > 0; });
 }
 
-Frame dark_texture() {
-    Frame frame = test::texture_frame(size, 0, 0, 0);
+video::Frame dark_texture() {
+    video::Frame frame = test::texture_frame(size, 0, 0, 0);
     for (std::uint8_t& p : frame.grey.pixels()) p = static_cast<std::uint8_t>(20 + p / 2);
     return frame;
 }
 
 /// A square of 20 × 20 pixels that is brighter than what is behind it.
-Frame with_object(const Frame& empty) {
-    Frame frame = empty;
+video::Frame with_object(const video::Frame& empty) {
+    video::Frame frame = empty;
     for (int j = 20; j < 40; ++j) {
         for (int i = 40; i < 60; ++i) frame.grey.at(i, j) = static_cast<std::uint8_t>(empty.grey.at(i, j) + 90);
     }
@@ -47,10 +47,10 @@ Frame with_object(const Frame& empty) {
 }
 
 /// As a camera would see it: in another light, with noise.
-Frame seen(const Frame& frame, double gain, double offset, double sigma, unsigned seed) {
+video::Frame seen(const video::Frame& frame, double gain, double offset, double sigma, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, sigma);
-    Frame result = frame;
+    video::Frame result = frame;
     for (std::uint8_t& p : result.grey.pixels()) {
         p = static_cast<std::uint8_t>(std::lround(std::clamp(gain * p + offset + noise(random), 0.0, 255.0)));
     }
@@ -69,12 +69,12 @@ void expect_only_the_object(const Plane<std::uint8_t>& object) {
 }
 
 TEST(Difference, ShowsAnObjectAndNothingElse) {
-    const Frame empty = dark_texture();
+    const video::Frame empty = dark_texture();
     expect_only_the_object(object_in(with_object(empty), empty, {}));
 }
 
 TEST(Difference, StartsAtTheThreshold) {
-    const Frame dark = test::flat_frame(size, 0, 100);
+    const video::Frame dark = test::flat_frame(size, 0, 100);
     EXPECT_EQ(object_in(test::flat_frame(size, 0, 123), dark, plain()).at(5, 5), 0);
     EXPECT_EQ(object_in(test::flat_frame(size, 0, 124), dark, plain()).at(5, 5), 48);
     EXPECT_EQ(object_in(test::flat_frame(size, 0, 76), dark, plain()).at(5, 5), 48) << "darker counts like brighter";
@@ -84,8 +84,8 @@ TEST(Difference, StartsAtTheThreshold) {
 
 TEST(Difference, ColourCounts) {
     for (const Size odd : {size, Size{67, 3}, Size{1, 1}}) {
-        Frame empty = test::flat_frame(odd, 0, 100);
-        Frame frame = empty;
+        video::Frame empty = test::flat_frame(odd, 0, 100);
+        video::Frame frame = empty;
         empty.colour = Plane<Bgr>(odd, {100, 100, 100});
         frame.colour = Plane<Bgr>(odd, {140, 80, 100});
         const Plane<std::uint8_t> object = object_in(frame, empty, plain());
@@ -97,11 +97,11 @@ TEST(Difference, ColourCounts) {
 }
 
 TEST(Difference, SmallBlobsAreRemoved) {
-    const Frame empty = test::flat_frame(size, 0, 100);
-    Frame frame = empty;
+    const video::Frame empty = test::flat_frame(size, 0, 100);
+    video::Frame frame = empty;
     for (int i = 10; i < 19; ++i) frame.grey.at(i, 30) = 200;          // nine in a row
     for (int k = 0; k < 10; ++k) frame.grey.at(50 + k, 20 + k) = 200;  // ten that touch at their corners
-    FieldOptions options = plain();
+    fields::FieldOptions options = plain();
     options.min_area = 10;
     const Plane<std::uint8_t> object = object_in(frame, empty, options);
     EXPECT_EQ(lit(object), 10);
@@ -111,8 +111,8 @@ TEST(Difference, SmallBlobsAreRemoved) {
 }
 
 TEST(Difference, BlobsOfAnyShapeAreOne) {
-    const Frame empty = test::flat_frame(size, 0, 100);
-    Frame frame = empty;
+    const video::Frame empty = test::flat_frame(size, 0, 100);
+    video::Frame frame = empty;
     int drawn = 0;
     for (int j = 5; j < 35; ++j) {  // a comb, whose teeth meet only in its last row, and a lone ring around nothing
         for (int i = 5; i < 45; ++i) {
@@ -121,7 +121,7 @@ TEST(Difference, BlobsOfAnyShapeAreOne) {
             ++drawn;
         }
     }
-    FieldOptions options = plain();
+    fields::FieldOptions options = plain();
     options.min_area = drawn;
     EXPECT_EQ(lit(object_in(frame, empty, options)), drawn);
     options.min_area = drawn + 1;
@@ -138,7 +138,7 @@ TEST(Difference, OnlyTheRegionIsLookedAt) {
 }
 
 TEST(Difference, SensorNoiseStaysDark) {
-    const Frame empty = dark_texture();
+    const video::Frame empty = dark_texture();
     for (unsigned seed = 1; seed <= 20; ++seed) {
         EXPECT_EQ(lit(object_in(seen(empty, 1, 0, 5, seed), empty, {})), 0);
     }
@@ -150,9 +150,9 @@ struct Change {
 };
 
 TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
-    const Frame empty = dark_texture();
+    const video::Frame empty = dark_texture();
     for (const char* const kind : {"global", "local"}) {
-        FieldOptions options;
+        fields::FieldOptions options;
         options.illumination = kind;
         for (const auto& [gain, offset] :
              {Change{1.2, 0}, Change{0.8, 0}, Change{1, 40}, Change{1, -15}, Change{1.3, -20}, Change{0.6, 30}}) {
@@ -161,22 +161,22 @@ TEST(Illumination, ChangesOfLightStayDarkAndObjectsShow) {
             expect_only_the_object(object_in(seen(with_object(empty), gain, offset, 0, 3), empty, options));
         }
     }
-    FieldOptions options;
+    fields::FieldOptions options;
     options.illumination = "none";
     EXPECT_GT(lit(object_in(seen(empty, 1.4, 0, 0, 3), empty, options)), pixels / 4)
         << "without it nearly all lights up";
 }
 
 TEST(Illumination, LocalFollowsALampAtOneSide) {
-    Frame empty = dark_texture();
-    Frame frame = empty;
+    video::Frame empty = dark_texture();
+    video::Frame frame = empty;
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
             frame.grey.at(i, j) =
                 static_cast<std::uint8_t>(std::lround(empty.grey.at(i, j) * (0.75 + 0.5 * i / size.width)));
         }
     }
-    FieldOptions options;
+    fields::FieldOptions options;
     options.illumination = "local";
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
     options.illumination = "none";
@@ -184,37 +184,37 @@ TEST(Illumination, LocalFollowsALampAtOneSide) {
 }
 
 TEST(Illumination, WhatWasCutOffIsNotMadeDarker) {
-    Frame empty = dark_texture();
+    video::Frame empty = dark_texture();
     for (int j = 5; j < 20; ++j) {
         for (int i = 5; i < 30; ++i) empty.grey.at(i, j) = 255;
     }
-    Frame frame = seen(empty, 0.8, 0, 0, 1);
+    video::Frame frame = seen(empty, 0.8, 0, 0, 1);
     for (int j = 5; j < 20; ++j) {
         for (int i = 5; i < 30; ++i) frame.grey.at(i, j) = 255;
     }
-    FieldOptions options;
+    fields::FieldOptions options;
     options.smooth = 0;  // or the cut off places' edges would be something between
     EXPECT_EQ(lit(object_in(frame, empty, options)), 0);
 }
 
 TEST(Illumination, NothingToLearnFromIsNoChange) {
-    const Planes black{Plane<std::uint8_t>(size, 0), {}};
-    const Planes white{Plane<std::uint8_t>(size, 255), {}};
-    const Planes tiny{Plane<std::uint8_t>({2, 1}, 100), {}};
-    EXPECT_EQ(light_between(black, white), Light{});
-    EXPECT_EQ(light_between(white, white), Light{});
-    EXPECT_EQ(light_between(tiny, tiny), Light{});
+    const fields::Planes black{Plane<std::uint8_t>(size, 0), {}};
+    const fields::Planes white{Plane<std::uint8_t>(size, 255), {}};
+    const fields::Planes tiny{Plane<std::uint8_t>({2, 1}, 100), {}};
+    EXPECT_EQ(fields::light_between(black, white), fields::Light{});
+    EXPECT_EQ(fields::light_between(white, white), fields::Light{});
+    EXPECT_EQ(fields::light_between(tiny, tiny), fields::Light{});
 }
 
 TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
-    Frame empty = dark_texture();
+    video::Frame empty = dark_texture();
     empty.colour = Plane<Bgr>(size);
     for (std::size_t i = 0; i < empty.colour.pixels().size(); ++i) {
         const auto level = empty.grey.pixels()[i];
         empty.colour.pixels()[i] = {level, static_cast<std::uint8_t>(level + 20),
                                     static_cast<std::uint8_t>(level + 40)};
     }
-    Frame frame = empty;
+    video::Frame frame = empty;
     const auto darken = [&](int left, double b, double g, double r) {
         for (int j = 10; j < 40; ++j) {
             for (int i = left; i < left + 20; ++i) {
@@ -227,7 +227,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
     darken(5, 0.68, 0.65, 0.64);  // a shadow
     darken(35, 0.3, 0.28, 0.3);   // a dark coat
     darken(65, 0.45, 0.65, 0.8);  // something red
-    FieldOptions options;
+    fields::FieldOptions options;
     options.illumination = "none";
     const Plane<std::uint8_t> object = object_in(frame, empty, options);
     EXPECT_EQ(object.at(15, 25), 0);
@@ -240,7 +240,7 @@ TEST(Shadows, AreNotObjectsAndDarkThingsAre) {
 TEST(Difference, SmallestPictures) {
     for (const Size tiny : {Size{1, 1}, Size{3, 2}, Size{1, 7}}) {
         for (const char* const kind : {"none", "global", "local"}) {
-            FieldOptions options;
+            fields::FieldOptions options;
             options.illumination = kind;
             options.min_area = 0;
             const Plane<std::uint8_t> object =

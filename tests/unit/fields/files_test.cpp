@@ -19,26 +19,27 @@ std::string error_of(const Call& call) {
 }
 
 std::string seeds_error(const std::string& text) {
-    return error_of([&] { parse_seeds(text, "s.txt"); });
+    return error_of([&] { fields::parse_seeds(text, "s.txt"); });
 }
 
 const std::string good_head = "vvr-seeds 1\nframe 3\nsize 40 30\n";
 
 TEST(SeedFile, ReadsWhatItWrote) {
-    const SeedList list{17, {384, 288}, {{6, 18, 1.25F, -0.1F}, {30.5F, 0, 1e-7F, 3.4e5F, *SeedFlags::parse("0110")}}};
-    EXPECT_EQ(parse_seeds(format_seeds(list), ""), list);
-    const SeedList none{0, {1, 1}, {}};
-    EXPECT_EQ(parse_seeds(format_seeds(none), ""), none);
+    const fields::SeedList list{
+        17, {384, 288}, {{6, 18, 1.25F, -0.1F}, {30.5F, 0, 1e-7F, 3.4e5F, *fields::SeedFlags::parse("0110")}}};
+    EXPECT_EQ(fields::parse_seeds(fields::format_seeds(list), ""), list);
+    const fields::SeedList none{0, {1, 1}, {}};
+    EXPECT_EQ(fields::parse_seeds(fields::format_seeds(none), ""), none);
 }
 
 TEST(SeedFile, LooksAsDocumented) {
-    EXPECT_EQ(format_seeds({3, {40, 30}, {{6, 18, 1.25F, -0.5F}}}),
+    EXPECT_EQ(fields::format_seeds({3, {40, 30}, {{6, 18, 1.25F, -0.5F}}}),
               "vvr-seeds 1\nframe 3\nsize 40 30\npoints 1\n# x y u v flag\n6 18 1.25 -0.5 1\n");
 }
 
 TEST(SeedFile, TakesCommentsEmptyLinesAndOtherLineEnds) {
-    const SeedList list =
-        parse_seeds("# made by hand\r\nvvr-seeds 1\r\n\r\nframe 3\r\nsize 40 30\r\npoints 1\r\n  1\t2  0 0 0\r\n", "");
+    const fields::SeedList list = fields::parse_seeds(
+        "# made by hand\r\nvvr-seeds 1\r\n\r\nframe 3\r\nsize 40 30\r\npoints 1\r\n  1\t2  0 0 0\r\n", "");
     ASSERT_EQ(list.seeds.size(), 1U);
     EXPECT_FALSE(list.seeds[0].flags.in(0));
 }
@@ -75,21 +76,21 @@ TEST(SeedFile, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(SeedFile, AFileThatIsNotThere) {
-    EXPECT_EQ(error_of([] { read_seeds("/nowhere/s.txt"); }),
+    EXPECT_EQ(error_of([] { fields::read_seeds("/nowhere/s.txt"); }),
               "/nowhere/s.txt: can't be opened: No such file or directory");
     const std::string folder = std::filesystem::temp_directory_path().string();
-    EXPECT_EQ(error_of([&] { read_seeds(folder); }), folder + ": can't be opened: Is a directory");
+    EXPECT_EQ(error_of([&] { fields::read_seeds(folder); }), folder + ": can't be opened: Is a directory");
 }
 
-Flow small_flow() {
-    Flow flow{Plane<float>({3, 2}, 1.5F), Plane<float>({3, 2}, -2)};
+fields::Flow small_flow() {
+    fields::Flow flow{Plane<float>({3, 2}, 1.5F), Plane<float>({3, 2}, -2)};
     flow.u.at(2, 1) = 1e10F;
     flow.v.at(0, 1) = 0.25F;
     return flow;
 }
 
 TEST(FloFile, HasMiddleburysLayout) {
-    const std::string bytes = encode_flo(small_flow());
+    const std::string bytes = fields::encode_flo(small_flow());
     ASSERT_EQ(bytes.size(), 12U + 6 * 8);
     EXPECT_EQ(bytes.substr(0, 4), "PIEH");
     EXPECT_EQ(bytes.substr(4, 8), std::string("\3\0\0\0\2\0\0\0", 8));
@@ -99,15 +100,17 @@ TEST(FloFile, HasMiddleburysLayout) {
 }
 
 TEST(FloFile, ReadsWhatItWrote) {
-    const Flow flow = decode_flo(encode_flo(small_flow()), "");
+    const fields::Flow flow = fields::decode_flo(fields::encode_flo(small_flow()), "");
     EXPECT_EQ(flow.u.size(), (Size{3, 2}));
     EXPECT_TRUE(std::ranges::equal(flow.u.pixels(), small_flow().u.pixels()));
     EXPECT_TRUE(std::ranges::equal(flow.v.pixels(), small_flow().v.pixels()));
 }
 
 TEST(FloFile, SaysWhatIsWrong) {
-    const auto flo_error = [](const std::string& bytes) { return error_of([&] { decode_flo(bytes, "f.flo"); }); };
-    const std::string good = encode_flo(small_flow());
+    const auto flo_error = [](const std::string& bytes) {
+        return error_of([&] { fields::decode_flo(bytes, "f.flo"); });
+    };
+    const std::string good = fields::encode_flo(small_flow());
     EXPECT_EQ(flo_error(""), "f.flo: not a flow file: 0 bytes are less than its header's 12");
     EXPECT_EQ(flo_error("PIEJ" + good.substr(4)),
               "f.flo: not a flow file: it doesn't begin with the number 202021.25 (\"PIEH\")");
@@ -116,10 +119,10 @@ TEST(FloFile, SaysWhatIsWrong) {
     std::string huge = good;
     huge.replace(4, 4, "\xff\xff\xff\x7f");
     EXPECT_EQ(flo_error(huge), "f.flo: not a flow file: a size of 2147483647x2 can't be");
-    Flow bad = small_flow();
+    fields::Flow bad = small_flow();
     bad.v.at(1, 0) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(flo_error(encode_flo(bad)), "f.flo: not a flow file: vector 1 is not a number");
-    EXPECT_EQ(error_of([] { read_flo("/nowhere/f.flo"); }),
+    EXPECT_EQ(flo_error(fields::encode_flo(bad)), "f.flo: not a flow file: vector 1 is not a number");
+    EXPECT_EQ(error_of([] { fields::read_flo("/nowhere/f.flo"); }),
               "/nowhere/f.flo: can't be opened: No such file or directory");
 }
 

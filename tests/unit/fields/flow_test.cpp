@@ -18,13 +18,13 @@ namespace vvr {
 namespace {
 
 /// Every method and solver that gives a flow.
-std::vector<FlowOptions> all_methods() {
-    std::vector<FlowOptions> all;
-    for (const FlowRow& row : flow_methods()) {
+std::vector<fields::FlowOptions> all_methods() {
+    std::vector<fields::FlowOptions> all;
+    for (const fields::FlowRow& row : fields::flow_methods()) {
         if (row.name == "none") continue;
-        FlowOptions options;
+        fields::FlowOptions options;
         options.method = row.name;
-        for (const SolverRow& solver : flow_solvers()) {
+        for (const fields::SolverRow& solver : fields::flow_solvers()) {
             options.solver = solver.name;
             all.push_back(options);
             if (row.name != "horn-schunck") break;
@@ -33,31 +33,32 @@ std::vector<FlowOptions> all_methods() {
     return all;
 }
 
-std::string name_of(const FlowOptions& options) {
+std::string name_of(const fields::FlowOptions& options) {
     return options.method + " " + options.solver;
 }
 
-void expect_finite(const Flow& flow, Size size) {
+void expect_finite(const fields::Flow& flow, Size size) {
     ASSERT_EQ(flow.u.size(), size);
     ASSERT_EQ(flow.v.size(), size);
     for (const float value : flow.u.pixels()) ASSERT_TRUE(std::isfinite(value));
     for (const float value : flow.v.pixels()) ASSERT_TRUE(std::isfinite(value));
 }
 
-PlaneStack derivatives_of(Size size, double u, double v) {
-    const std::vector<float> taps = gaussian_taps(1.5);
+fields::PlaneStack derivatives_of(Size size, double u, double v) {
+    const std::vector<float> taps = fields::gaussian_taps(1.5);
     std::vector<Plane<float>> planes;
-    for (const Plane<std::uint8_t>& grey : test::moving_texture(size, 15, u, v)) planes.push_back(smoothed(grey, taps));
+    for (const Plane<std::uint8_t>& grey : test::moving_texture(size, 15, u, v))
+        planes.push_back(fields::smoothed(grey, taps));
     std::vector<const Plane<float>*> frames;
     for (const Plane<float>& plane : planes) frames.push_back(&plane);
-    PlaneStack result;
-    barron_derivatives(frames, taps, test::whole(size), result);
+    fields::PlaneStack result;
+    fields::barron_derivatives(frames, taps, test::whole(size), result);
     return result;
 }
 
 TEST(Flow, EveryMethodFollowsASlowTexture) {
     const auto frames = test::moving_texture({96, 80}, 15, 0.8, -0.5);
-    for (FlowOptions options : all_methods()) {
+    for (fields::FlowOptions options : all_methods()) {
         // The paper's 60 steps from zero stay far from where they lead.
         if (options.solver == "jacobi" && options.method == "horn-schunck") options.iterations = 2000;
         EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 0.8, -0.5, 14).end_point, 0.2) << name_of(options);
@@ -66,17 +67,17 @@ TEST(Flow, EveryMethodFollowsASlowTexture) {
 
 TEST(Flow, NoMotionNoFlow) {
     const auto frames = test::moving_texture({64, 48}, 15, 0, 0);
-    for (const FlowOptions& options : all_methods()) {
+    for (const fields::FlowOptions& options : all_methods()) {
         // OpenCV's Farneback leaves 0.12 px near the edges of a still picture; a seed needs 0.3.
         const double allowed = options.method == "horn-schunck" ? 1e-4 : 0.25;
-        const Flow flow = test::flow_of(frames, 7, options);
+        const fields::Flow flow = test::flow_of(frames, 7, options);
         for (const float value : flow.u.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
         for (const float value : flow.v.pixels()) ASSERT_NEAR(value, 0, allowed) << name_of(options);
     }
 }
 
 TEST(Flow, SmallestPicturesHaveFiniteFlow) {
-    for (const FlowOptions& options : all_methods()) {
+    for (const fields::FlowOptions& options : all_methods()) {
         SCOPED_TRACE(name_of(options));
         for (const Size size : {Size{1, 1}, Size{3, 40}, Size{40, 3}, Size{2, 2}, Size{33, 17}}) {
             for (const int count : {1, 2, 15}) {
@@ -88,10 +89,10 @@ TEST(Flow, SmallestPicturesHaveFiniteFlow) {
 
 TEST(Flow, TheLastFrameMovesLikeTheOneBefore) {
     const auto frames = test::moving_texture({96, 80}, 3, 1.5, 0.5);
-    FlowOptions options;
+    fields::FlowOptions options;
     options.derivatives = "cube";
     options.pre_smooth = 0.8;
-    for (const SolverRow& solver : flow_solvers()) {
+    for (const fields::SolverRow& solver : fields::flow_solvers()) {
         if (solver.name == "jacobi") continue;
         options.solver = solver.name;
         EXPECT_LT(test::error_of(test::flow_of(frames, 2, options), 1.5, 0.5, 14).end_point, 0.8) << name_of(options);
@@ -103,7 +104,7 @@ TEST(Flow, BlackAndWhiteChessboardsStayFinite) {
     for (int f = 0; f < 15; ++f) {
         frames.push_back(test::grey_plane({65, 47}, [&](int i, int j) { return (i + j + f) % 2 == 0 ? 0 : 255; }));
     }
-    for (FlowOptions options : all_methods()) {
+    for (fields::FlowOptions options : all_methods()) {
         SCOPED_TRACE(name_of(options));
         options.alpha = 0.01;
         expect_finite(test::flow_of(frames, 7, options), {65, 47});
@@ -112,7 +113,7 @@ TEST(Flow, BlackAndWhiteChessboardsStayFinite) {
 
 TEST(Pyramid, FollowsFastMotionWhereTheLinearEquationsFail) {
     const auto frames = test::moving_rough_texture({192, 144}, 15, 4.8, -3.6);
-    FlowOptions options;
+    fields::FlowOptions options;
     EXPECT_LT(test::error_of(test::flow_of(frames, 7, options), 4.8, -3.6, 14).end_point, 0.3);
     options.solver = "jacobi";
     EXPECT_GT(test::error_of(test::flow_of(frames, 7, options), 4.8, -3.6, 14).end_point, 3);
@@ -120,16 +121,16 @@ TEST(Pyramid, FollowsFastMotionWhereTheLinearEquationsFail) {
 
 TEST(Jacobi, EqualsThePlainLoop) {
     for (const Size size : {Size{97, 61}, Size{384, 70}, Size{5, 3}}) {
-        const PlaneStack d = derivatives_of(size, 0.7, 0.4);
+        const fields::PlaneStack d = derivatives_of(size, 0.7, 0.4);
         for (const float alpha : {0.5F, 10.F}) {
             for (const int steps : {1, 60, 77}) {
-                LinearSystem system(size, alpha * alpha);
+                fields::LinearSystem system(size, alpha * alpha);
                 system.load(d);
                 system.clear();
                 system.relax(steps);
-                const Flow fast = system.flow();
-                const Flow plain =
-                    test::plain_jacobi(d.plane(along_x), d.plane(along_y), d.plane(along_t), alpha, steps);
+                const fields::Flow fast = system.flow();
+                const fields::Flow plain = test::plain_jacobi(d.plane(fields::along_x), d.plane(fields::along_y),
+                                                              d.plane(fields::along_t), alpha, steps);
                 for (std::size_t i = 0; i < fast.u.pixels().size(); ++i) {
                     ASSERT_NEAR(fast.u.pixels()[i], plain.u.pixels()[i], 1e-4) << size.width << " " << alpha;
                     ASSERT_NEAR(fast.v.pixels()[i], plain.v.pixels()[i], 1e-4) << size.width << " " << alpha;
@@ -141,13 +142,13 @@ TEST(Jacobi, EqualsThePlainLoop) {
 
 TEST(Multigrid, SolvesTheEquations) {
     for (const Size size : {Size{128, 96}, Size{97, 61}, Size{384, 288}}) {
-        const PlaneStack d = derivatives_of(size, 0.7, 0.4);
+        const fields::PlaneStack d = derivatives_of(size, 0.7, 0.4);
         for (const float alpha : {2.F, 10.F, 15.F}) {
-            LinearSystem zero(size, alpha * alpha);
+            fields::LinearSystem zero(size, alpha * alpha);
             zero.load(d);
             zero.clear();
             const double before = zero.residual();
-            Multigrid grids;
+            fields::Multigrid grids;
             grids.solve(d, alpha * alpha, 2);
             EXPECT_LT(grids.finest().residual(), before / 1000) << size.width << " α = " << alpha;
         }
@@ -155,16 +156,16 @@ TEST(Multigrid, SolvesTheEquations) {
 }
 
 TEST(Multigrid, AgreesWithJacobiAtItsEnd) {
-    const PlaneStack d = derivatives_of({64, 48}, 0.7, 0.4);
-    Multigrid grids;
+    const fields::PlaneStack d = derivatives_of({64, 48}, 0.7, 0.4);
+    fields::Multigrid grids;
     grids.solve(derivatives_of({97, 61}, 0.7, 0.4), 4, 1);  // what it held before must not matter
     grids.solve(d, 100, 12);
-    LinearSystem system({64, 48}, 100);
+    fields::LinearSystem system({64, 48}, 100);
     system.load(d);
     system.clear();
     system.relax(20000);
-    const Flow a = grids.finest().flow();
-    const Flow b = system.flow();
+    const fields::Flow a = grids.finest().flow();
+    const fields::Flow b = system.flow();
     for (std::size_t i = 0; i < a.u.pixels().size(); ++i) ASSERT_NEAR(a.u.pixels()[i], b.u.pixels()[i], 1e-3);
 }
 
@@ -172,16 +173,16 @@ TEST(Multigrid, AgreesWithJacobiAtItsEnd) {
 // reach one pixel each.
 TEST(Parts, JacobiIsTheSameInAPart) {
     const auto frames = test::moving_texture({160, 120}, 15, 0.8, -0.5);
-    FlowOptions options;
+    fields::FlowOptions options;
     options.solver = "jacobi";
     options.iterations = 20;
-    const auto method = make_flow(options);
-    std::vector<FlowFrame> prepared;
+    const auto method = fields::make_flow(options);
+    std::vector<fields::FlowFrame> prepared;
     for (const auto& frame : frames) prepared.push_back(method->prepare(frame));
     const auto about = test::about(prepared, 7, method->reach());
-    const Flow all = (*method)(about, test::whole({160, 120}));
-    const Rect part{33, 21, {70, 61}};
-    const Flow some = (*method)(about, part);
+    const fields::Flow all = (*method)(about, test::whole({160, 120}));
+    const fields::Rect part{33, 21, {70, 61}};
+    const fields::Flow some = (*method)(about, part);
     for (int j = method->margin(); j < part.size.height - method->margin(); ++j) {
         for (int i = method->margin(); i < part.size.width - method->margin(); ++i) {
             ASSERT_EQ(some.u.at(i, j), all.u.at(part.x + i, part.y + j));
@@ -192,16 +193,16 @@ TEST(Parts, JacobiIsTheSameInAPart) {
 
 TEST(Parts, OthersDifferByLessThanCanBeSeen) {
     const auto frames = test::moving_rough_texture({200, 160}, 15, 1.8, -0.9);
-    for (const FlowOptions& options : all_methods()) {
+    for (const fields::FlowOptions& options : all_methods()) {
         if (options.solver == "jacobi" && options.method == "horn-schunck") continue;
         SCOPED_TRACE(name_of(options));
-        const auto method = make_flow(options);
-        std::vector<FlowFrame> prepared;
+        const auto method = fields::make_flow(options);
+        std::vector<fields::FlowFrame> prepared;
         for (const auto& frame : frames) prepared.push_back(method->prepare(frame));
         const auto about = test::about(prepared, 7, method->reach());
-        const Flow all = (*method)(about, test::whole({200, 160}));
-        const Rect part{41, 29, {120, 100}};
-        const Flow some = (*method)(about, part);
+        const fields::Flow all = (*method)(about, test::whole({200, 160}));
+        const fields::Rect part{41, 29, {120, 100}};
+        const fields::Flow some = (*method)(about, part);
         ASSERT_EQ(some.u.size(), part.size);
         double sum = 0;
         int count = 0;
@@ -217,33 +218,34 @@ TEST(Parts, OthersDifferByLessThanCanBeSeen) {
 
 TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     Plane<std::uint8_t> object({320, 240});
-    EXPECT_TRUE(parts_about(object, 10).empty());
+    EXPECT_TRUE(fields::parts_about(object, 10).empty());
     object.at(50, 60) = 1;
     object.at(250, 200) = 1;
     object.at(255, 203) = 1;
-    const std::vector<Rect> parts = parts_about(object, 10);
+    const std::vector<fields::Rect> parts = fields::parts_about(object, 10);
     ASSERT_EQ(parts.size(), 2U);
     for (const auto& [x, y] : {std::pair{50, 60}, std::pair{250, 200}, std::pair{255, 203}}) {
-        const bool inside = std::ranges::any_of(parts, [&](const Rect& p) {
+        const bool inside = std::ranges::any_of(parts, [&](const fields::Rect& p) {
             return x - 10 >= p.x && x + 10 < p.x + p.size.width && y - 10 >= p.y && y + 10 < p.y + p.size.height;
         });
         EXPECT_TRUE(inside) << x << ", " << y;
     }
     object.at(0, 0) = 1;
     object.at(319, 239) = 1;
-    for (const Rect& p : parts_about(object, 60)) {
+    for (const fields::Rect& p : fields::parts_about(object, 60)) {
         EXPECT_GE(p.x, 0);
         EXPECT_LE(p.x + p.size.width, 320);
         EXPECT_LE(p.y + p.size.height, 240);
     }
-    EXPECT_EQ(parts_about(Plane<std::uint8_t>({320, 240}, 1), 5), std::vector<Rect>{test::whole({320, 240})});
+    EXPECT_EQ(fields::parts_about(Plane<std::uint8_t>({320, 240}, 1), 5),
+              std::vector<fields::Rect>{test::whole({320, 240})});
 }
 
 TEST(FlowTable, UnknownNamesSayWhatThereIs) {
-    const auto text_of = [](const FlowOptions& options) {
-        return test::error_text(ErrorKind::usage, [&] { make_flow(options); });
+    const auto text_of = [](const fields::FlowOptions& options) {
+        return test::error_text(ErrorKind::usage, [&] { fields::make_flow(options); });
     };
-    FlowOptions options;
+    fields::FlowOptions options;
     options.method = "horn-schunk";
     EXPECT_EQ(text_of(options),
               "flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
@@ -255,7 +257,7 @@ TEST(FlowTable, UnknownNamesSayWhatThereIs) {
     options.derivatives = "cubes";
     EXPECT_EQ(text_of(options), "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
     options.method = "none";
-    EXPECT_EQ(make_flow(options), nullptr);
+    EXPECT_EQ(fields::make_flow(options), nullptr);
 }
 
 }  // namespace

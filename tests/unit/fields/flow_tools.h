@@ -11,13 +11,14 @@
 
 namespace vvr::test {
 
-inline Rect whole(Size size) {
+inline fields::Rect whole(Size size) {
     return {0, 0, size};
 }
 
 /// Frames as `method` wants them, to be looked at from the middle one.
-inline std::vector<const FlowFrame*> about(const std::vector<FlowFrame>& frames, int middle, int reach) {
-    std::vector<const FlowFrame*> result;
+inline std::vector<const fields::FlowFrame*> about(const std::vector<fields::FlowFrame>& frames, int middle,
+                                                   int reach) {
+    std::vector<const fields::FlowFrame*> result;
     for (int k = middle - reach; k <= middle + reach; ++k) {
         result.push_back(&frames[static_cast<std::size_t>(std::clamp(k, 0, static_cast<int>(frames.size()) - 1))]);
     }
@@ -25,9 +26,10 @@ inline std::vector<const FlowFrame*> about(const std::vector<FlowFrame>& frames,
 }
 
 /// The flow of frame `middle`.
-inline Flow flow_of(std::span<const Plane<std::uint8_t>> frames, int middle, const FlowOptions& options) {
-    const auto method = make_flow(options);
-    std::vector<FlowFrame> prepared;
+inline fields::Flow flow_of(std::span<const Plane<std::uint8_t>> frames, int middle,
+                            const fields::FlowOptions& options) {
+    const auto method = fields::make_flow(options);
+    std::vector<fields::FlowFrame> prepared;
     for (const Plane<std::uint8_t>& frame : frames) prepared.push_back(method->prepare(frame));
     return (*method)(about(prepared, middle, method->reach()), whole(frames.front().size()));
 }
@@ -55,7 +57,7 @@ struct FlowError {
     double end_point = 0;  ///< pixels, mean
 };
 
-inline FlowError error_of(const Flow& flow, double u, double v, int border) {
+inline FlowError error_of(const fields::Flow& flow, double u, double v, int border) {
     double sum = 0, squares = 0, distance = 0;
     int count = 0;
     for (int j = border; j < flow.u.height() - border; ++j) {

@@ -9,7 +9,7 @@
 #include "tests/scene/scene_source.h"
 #include "tests/scene/y4m.h"
 
-namespace vvr::scene {
+namespace vvr::generator {
 namespace {
 
 int grey(Bgr colour) {
@@ -215,10 +215,10 @@ TEST(SceneSource, GivesTheScenesPixels) {
     options.frames = 3;
     options.size = {64, 48};
     const auto scene = make_shifted_texture(options);
-    SourceOptions wanted;
+    video::SourceOptions wanted;
     wanted.colour = true;
     const auto source = open_scene(scene, wanted);
-    Scaler scale(*source);
+    video::Scaler scale(*source);
     source->next();
     const auto frame = scale(*source->next());
     EXPECT_EQ(frame.index, 1);
@@ -243,4 +243,4 @@ TEST(Y4m, HasTheSizeItSays) {
 }
 
 }  // namespace
-}  // namespace vvr::scene
+}  // namespace vvr::generator

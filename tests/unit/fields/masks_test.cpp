@@ -31,10 +31,10 @@ TEST(Blobs, FaintOnesGo) {
     paint(plane, 65, 15, 2, 2, 50);
     Plane<std::uint8_t> strong(size, 50);
     Plane<std::uint8_t> four = plane;
-    remove_faint_blobs(four, strong, 4, 20);
+    fields::remove_faint_blobs(four, strong, 4, 20);
     EXPECT_EQ(lit(four), 400) << "the one with four strong pixels stays whole";
     EXPECT_EQ(four.at(15, 15), 0);
-    remove_faint_blobs(plane, strong, 5, 20);
+    fields::remove_faint_blobs(plane, strong, 5, 20);
     EXPECT_EQ(lit(plane), 0);
 }
 
@@ -48,15 +48,15 @@ TEST(Blobs, HolesAreFilledAndBaysAreNot) {
     paint(plane, 0, 55, 2, 2, 0);
     Plane<std::uint8_t> differences(size, 7);
     differences.at(21, 21) = 255;
-    fill_holes(plane, differences, {.max_area = 20, .least = 8, .value = 48});
+    fields::fill_holes(plane, differences, {.max_area = 20, .least = 8, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 0) << "the scene is seen through it";
-    fill_holes(plane, differences, {.max_area = 20, .least = 7, .value = 48});
+    fields::fill_holes(plane, differences, {.max_area = 20, .least = 7, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 9);
     EXPECT_EQ(plane.at(13, 13), 48);
-    fill_holes(plane, differences, {.max_area = 100, .least = 9, .value = 48});
+    fields::fill_holes(plane, differences, {.max_area = 100, .least = 9, .value = 48});
     EXPECT_EQ(std::ranges::count(plane.pixels(), 48), 109) << "the mean counts";
     Plane<std::uint8_t> nothing(size);
-    fill_holes(nothing, differences, {.max_area = size.width * size.height});
+    fields::fill_holes(nothing, differences, {.max_area = size.width * size.height});
     EXPECT_EQ(lit(nothing), 0);
 }
 
@@ -67,23 +67,23 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
     paint(object, 25, 20, 10, 5, 0);  // a roof: open above
     paint(shadow, 25, 20, 10, 5, 30);
     paint(shadow, 41, 38, 12, 2, 30);  // beside its feet
-    std::vector<ShadowPixel> taken;
+    std::vector<fields::ShadowPixel> taken;
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
             if (shadow.at(i, j) != 0) taken.push_back({i, j, shadow.at(i, j)});
         }
     }
-    give_back_enclosed(object, taken, 16, 20);
+    fields::give_back_enclosed(object, taken, 16, 20);
     EXPECT_EQ(std::ranges::count(object.pixels(), 30), 50);
     EXPECT_EQ(object.at(30, 20), 30);
     EXPECT_EQ(object.at(45, 38), 0);
 }
 
-std::vector<Frame> noisy(const Frame& empty, double sigma, int count) {
+std::vector<video::Frame> noisy(const video::Frame& empty, double sigma, int count) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, sigma);
-    std::vector<Frame> frames(static_cast<std::size_t>(count), empty);
-    for (Frame& frame : frames) {
+    std::vector<video::Frame> frames(static_cast<std::size_t>(count), empty);
+    for (video::Frame& frame : frames) {
         for (std::uint8_t& p : frame.grey.pixels()) {
             p = static_cast<std::uint8_t>(std::clamp(std::lround(p + noise(random)), 0L, 255L));
         }
@@ -92,37 +92,37 @@ std::vector<Frame> noisy(const Frame& empty, double sigma, int count) {
 }
 
 TEST(Noise, IsAboutTheMedianDifference) {
-    const Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(size, 0, 100);
     for (const double sigma : {0.0, 3.0, 8.0}) {
-        const Plane<std::uint8_t> noise = noise_of(noisy(empty, sigma, 31), {empty.grey, {}}, 0);
+        const Plane<std::uint8_t> noise = fields::noise_of(noisy(empty, sigma, 31), {empty.grey, {}}, 0);
         double sum = 0;
         for (const int p : noise.pixels()) sum += p;
         // The largest of the neighbours' means is a little more.
         EXPECT_NEAR(sum / static_cast<double>(noise.pixels().size()), 0.67 * sigma * 1.25, 0.1 + 0.25 * sigma) << sigma;
     }
-    EXPECT_TRUE(noise_of(noisy(empty, 3, 4), {empty.grey, {}}, 0).empty()) << "too few to know";
+    EXPECT_TRUE(fields::noise_of(noisy(empty, 3, 4), {empty.grey, {}}, 0).empty()) << "too few to know";
 }
 
 TEST(Noise, WhoeverStandsThereForMostOfTheTimeIsNone) {
-    const Frame empty = test::flat_frame(size, 0, 100);
-    std::vector<Frame> frames = noisy(empty, 2, 31);
+    const video::Frame empty = test::flat_frame(size, 0, 100);
+    std::vector<video::Frame> frames = noisy(empty, 2, 31);
     for (std::size_t k = 12; k < frames.size(); ++k) paint(frames[k].grey, 40, 20, 20, 30, 200);
-    const Plane<std::uint8_t> noise = noise_of(frames, {empty.grey, {}}, 0);
+    const Plane<std::uint8_t> noise = fields::noise_of(frames, {empty.grey, {}}, 0);
     EXPECT_LT(*std::ranges::max_element(noise.pixels()), 12);
 }
 
 // Leaves sway on the left: what lights up there now and then is no object, and on the right it is.
 TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
-    const Frame empty = test::flat_frame(size, 0, 100);
-    Reference reference(Planes{empty.grey, {}});
+    const video::Frame empty = test::flat_frame(size, 0, 100);
+    fields::Reference reference(fields::Planes{empty.grey, {}});
     reference.noise = Plane<std::uint8_t>(size);
     paint(reference.noise, 0, 0, 48, size.height, 8);
     const Plane<std::uint8_t> everywhere;
-    FieldOptions options;
+    fields::FieldOptions options;
     options.smooth = 0;
     options.illumination = "none";
-    const ObjectFinder finder(options, 24, reference, everywhere);
-    Frame frame = empty;
+    const fields::ObjectFinder finder(options, 24, reference, everywhere);
+    video::Frame frame = empty;
     paint(frame.grey, 10, 10, 12, 12, 132);
     paint(frame.grey, 60, 10, 12, 12, 132);
     Plane<std::uint8_t> object = finder.find({frame.grey, {}}).values;
@@ -135,13 +135,13 @@ TEST(Noise, RaisesTheThresholdWhereTheSceneIsRestless) {
 
 // Only the shirt reaches the threshold; the trousers belong to it, and a faint cloud beside it doesn't count.
 TEST(Noise, WeakPartsOfAThingShowWithIt) {
-    const Frame empty = test::flat_frame(size, 0, 100);
+    const video::Frame empty = test::flat_frame(size, 0, 100);
     const Plane<std::uint8_t> everywhere;
-    FieldOptions options;
+    fields::FieldOptions options;
     options.smooth = 0;
     options.illumination = "none";
-    const ObjectFinder finder(options, 24, Planes{empty.grey, {}}, everywhere);
-    Frame frame = empty;
+    const fields::ObjectFinder finder(options, 24, fields::Planes{empty.grey, {}}, everywhere);
+    video::Frame frame = empty;
     paint(frame.grey, 20, 10, 10, 15, 150);
     paint(frame.grey, 20, 25, 10, 15, 120);
     paint(frame.grey, 60, 25, 10, 15, 120);

@@ -11,12 +11,12 @@ namespace {
 /// Whether something moves in each of so many frames, ten per second: a block that moves from `begin` to `end` and then
 /// lies where it is, and noise.
 std::vector<bool> motion(int frames, int begin, int end) {
-    Motion moves;
+    fields::Motion moves;
     std::vector<bool> told;
     int place = 0;
     for (int i = 0; i < frames; ++i) {
         place = (place + (begin <= i && i < end ? 2 : 0)) % 48;
-        Field field{i, 0.1 * i, Plane<std::uint8_t>({64, 32}), {}, {}};
+        fields::Field field{i, 0.1 * i, Plane<std::uint8_t>({64, 32}), {}, {}};
         for (int j = 8; j < 24; ++j) {
             for (int x = 0; x < 16; ++x) field.scalar.at(place + x, j) = 200;
         }

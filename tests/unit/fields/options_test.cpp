@@ -11,14 +11,14 @@
 namespace vvr {
 namespace {
 
-std::string error_of(const std::function<void(FieldOptions&)>& change) {
-    FieldOptions options;
+std::string error_of(const std::function<void(fields::FieldOptions&)>& change) {
+    fields::FieldOptions options;
     change(options);
-    return test::error_text(ErrorKind::usage, [&] { validate(options); });
+    return test::error_text(ErrorKind::usage, [&] { fields::validate(options); });
 }
 
 TEST(FieldOptions, DefaultsAreValid) {
-    EXPECT_EQ(error_of([](FieldOptions&) {}), "no error");
+    EXPECT_EQ(error_of([](fields::FieldOptions&) {}), "no error");
 }
 
 TEST(FieldOptions, NumbersOutOfRange) {

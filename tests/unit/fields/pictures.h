@@ -49,13 +49,13 @@ inline double rough_texture(double x, double y) {
 }
 
 /// Frame `index` of the texture moving by (u, v) pixels per frame.
-inline Frame texture_frame(Size size, std::int64_t index, double u, double v) {
+inline video::Frame texture_frame(Size size, std::int64_t index, double u, double v) {
     const auto f = static_cast<double>(index);
     return {index, f / 10, grey_plane(size, [&](int i, int j) { return texture(i - u * f, j - v * f); }), {}};
 }
 
 /// A frame of one grey level.
-inline Frame flat_frame(Size size, std::int64_t index, std::uint8_t level) {
+inline video::Frame flat_frame(Size size, std::int64_t index, std::uint8_t level) {
     return {index, static_cast<double>(index) / 10, Plane<std::uint8_t>(size, level), {}};
 }
 

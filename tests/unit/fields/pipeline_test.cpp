@@ -17,8 +17,8 @@ namespace {
 constexpr Size size{64, 48};
 
 /// A textured square that crosses an empty scene.
-Frame walker(std::int64_t index) {
-    Frame frame = test::flat_frame(size, index, 90);
+video::Frame walker(std::int64_t index) {
+    video::Frame frame = test::flat_frame(size, index, 90);
     const double left = 2 + 1.5 * static_cast<double>(index);
     for (int j = 12; j < 36; ++j) {
         for (int i = 0; i < size.width; ++i) {
@@ -29,30 +29,31 @@ Frame walker(std::int64_t index) {
     return frame;
 }
 
-FrameReader reader(int count, Frame (*make)(std::int64_t) = walker) {
-    return [count, make, next = 0]() mutable -> FrameJob {
+fields::FrameReader reader(int count, video::Frame (*make)(std::int64_t) = walker) {
+    return [count, make, next = 0]() mutable -> fields::FrameJob {
         if (next == count) return {};
         return [make, index = next++] { return make(index); };
     };
 }
 
-EmptyScene empty_scene() {
-    EmptyScene scene;
+fields::EmptyScene empty_scene() {
+    fields::EmptyScene scene;
     scene.reference.grey = Plane<std::uint8_t>(size, 90);
     return scene;
 }
 
-std::vector<Field> fields_of(int count, const FieldOptions& options) {
-    std::vector<Field> fields;
-    compute_fields(reader(count), empty_scene(), options, [&](const SharedFrame& frame, Field&& field) {
-        EXPECT_EQ(frame->index, field.index);
-        EXPECT_EQ(frame->grey.size(), size);
-        fields.push_back(std::move(field));
-    });
+std::vector<fields::Field> fields_of(int count, const fields::FieldOptions& options) {
+    std::vector<fields::Field> fields;
+    fields::compute_fields(reader(count), empty_scene(), options,
+                           [&](const video::SharedFrame& frame, fields::Field&& field) {
+                               EXPECT_EQ(frame->index, field.index);
+                               EXPECT_EQ(frame->grey.size(), size);
+                               fields.push_back(std::move(field));
+                           });
     return fields;
 }
 
-void expect_same(const Field& a, const Field& b) {
+void expect_same(const fields::Field& a, const fields::Field& b) {
     EXPECT_EQ(a.index, b.index);
     EXPECT_EQ(a.pts, b.pts);
     EXPECT_TRUE(std::ranges::equal(a.scalar.pixels(), b.scalar.pixels()));
@@ -62,7 +63,7 @@ void expect_same(const Field& a, const Field& b) {
 }
 
 TEST(Pipeline, GivesEveryFrameOnceInOrder) {
-    const std::vector<Field> fields = fields_of(30, {.threads = 4});
+    const std::vector<fields::Field> fields = fields_of(30, {.threads = 4});
     ASSERT_EQ(fields.size(), 30U);
     for (std::size_t f = 0; f < fields.size(); ++f) {
         EXPECT_EQ(fields[f].index, static_cast<std::int64_t>(f));
@@ -73,20 +74,20 @@ TEST(Pipeline, GivesEveryFrameOnceInOrder) {
 }
 
 TEST(Pipeline, DoesNotDependOnTheNumberOfThreads) {
-    const std::vector<Field> one = fields_of(30, {.threads = 1});
+    const std::vector<fields::Field> one = fields_of(30, {.threads = 1});
     EXPECT_FALSE(one[15].seeds.empty());
     for (const int threads : {2, 4}) {
-        const std::vector<Field> many = fields_of(30, {.threads = threads});
+        const std::vector<fields::Field> many = fields_of(30, {.threads = threads});
         ASSERT_EQ(many.size(), one.size());
         for (std::size_t f = 0; f < one.size(); ++f) expect_same(one[f], many[f]);
     }
 }
 
 TEST(Pipeline, SeedsFollowTheWalker) {
-    const std::vector<Field> fields = fields_of(30, {.seeds = {.grid = 6, .min_magnitude = 0.5}, .threads = 2});
+    const std::vector<fields::Field> fields = fields_of(30, {.seeds = {.grid = 6, .min_magnitude = 0.5}, .threads = 2});
     ASSERT_GT(fields[15].seeds.size(), 4U);
     double u = 0;
-    for (const Seed& seed : fields[15].seeds) {
+    for (const fields::Seed& seed : fields[15].seeds) {
         u += seed.u;
         EXPECT_NE(fields[15].scalar.at(static_cast<int>(seed.x), static_cast<int>(seed.y)), 0);
     }
@@ -94,10 +95,10 @@ TEST(Pipeline, SeedsFollowTheWalker) {
 }
 
 TEST(Pipeline, FlowOnlyWhereAskedFor) {
-    FieldOptions options{.threads = 2};
+    fields::FieldOptions options{.threads = 2};
     options.flow.every = 8;
-    const std::vector<Field> some = fields_of(30, options);
-    const std::vector<Field> all = fields_of(30, {.threads = 2});
+    const std::vector<fields::Field> some = fields_of(30, options);
+    const std::vector<fields::Field> all = fields_of(30, {.threads = 2});
     for (std::size_t f = 0; f < some.size(); ++f) {
         if (f % 8 == 0) {
             expect_same(some[f], all[f]);
@@ -116,25 +117,25 @@ TEST(Pipeline, OneFrameAndNoFrame) {
 }
 
 TEST(Pipeline, SmallestPictures) {
-    EmptyScene scene;
+    fields::EmptyScene scene;
     scene.reference.grey = Plane<std::uint8_t>({3, 1}, 10);
-    FieldOptions options{.threads = 2};
+    fields::FieldOptions options{.threads = 2};
     options.min_area = 0;
     options.illumination = "none";
     std::int64_t seen = 0;
-    const FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
-    EXPECT_EQ(compute_fields(read, scene, options,
-                             [&](const SharedFrame&, Field&& field) {
-                                 ++seen;
-                                 EXPECT_EQ(field.scalar.at(2, 0), 255);
-                             }),
+    const fields::FrameReader read = reader(9, [](std::int64_t index) { return test::flat_frame({3, 1}, index, 200); });
+    EXPECT_EQ(fields::compute_fields(read, scene, options,
+                                     [&](const video::SharedFrame&, fields::Field&& field) {
+                                         ++seen;
+                                         EXPECT_EQ(field.scalar.at(2, 0), 255);
+                                     }),
               9);
     EXPECT_EQ(seen, 9);
 }
 
 TEST(Pipeline, SinkIsNeverEnteredTwice) {
     std::atomic<int> inside = 0;
-    compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](const SharedFrame&, Field&&) {
+    fields::compute_fields(reader(20), empty_scene(), {.threads = 4}, [&](const video::SharedFrame&, fields::Field&&) {
         EXPECT_EQ(++inside, 1);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         --inside;
@@ -145,12 +146,12 @@ TEST(Pipeline, MemoryIsBounded) {
     std::atomic<std::int64_t> read = 0;
     std::int64_t delivered = 0;
     std::int64_t most = 0;
-    const FrameReader frames = [&, next = std::int64_t{0}]() mutable -> FrameJob {
+    const fields::FrameReader frames = [&, next = std::int64_t{0}]() mutable -> fields::FrameJob {
         if (next == 200) return {};
         ++read;
         return [index = next++] { return walker(index % 20); };
     };
-    compute_fields(frames, empty_scene(), {.threads = 2}, [&](const SharedFrame&, Field&&) {
+    fields::compute_fields(frames, empty_scene(), {.threads = 2}, [&](const video::SharedFrame&, fields::Field&&) {
         most = std::max(most, read - delivered++);
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     });
@@ -158,16 +159,20 @@ TEST(Pipeline, MemoryIsBounded) {
 }
 
 TEST(Pipeline, ErrorsOfSinkAndSourceComeThrough) {
-    EXPECT_THROW(compute_fields(reader(40), empty_scene(), {.threads = 2},
-                                [](const SharedFrame&, Field&& field) {
-                                    if (field.index == 3) throw std::runtime_error("the disk is full");
-                                }),
+    EXPECT_THROW(fields::compute_fields(reader(40), empty_scene(), {.threads = 2},
+                                        [](const video::SharedFrame&, fields::Field&& field) {
+                                            if (field.index == 3) throw std::runtime_error("the disk is full");
+                                        }),
                  std::runtime_error);
-    const FrameReader broken = []() -> FrameJob { throw std::range_error("the cable is cut"); };
-    EXPECT_THROW(compute_fields(broken, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+    const fields::FrameReader broken = []() -> fields::FrameJob { throw std::range_error("the cable is cut"); };
+    EXPECT_THROW(fields::compute_fields(broken, empty_scene(), {.threads = 2},
+                                        [](const video::SharedFrame&, fields::Field&&) {}),
                  std::range_error);
-    const FrameReader bad_frame = []() -> FrameJob { return []() -> Frame { throw std::domain_error("bad frame"); }; };
-    EXPECT_THROW(compute_fields(bad_frame, empty_scene(), {.threads = 2}, [](const SharedFrame&, Field&&) {}),
+    const fields::FrameReader bad_frame = []() -> fields::FrameJob {
+        return []() -> video::Frame { throw std::domain_error("bad frame"); };
+    };
+    EXPECT_THROW(fields::compute_fields(bad_frame, empty_scene(), {.threads = 2},
+                                        [](const video::SharedFrame&, fields::Field&&) {}),
                  std::domain_error);
 }
 

@@ -17,11 +17,12 @@ float mean(const float* p, int width, int height, int i, int j) {
 
 }  // namespace
 
-Flow plain_jacobi(const Plane<float>& ix, const Plane<float>& iy, const Plane<float>& it, float alpha, int steps) {
+fields::Flow plain_jacobi(const Plane<float>& ix, const Plane<float>& iy, const Plane<float>& it, float alpha,
+                          int steps) {
     const int width = ix.width();
     const int height = ix.height();
-    Flow flow{Plane<float>(ix.size()), Plane<float>(ix.size())};
-    Flow next = flow;
+    fields::Flow flow{Plane<float>(ix.size()), Plane<float>(ix.size())};
+    fields::Flow next = flow;
     const float* const dx = ix.pixels().data();
     const float* const dy = iy.pixels().data();
     const float* const dt = it.pixels().data();

@@ -11,41 +11,41 @@ namespace vvr {
 namespace {
 
 TEST(Reference, MedianForgetsWhoPassedBy) {
-    std::vector<Frame> frames;
+    std::vector<video::Frame> frames;
     for (int f = 0; f < 9; ++f) {
         frames.push_back(test::texture_frame({40, 7}, 0, 0, 0));
         frames.back().grey.at(4 * f, 3) = 255;
         frames.back().grey.at(4 * f + 1, 3) = 0;
     }
-    const Planes reference = median_reference(frames);
-    const Frame empty = test::texture_frame({40, 7}, 0, 0, 0);
+    const fields::Planes reference = fields::median_reference(frames);
+    const video::Frame empty = test::texture_frame({40, 7}, 0, 0, 0);
     EXPECT_TRUE(std::ranges::equal(reference.grey.pixels(), empty.grey.pixels()));
     EXPECT_TRUE(reference.colour.empty());
 }
 
 TEST(Reference, MedianIsTheMiddleValue) {
-    std::vector<Frame> frames;
+    std::vector<video::Frame> frames;
     for (int level : {200, 3, 77, 255, 0}) {
         frames.push_back(test::flat_frame({3, 2}, 0, static_cast<std::uint8_t>(level)));
     }
-    EXPECT_EQ(median_reference(frames).grey.at(2, 1), 77);
+    EXPECT_EQ(fields::median_reference(frames).grey.at(2, 1), 77);
     frames.pop_back();
-    EXPECT_EQ(median_reference(frames).grey.at(2, 1), 200) << "of four, the upper of the two in the middle";
+    EXPECT_EQ(fields::median_reference(frames).grey.at(2, 1), 200) << "of four, the upper of the two in the middle";
     frames.resize(1);
-    EXPECT_EQ(median_reference(frames).grey.at(2, 1), 200);
+    EXPECT_EQ(fields::median_reference(frames).grey.at(2, 1), 200);
 }
 
 TEST(Reference, MedianTakesEachChannelByItself) {
-    std::vector<Frame> frames;
+    std::vector<video::Frame> frames;
     for (const Bgr& colour : {Bgr{10, 50, 90}, Bgr{20, 60, 70}, Bgr{30, 40, 80}}) {
         frames.push_back(test::flat_frame({5, 4}, 0, 9));
         frames.back().colour = Plane<Bgr>({5, 4}, colour);
     }
-    EXPECT_EQ(median_reference(frames).colour.at(4, 3), (Bgr{20, 50, 80}));
+    EXPECT_EQ(fields::median_reference(frames).colour.at(4, 3), (Bgr{20, 50, 80}));
 }
 
 TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
-    std::vector<Frame> frames;
+    std::vector<video::Frame> frames;
     for (int f = 0; f < 31; ++f) {
         frames.push_back(test::flat_frame({6, 4}, f, static_cast<std::uint8_t>(100 + f % 3)));
         frames.back().colour = Plane<Bgr>({6, 4}, {90, 100, 110});
@@ -56,22 +56,22 @@ TEST(Reference, WhatWasLeftForMostOfTheClipIsNotTheScene) {
         if (f < 2) frames.back().grey.at(4, 1) = 10;  // somebody stood there at the beginning
         if (f < 2) frames.back().colour.at(4, 1) = {10, 10, 10};
     }
-    EXPECT_EQ(median_reference(frames).grey.at(2, 2), 160);
-    const Planes reference = lasting_reference(frames);
+    EXPECT_EQ(fields::median_reference(frames).grey.at(2, 2), 160);
+    const fields::Planes reference = fields::lasting_reference(frames);
     EXPECT_EQ(reference.colour.at(2, 2), (Bgr{90, 100, 110}));
     EXPECT_NEAR(reference.grey.at(2, 2), 101, 1);
     EXPECT_EQ(reference.colour.at(4, 1), (Bgr{90, 100, 110}));
-    for (Frame& frame : frames) frame.colour = {};
-    EXPECT_NEAR(lasting_reference(frames).grey.at(2, 2), 101, 1);
-    EXPECT_NEAR(lasting_reference(frames).grey.at(4, 1), 101, 1);
+    for (video::Frame& frame : frames) frame.colour = {};
+    EXPECT_NEAR(fields::lasting_reference(frames).grey.at(2, 2), 101, 1);
+    EXPECT_NEAR(fields::lasting_reference(frames).grey.at(4, 1), 101, 1);
 }
 
-Planes flat(std::uint8_t level) {
+fields::Planes flat(std::uint8_t level) {
     return {Plane<std::uint8_t>({40, 30}, level), {}};
 }
 
 TEST(RunningReference, FollowsTheSceneAndNotTheObject) {
-    RunningReference running(flat(100));
+    fields::RunningReference running(flat(100));
     Plane<std::uint8_t> object({40, 30});
     object.at(20, 15) = 255;
     for (int f = 0; f < 500; ++f) running.adapt(flat(120), object, {});
@@ -81,7 +81,7 @@ TEST(RunningReference, FollowsTheSceneAndNotTheObject) {
 }
 
 TEST(RunningReference, KeepsUpWithSlowChanges) {
-    RunningReference running(flat(100));
+    fields::RunningReference running(flat(100));
     const Plane<std::uint8_t> nothing({40, 30});
     for (int f = 0; f < 800; ++f) {
         running.adapt(flat(static_cast<std::uint8_t>(100 + f / 10)), nothing, {});
@@ -90,7 +90,7 @@ TEST(RunningReference, KeepsUpWithSlowChanges) {
 }
 
 TEST(RunningReference, LightChangesBehindObjectsToo) {
-    RunningReference running(flat(100));
+    fields::RunningReference running(flat(100));
     running.adapt(flat(120), Plane<std::uint8_t>({40, 30}, 255), {.gain = 1.2, .offset = 5});
     EXPECT_EQ(running.now().grey.at(20, 15), 125);
 }
@@ -107,8 +107,8 @@ TEST(RunningReference, AGhostIsLetGoAndWhatWasLeftIsNot) {
     const Plane<std::uint8_t> object = square(picture, 0, 120);
     const Plane<std::uint8_t> bare(picture, 100);
     const Plane<std::uint8_t> with_thing = square(picture, 100, 160);
-    RunningReference stood({with_thing, {}});  // who stood there while it was learnt has gone
-    RunningReference left({bare, {}});
+    fields::RunningReference stood({with_thing, {}});  // who stood there while it was learnt has gone
+    fields::RunningReference left({bare, {}});
     for (int f = 0; f < 100; ++f) {
         stood.adapt({bare, {}}, object, {});
         left.adapt({with_thing, {}}, object, {});
@@ -124,7 +124,7 @@ TEST(RunningReference, AGhostIsLetGoAndWhatWasLeftIsNot) {
 }
 
 TEST(Reference, NoFramesNoReference) {
-    EXPECT_TRUE(median_reference({}).empty());
+    EXPECT_TRUE(fields::median_reference({}).empty());
 }
 
 }  // namespace

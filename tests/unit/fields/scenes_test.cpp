@@ -15,22 +15,23 @@
 namespace vvr {
 namespace {
 
-SourceOptions in_colour() {
-    SourceOptions options;
+video::SourceOptions in_colour() {
+    video::SourceOptions options;
     options.colour = true;
     options.field_size = {-1, -1};
     return options;
 }
 
-std::vector<Field> fields_of(const scene::Scene& scene, const FieldOptions& options) {
-    std::vector<Field> fields;
-    compute_fields(*scene::open_scene(scene, in_colour()), options,
-                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
+std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
+    std::vector<fields::Field> fields;
+    fields::compute_fields(
+        *generator::open_scene(scene, in_colour()), options,
+        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 
-const scene::Object* find(const scene::Truth& truth, const std::string& name) {
-    const auto found = std::ranges::find(truth.objects, name, &scene::Object::name);
+const generator::Object* find(const generator::Truth& truth, const std::string& name) {
+    const auto found = std::ranges::find(truth.objects, name, &generator::Object::name);
     return found == truth.objects.end() ? nullptr : &*found;
 }
 
@@ -59,8 +60,8 @@ double overlap(const Plane<std::uint8_t>& scalar, const Plane<std::uint8_t>& mas
 }
 
 /// Noise and light that no object may be confused with: σ = 5, and a jump by a fifth of the range.
-scene::Options bad_camera(int frames) {
-    scene::Options options;
+generator::Options bad_camera(int frames) {
+    generator::Options options;
     options.frames = frames;
     options.noise = 5;
     options.drift = 25;
@@ -84,22 +85,22 @@ class LeftBag : public testing::TestWithParam<LeftBagCase> {};
 // The bag lies there for two thirds of the clip: it must stay visible for all that time, and nothing of it may move.
 TEST_P(LeftBag, StaysVisibleAndStill) {
     constexpr int count = 320;
-    scene::Options scene_options = GetParam().bad ? bad_camera(count) : scene::Options{};
+    generator::Options scene_options = GetParam().bad ? bad_camera(count) : generator::Options{};
     scene_options.frames = count;
-    const scene::Scene scene = scene::make_left_bag(scene_options);
-    const scene::LeftBag facts = scene::left_bag_facts(scene_options);
-    FieldOptions options;
+    const generator::Scene scene = generator::make_left_bag(scene_options);
+    const generator::LeftBag facts = generator::left_bag_facts(scene_options);
+    fields::FieldOptions options;
     options.reference = GetParam().reference;
     options.seeds.grid = 4;
-    const std::vector<Field> fields = fields_of(scene, options);
+    const std::vector<fields::Field> fields = fields_of(scene, options);
     ASSERT_EQ(fields.size(), static_cast<std::size_t>(count));
 
     int alone = 0, good = 0, visible = 0, empty = 0, dark = 0;
     for (int f = 0; f < count; ++f) {
-        const scene::Truth truth = scene.truth(f);
-        const scene::Object* const bag = find(truth, "bag");
-        const scene::Object* const person = find(truth, "person");
-        const Field& field = fields[static_cast<std::size_t>(f)];
+        const generator::Truth truth = scene.truth(f);
+        const generator::Object* const bag = find(truth, "bag");
+        const generator::Object* const person = find(truth, "person");
+        const fields::Field& field = fields[static_cast<std::size_t>(f)];
         if (truth.objects.empty()) {
             ++empty;
             dark += area(field.scalar) == 0 ? 1 : 0;
@@ -112,7 +113,7 @@ TEST_P(LeftBag, StaysVisibleAndStill) {
         // What is faint beside it counts too where it touches the bag: some of its shadow, and its handle's hole.
         good += iou > 0.75 ? 1 : 0;
         visible += iou > 0.5 ? 1 : 0;
-        for (const Seed& seed : field.seeds) {
+        for (const fields::Seed& seed : field.seeds) {
             EXPECT_GT(std::hypot(seed.x - facts.x, seed.y - facts.y), 20) << "a seed on the still bag in frame " << f;
         }
     }
@@ -132,11 +133,11 @@ INSTANTIATE_TEST_SUITE_P(All, LeftBag,
                          [](const auto& test) { return test.param.name; });
 
 TEST(Still, NothingLightsUpInNoiseAndChangingLight) {
-    const scene::Scene scene = scene::make_still(bad_camera(60));
+    const generator::Scene scene = generator::make_still(bad_camera(60));
     for (const char* const filter : {"difference", "temporal", "hull", "bands"}) {
-        FieldOptions options;
+        fields::FieldOptions options;
         options.filter = filter;
-        for (const Field& field : fields_of(scene, options)) {
+        for (const fields::Field& field : fields_of(scene, options)) {
             ASSERT_EQ(area(field.scalar), 0) << filter << " " << field.index;
             ASSERT_TRUE(field.seeds.empty());
         }
@@ -144,15 +145,15 @@ TEST(Still, NothingLightsUpInNoiseAndChangingLight) {
 }
 
 TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 5;
     options.u = 4.8;
     options.v = -3.6;
-    const scene::Scene scene = scene::make_shifted_texture(options);
-    FieldOptions fields;
+    const generator::Scene scene = generator::make_shifted_texture(options);
+    fields::FieldOptions fields;
     fields.filter = "luminance";
     fields.flow.area = "all";
-    const std::vector<Field> result = fields_of(scene, fields);
+    const std::vector<fields::Field> result = fields_of(scene, fields);
     EXPECT_LT(test::error_of(result[2].flow, options.u, options.v, 14).end_point, 0.3);
     EXPECT_LT(test::error_of(result[4].flow, options.u, options.v, 14).end_point, 0.3) << "the last frame";
     fields.flow.solver = "jacobi";
@@ -160,12 +161,12 @@ TEST(ShiftedTexture, ThePyramidFollowsSixPixelsAFrame) {
 }
 
 TEST(ShiftedTexture, ConvergenceHalvesTheErrorOfSixtySteps) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 15;
     options.u = 0.9;
     options.v = 0.5;
-    const scene::Scene scene = scene::make_shifted_texture(options);
-    FieldOptions fields;
+    const generator::Scene scene = generator::make_shifted_texture(options);
+    fields::FieldOptions fields;
     fields.filter = "luminance";
     fields.flow.area = "all";
     fields.flow.every = 7;
@@ -179,14 +180,14 @@ TEST(ShiftedTexture, ConvergenceHalvesTheErrorOfSixtySteps) {
 }
 
 TEST(SpinningSphere, FlowTurns) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 5;
-    const scene::Scene scene = scene::make_spinning_sphere(options);
-    FieldOptions fields;
+    const generator::Scene scene = generator::make_spinning_sphere(options);
+    fields::FieldOptions fields;
     fields.filter = "luminance";
     fields.flow.area = "all";
-    const Field field = fields_of(scene, fields)[2];
-    const scene::Truth truth = scene.truth(2);
+    const fields::Field field = fields_of(scene, fields)[2];
+    const generator::Truth truth = scene.truth(2);
     double sum = 0;
     int count = 0;
     for (int j = 0; j < scene.size().height; ++j) {
@@ -202,17 +203,17 @@ TEST(SpinningSphere, FlowTurns) {
 
 // What is shown must not depend on whether the rest of the picture was looked at.
 TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
-    const scene::Scene scene = scene::make_walkers({});
+    const generator::Scene scene = generator::make_walkers({});
     for (const char* const solver : {"jacobi", "multigrid", "pyramid"}) {
-        FieldOptions fields;
+        fields::FieldOptions fields;
         fields.reference = "first";
         fields.flow.solver = solver;
         fields.flow.every = 20;
         fields.span.start = 10;
         fields.span.end = 12;
-        const std::vector<Field> parts = fields_of(scene, fields);
+        const std::vector<fields::Field> parts = fields_of(scene, fields);
         fields.flow.area = "all";
-        const std::vector<Field> whole = fields_of(scene, fields);
+        const std::vector<fields::Field> whole = fields_of(scene, fields);
         ASSERT_EQ(parts.size(), 50U);
         double sum = 0, most = 0;
         int count = 0;
@@ -236,16 +237,16 @@ TEST(Walkers, FlowIsTheSameWhereOnlyPartsAreLookedAt) {
 
 // Everybody's way is found: the mean flow on a walker is the truth within a quarter, or half a pixel.
 TEST(Walkers, TheDefaultFlowFollowsEachOfThem) {
-    const scene::Scene scene = scene::make_walkers({});
-    FieldOptions fields;
+    const generator::Scene scene = generator::make_walkers({});
+    fields::FieldOptions fields;
     fields.reference = "first";
     fields.flow.every = 25;
     fields.span.start = 5;
     fields.span.end = 20;
     int seen = 0, followed = 0;
-    for (const Field& field : fields_of(scene, fields)) {
+    for (const fields::Field& field : fields_of(scene, fields)) {
         if (field.flow.u.empty()) continue;
-        for (const scene::Object& walker : scene.truth(static_cast<int>(field.index)).objects) {
+        for (const generator::Object& walker : scene.truth(static_cast<int>(field.index)).objects) {
             double u = 0, v = 0;
             int count = 0;
             for (std::size_t i = 0; i < walker.mask.pixels().size(); ++i) {

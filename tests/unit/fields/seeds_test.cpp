@@ -12,7 +12,7 @@ namespace {
 /// A field whose flow, difference and age all grow in different directions.
 struct Example {
     static constexpr Size size{60, 40};
-    Flow flow{Plane<float>(size), Plane<float>(size)};
+    fields::Flow flow{Plane<float>(size), Plane<float>(size)};
     Plane<std::uint8_t> object{size};
     Plane<std::uint16_t> age{size};
 
@@ -27,23 +27,23 @@ struct Example {
         }
     }
 
-    std::vector<Seed> seeds(const SeedOptions& options, std::int64_t frame = 0) const {
-        return make_seeds({frame, flow, object, age}, options);
+    std::vector<fields::Seed> seeds(const fields::SeedOptions& options, std::int64_t frame = 0) const {
+        return fields::make_seeds({frame, flow, object, age}, options);
     }
 };
 
 TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
     const Example example;
-    const std::vector<Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 3});
+    const std::vector<fields::Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 3});
     std::set<std::pair<float, float>> points;
-    for (const Seed& seed : seeds) {
+    for (const fields::Seed& seed : seeds) {
         EXPECT_EQ(static_cast<int>(seed.x) % 10, 5);
         EXPECT_EQ(static_cast<int>(seed.y) % 10, 5);
         EXPECT_GE(seed.y, 10) << "above is no object";
         EXPECT_GE(seed.x, 30) << "to the left it is slower than 3";
         EXPECT_FLOAT_EQ(seed.u, seed.x / 10);
         EXPECT_EQ(seed.v, -1);
-        EXPECT_EQ(seed.flags, SeedFlags{});
+        EXPECT_EQ(seed.flags, fields::SeedFlags{});
         points.insert({seed.x, seed.y});
     }
     EXPECT_EQ(points.size(), 3U * 3);
@@ -56,19 +56,19 @@ TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
 TEST(Seeds, AreSortedByTheCriterion) {
     const Example example;
     const auto sorted = [&](const char* order, auto key) {
-        const std::vector<Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 0, .order = order});
+        const std::vector<fields::Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 0, .order = order});
         ASSERT_EQ(seeds.size(), 18U);
         for (std::size_t k = 1; k < seeds.size(); ++k) EXPECT_GE(key(seeds[k - 1]), key(seeds[k])) << order << " " << k;
     };
-    sorted("magnitude", [](const Seed& s) { return s.u; });
-    sorted("difference", [](const Seed& s) { return s.y; });
-    sorted("age", [](const Seed& s) { return -s.x - s.y; });
+    sorted("magnitude", [](const fields::Seed& s) { return s.u; });
+    sorted("difference", [](const fields::Seed& s) { return s.y; });
+    sorted("age", [](const fields::Seed& s) { return -s.x - s.y; });
 }
 
 TEST(Seeds, FirstTakesTheMostImportant) {
     const Example example;
-    const std::vector<Seed> all = example.seeds({.grid = 10, .min_magnitude = 0});
-    const std::vector<Seed> first = example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:5"});
+    const std::vector<fields::Seed> all = example.seeds({.grid = 10, .min_magnitude = 0});
+    const std::vector<fields::Seed> first = example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:5"});
     ASSERT_EQ(first.size(), 5U);
     EXPECT_TRUE(std::equal(first.begin(), first.end(), all.begin()));
     EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:1000"}), all);
@@ -77,12 +77,12 @@ TEST(Seeds, FirstTakesTheMostImportant) {
 
 TEST(Seeds, RandomRepeatsWithItsNumber) {
     const Example example;
-    const SeedOptions options{.grid = 4, .min_magnitude = 0, .select = "random:20"};
-    const std::vector<Seed> once = example.seeds(options);
+    const fields::SeedOptions options{.grid = 4, .min_magnitude = 0, .select = "random:20"};
+    const std::vector<fields::Seed> once = example.seeds(options);
     ASSERT_EQ(once.size(), 20U);
     EXPECT_EQ(example.seeds(options), once);
     EXPECT_NE(example.seeds(options, 1), once) << "another frame, other points";
-    SeedOptions other = options;
+    fields::SeedOptions other = options;
     other.select = "random:20:2";
     EXPECT_NE(example.seeds(other), once);
     for (std::size_t k = 1; k < once.size(); ++k) EXPECT_GE(once[k - 1].u, once[k].u) << "still in order";
@@ -95,7 +95,7 @@ TEST(Seeds, RandomIsFair) {
     const Example example;
     std::map<std::pair<float, float>, int> drawn;
     for (int frame = 0; frame < 3000; ++frame) {
-        for (const Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame)) {
+        for (const fields::Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame)) {
             ++drawn[{s.x, s.y}];
         }
     }

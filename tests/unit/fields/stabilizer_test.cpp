@@ -19,47 +19,48 @@ namespace {
 
 constexpr Size size{192, 144};
 
-Frame rough(double dx, double dy) {
+video::Frame rough(double dx, double dy) {
     return {0, 0, test::grey_plane(size, [&](int i, int j) { return test::rough_texture(i - dx, j - dy); }), {}};
 }
 
-Planes planes_of(const Frame& frame) {
+fields::Planes planes_of(const video::Frame& frame) {
     return {frame.grey, frame.colour};
 }
 
 TEST(Stabilizer, FindsAShift) {
-    const Stabilizer stabilizer(planes_of(rough(0, 0)));
-    for (const auto& [x, y] : {Shift{0, 0}, Shift{0.4, -0.3}, Shift{6, -6}, Shift{-5.5, 3.25}, Shift{14, 9}}) {
-        const Shift found = stabilizer.shift_of(rough(x, y).grey);
+    const fields::Stabilizer stabilizer(planes_of(rough(0, 0)));
+    for (const auto& [x, y] : {fields::Shift{0, 0}, fields::Shift{0.4, -0.3}, fields::Shift{6, -6},
+                               fields::Shift{-5.5, 3.25}, fields::Shift{14, 9}}) {
+        const fields::Shift found = stabilizer.shift_of(rough(x, y).grey);
         EXPECT_NEAR(found.x, x, 0.1);
         EXPECT_NEAR(found.y, y, 0.1);
     }
 }
 
 TEST(Stabilizer, WhatMovesByItselfIsNotTheCamera) {
-    const Stabilizer stabilizer(planes_of(rough(0, 0)));
-    Frame frame = rough(4, -3);
-    const Frame crowd = rough(-7, 2);
+    const fields::Stabilizer stabilizer(planes_of(rough(0, 0)));
+    video::Frame frame = rough(4, -3);
+    const video::Frame crowd = rough(-7, 2);
     for (int j = 0; j < size.height; ++j) {  // four tenths of the picture
         std::copy_n(crowd.grey.row(j).begin(), 4 * size.width / 10, frame.grey.row(j).begin());
     }
-    const Shift found = stabilizer.shift_of(frame.grey);
+    const fields::Shift found = stabilizer.shift_of(frame.grey);
     EXPECT_NEAR(found.x, 4, 0.2);
     EXPECT_NEAR(found.y, -3, 0.2);
 }
 
 TEST(Stabilizer, NothingToSeeIsNoShift) {
-    const Stabilizer stabilizer({test::flat_frame(size, 0, 90).grey, {}});
-    const Shift shift = stabilizer.shift_of(rough(3, 3).grey);
+    const fields::Stabilizer stabilizer({test::flat_frame(size, 0, 90).grey, {}});
+    const fields::Shift shift = stabilizer.shift_of(rough(3, 3).grey);
     EXPECT_EQ(shift.x, 0);
     EXPECT_EQ(shift.y, 0);
 }
 
 TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
-    const Frame here = rough(0, 0);
-    const Stabilizer stabilizer(planes_of(here));
-    Frame frame = rough(5, -3);
-    const Visible visible = stabilizer.align(frame, {5, -3});
+    const video::Frame here = rough(0, 0);
+    const fields::Stabilizer stabilizer(planes_of(here));
+    video::Frame frame = rough(5, -3);
+    const fields::Visible visible = stabilizer.align(frame, {5, -3});
     EXPECT_EQ(visible.left, 0);
     EXPECT_EQ(visible.right, size.width - 5);
     EXPECT_EQ(visible.top, 3);
@@ -70,27 +71,28 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
         }
     }
     Plane<std::uint8_t> plane(size, 7);
-    clear_beside(visible, plane);
+    fields::clear_beside(visible, plane);
     EXPECT_EQ(std::ranges::count(plane.pixels(), 7), (size.width - 5) * (size.height - 3));
     EXPECT_EQ(plane.at(0, 2), 0);
     EXPECT_EQ(plane.at(0, 3), 7);
 }
 
-std::vector<Field> fields_of(const scene::Scene& scene, const FieldOptions& options) {
-    SourceOptions colour;
+std::vector<fields::Field> fields_of(const generator::Scene& scene, const fields::FieldOptions& options) {
+    video::SourceOptions colour;
     colour.colour = true;
-    std::vector<Field> fields;
-    compute_fields(*scene::open_scene(scene, colour), options,
-                   [&](const SharedFrame&, Field&& field) { fields.push_back(std::move(field)); });
+    std::vector<fields::Field> fields;
+    fields::compute_fields(
+        *generator::open_scene(scene, colour), options,
+        [&](const video::SharedFrame&, fields::Field&& field) { fields.push_back(std::move(field)); });
     return fields;
 }
 
 /// How well fields show what moves: 2 · both / (shown + there), over all frames.
-double f_measure(const std::vector<Field>& fields, const scene::Scene& truth) {
+double f_measure(const std::vector<fields::Field>& fields, const generator::Scene& truth) {
     double both = 0, shown = 0, there = 0;
-    for (const Field& field : fields) {
+    for (const fields::Field& field : fields) {
         Plane<std::uint8_t> mask(truth.size());
-        for (const scene::Object& object : truth.truth(static_cast<int>(field.index)).objects) {
+        for (const generator::Object& object : truth.truth(static_cast<int>(field.index)).objects) {
             for (std::size_t i = 0; i < mask.pixels().size(); ++i) mask.pixels()[i] |= object.mask.pixels()[i];
         }
         for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
@@ -104,8 +106,8 @@ double f_measure(const std::vector<Field>& fields, const scene::Scene& truth) {
     return 2 * both / (shown + there);
 }
 
-FieldOptions without_flow(const char* stabilize, const char* reference = "median") {
-    FieldOptions options;
+fields::FieldOptions without_flow(const char* stabilize, const char* reference = "median") {
+    fields::FieldOptions options;
     options.flow.method = "none";
     options.stabilize = stabilize;
     options.reference = reference;
@@ -113,11 +115,11 @@ FieldOptions without_flow(const char* stabilize, const char* reference = "median
 }
 
 TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 120;
     options.noise = 2;
-    const scene::Scene still = scene::make_walkers(options);
-    const scene::Scene shaken = scene::make_shaken(still);
+    const generator::Scene still = generator::make_walkers(options);
+    const generator::Scene shaken = generator::make_shaken(still);
     const double best = f_measure(fields_of(still, without_flow("auto")), still);
     for (const char* const reference : {"median", "running"}) {
         const double aligned = f_measure(fields_of(shaken, without_flow("auto", reference)), still);
@@ -128,13 +130,13 @@ TEST(ShakingCamera, ShowsWhatMovesAndNothingElse) {
 }
 
 TEST(ShakingCamera, AStillOneIsLeftAlone) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 60;
     options.noise = 3;
     options.drift = 20;
-    for (const scene::Scene& scene : {scene::make_walkers(options), scene::make_left_bag(options)}) {
-        const std::vector<Field> aligned = fields_of(scene, without_flow("auto"));
-        const std::vector<Field> as_it_is = fields_of(scene, without_flow("off"));
+    for (const generator::Scene& scene : {generator::make_walkers(options), generator::make_left_bag(options)}) {
+        const std::vector<fields::Field> aligned = fields_of(scene, without_flow("auto"));
+        const std::vector<fields::Field> as_it_is = fields_of(scene, without_flow("off"));
         ASSERT_EQ(aligned.size(), as_it_is.size());
         for (std::size_t f = 0; f < aligned.size(); ++f) {
             ASSERT_TRUE(std::ranges::equal(aligned[f].scalar.pixels(), as_it_is[f].scalar.pixels())) << f;
@@ -143,14 +145,14 @@ TEST(ShakingCamera, AStillOneIsLeftAlone) {
 }
 
 TEST(ShakingCamera, FieldsDoNotDependOnTheNumberOfThreads) {
-    scene::Options options;
+    generator::Options options;
     options.frames = 40;
-    const scene::Scene shaken = scene::make_shaken(scene::make_walkers(options));
-    FieldOptions fields = without_flow("auto");
+    const generator::Scene shaken = generator::make_shaken(generator::make_walkers(options));
+    fields::FieldOptions fields = without_flow("auto");
     fields.threads = 1;
-    const std::vector<Field> one = fields_of(shaken, fields);
+    const std::vector<fields::Field> one = fields_of(shaken, fields);
     fields.threads = 5;
-    const std::vector<Field> five = fields_of(shaken, fields);
+    const std::vector<fields::Field> five = fields_of(shaken, fields);
     ASSERT_EQ(one.size(), five.size());
     for (std::size_t f = 0; f < one.size(); ++f) {
         ASSERT_TRUE(std::ranges::equal(one[f].scalar.pixels(), five[f].scalar.pixels())) << f;

@@ -6,8 +6,8 @@ namespace vvr {
 namespace {
 
 /// Each pixel says where it is.
-Frame frame_of(std::int64_t index, Size size) {
-    Frame frame{index, static_cast<double>(index), Plane<std::uint8_t>(size), Plane<Bgr>(size)};
+video::Frame frame_of(std::int64_t index, Size size) {
+    video::Frame frame{index, static_cast<double>(index), Plane<std::uint8_t>(size), Plane<Bgr>(size)};
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
             frame.colour.at(i, j) = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
@@ -17,26 +17,26 @@ Frame frame_of(std::int64_t index, Size size) {
     return frame;
 }
 
-Event event_of(std::vector<std::size_t> tracks) {
-    Event event;
+events::Event event_of(std::vector<std::size_t> tracks) {
+    events::Event event;
     event.tracks = std::move(tracks);
     return event;
 }
 
 TEST(StillBox, IsASquareAroundTheObjectWithinTheFrame) {
-    EXPECT_EQ(still_box({100, 90, 120, 130}, {200, 200}), PixelBox(80, 80, 140, 140));
-    EXPECT_EQ(still_box({0, 0, 10, 60}, {200, 200}), PixelBox(0, 0, 90, 90));
-    EXPECT_EQ(still_box({190, 190, 200, 200}, {200, 200}), PixelBox(160, 160, 200, 200));
-    EXPECT_EQ(still_box({0, 0, 200, 60}, {200, 60}), PixelBox(70, 0, 130, 60));
+    EXPECT_EQ(glance::still_box({100, 90, 120, 130}, {200, 200}), PixelBox(80, 80, 140, 140));
+    EXPECT_EQ(glance::still_box({0, 0, 10, 60}, {200, 200}), PixelBox(0, 0, 90, 90));
+    EXPECT_EQ(glance::still_box({190, 190, 200, 200}, {200, 200}), PixelBox(160, 160, 200, 200));
+    EXPECT_EQ(glance::still_box({0, 0, 200, 60}, {200, 60}), PixelBox(70, 0, 130, 60));
 }
 
 TEST(Crops, AreOfTheFrameInWhichTheObjectIsSeenBest) {
-    Crops crops;
-    const Frame early = frame_of(1, {200, 200});
-    const Frame late = frame_of(2, {200, 200});
+    glance::Crops crops;
+    const video::Frame early = frame_of(1, {200, 200});
+    const video::Frame late = frame_of(2, {200, 200});
     crops.keep(7, {{1, 1}, {100, 90, 120, 130}, 5}, early);
     crops.keep(7, {{2, 2}, {100, 90, 120, 130}, 6}, late);
-    const Crop* const crop = crops.of(event_of({3, 7}));
+    const glance::Crop* const crop = crops.of(event_of({3, 7}));
     ASSERT_NE(crop, nullptr);
     EXPECT_EQ(crop->at.frame, 2);
     EXPECT_EQ(crop->picture.at(0, 0), (Bgr{80, 80, 2}));
@@ -45,19 +45,19 @@ TEST(Crops, AreOfTheFrameInWhichTheObjectIsSeenBest) {
 }
 
 TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
-    Crops crops;
-    const Frame frame = frame_of(1, {200, 200});
+    glance::Crops crops;
+    const video::Frame frame = frame_of(1, {200, 200});
     crops.keep(1, {{1, 1}, {10, 10, 20, 20}, 9}, frame);
     crops.keep(2, {{4, 4}, {10, 10, 20, 20}, 5}, frame);
-    Event event = event_of({1, 2});
+    events::Event event = event_of({1, 2});
     EXPECT_EQ(crops.of(event)->at.frame, 1);
-    event.portrait = Portrait{{4, 4}, {10, 10, 20, 20}, 5};
+    event.portrait = events::Portrait{{4, 4}, {10, 10, 20, 20}, 5};
     EXPECT_EQ(crops.of(event)->at.frame, 4);
 }
 
 TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
-    Crops crops;
-    const Frame frame = frame_of(1, {64, 64});
+    glance::Crops crops;
+    const video::Frame frame = frame_of(1, {64, 64});
     for (std::size_t track = 0; track < 3000; ++track) {
         crops.keep(track, {{1, 1}, {10, 10, 20, 20}, static_cast<double>(track)}, frame);
     }

@@ -9,8 +9,8 @@ Moment at(double seconds) {
     return {static_cast<std::int64_t>(seconds * 10), seconds};
 }
 
-Event event_of(EventKind kind, double first, double last) {
-    Event event;
+events::Event event_of(events::EventKind kind, double first, double last) {
+    events::Event event;
     event.kind = kind;
     event.first = at(first);
     event.last = at(last);
@@ -19,52 +19,53 @@ Event event_of(EventKind kind, double first, double last) {
 }
 
 TEST(MostTelling, WhatWasLeftOrTakenThenTheLongest) {
-    std::vector<Event> events{event_of(EventKind::moved, 0, 60), event_of(EventKind::moved, 0, 10),
-                              event_of(EventKind::left, 5, 9), event_of(EventKind::taken, 5, 30),
-                              event_of(EventKind::stood, 0, 30)};
+    std::vector<events::Event> events{
+        event_of(events::EventKind::moved, 0, 60), event_of(events::EventKind::moved, 0, 10),
+        event_of(events::EventKind::left, 5, 9), event_of(events::EventKind::taken, 5, 30),
+        event_of(events::EventKind::stood, 0, 30)};
     events[4].stays.push_back({at(5), at(20), {10, 20}, {}});
-    EXPECT_EQ(most_telling(events), (std::vector<std::size_t>{3, 2, 4, 0, 1}));
-    EXPECT_TRUE(most_telling({}).empty());
+    EXPECT_EQ(glance::most_telling(events), (std::vector<std::size_t>{3, 2, 4, 0, 1}));
+    EXPECT_TRUE(glance::most_telling({}).empty());
 }
 
 TEST(PlaceAt, IsOnThePath) {
-    const Event event = event_of(EventKind::moved, 2, 4);
-    EXPECT_EQ(place_at(event, 3), glm::dvec2(20, 30));
-    EXPECT_EQ(place_at(event, 0), glm::dvec2(10, 20));
-    EXPECT_EQ(place_at(event, 9), glm::dvec2(30, 40));
+    const events::Event event = event_of(events::EventKind::moved, 2, 4);
+    EXPECT_EQ(glance::place_at(event, 3), glm::dvec2(20, 30));
+    EXPECT_EQ(glance::place_at(event, 0), glm::dvec2(10, 20));
+    EXPECT_EQ(glance::place_at(event, 9), glm::dvec2(30, 40));
 }
 
 TEST(PlaceAt, OfNoPathIsTheMiddle) {
-    Event event = event_of(EventKind::left, 2, 4);
+    events::Event event = event_of(events::EventKind::left, 2, 4);
     event.path.clear();
     event.box = {10, 20, 21, 41};
-    EXPECT_EQ(place_at(event, 3), glm::dvec2(15, 30));
+    EXPECT_EQ(glance::place_at(event, 3), glm::dvec2(15, 30));
 }
 
 TEST(Words, SayWhatItDidAndWhen) {
-    Event event = event_of(EventKind::stood, 6, 28.4);
+    events::Event event = event_of(events::EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(deeds_of(event).front(), "stood 14 s");
-    EXPECT_EQ(times_of(event, {}).front(), "0:06–0:28");
-    EXPECT_EQ(times_of(event, 1'795'248'017).front(), "08:00:23–08:00:45");
-    EXPECT_EQ(deeds_of(event_of(EventKind::left, 0, 5)).front(), "left behind");
-    EXPECT_EQ(deeds_of(event_of(EventKind::taken, 0, 5)).front(), "taken away");
-    EXPECT_EQ(deeds_of(event_of(EventKind::moved, 0, 5)).front(), "went ↘");
-    event = event_of(EventKind::moved, 0, 5);
+    EXPECT_EQ(glance::deeds_of(event).front(), "stood 14 s");
+    EXPECT_EQ(glance::times_of(event, {}).front(), "0:06–0:28");
+    EXPECT_EQ(glance::times_of(event, 1'795'248'017).front(), "08:00:23–08:00:45");
+    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
+    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
+    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
+    event = event_of(events::EventKind::moved, 0, 5);
     event.path.back().place = {12, 20};
     event.path_length = 80;
-    EXPECT_EQ(deeds_of(event).front(), "to and fro");
+    EXPECT_EQ(glance::deeds_of(event).front(), "to and fro");
 }
 
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
-    Event event = event_of(EventKind::left, 5, 30);
+    events::Event event = event_of(events::EventKind::left, 5, 30);
     event.stays.push_back({at(9), at(20), {10, 20}, {}});
-    ASSERT_EQ(standing_times(event).size(), 1U);
-    EXPECT_EQ(standing_times(event)[0].first.seconds, 5);
-    EXPECT_EQ(standing_times(event)[0].last.seconds, 30);
-    event.kind = EventKind::stood;
-    EXPECT_EQ(standing_times(event)[0].first.seconds, 9);
+    ASSERT_EQ(glance::standing_times(event).size(), 1U);
+    EXPECT_EQ(glance::standing_times(event)[0].first.seconds, 5);
+    EXPECT_EQ(glance::standing_times(event)[0].last.seconds, 30);
+    event.kind = events::EventKind::stood;
+    EXPECT_EQ(glance::standing_times(event)[0].first.seconds, 9);
 }
 
 }  // namespace

@@ -11,18 +11,18 @@ namespace {
 constexpr PixelBox row{10, 50, 1270, 150};
 constexpr int gap = 12;
 
-WantedPortrait wanted_at(double seconds, const glm::dvec2& pixel) {
+glance::WantedPortrait wanted_at(double seconds, const glm::dvec2& pixel) {
     return {seconds, {{pixel, 0}}};
 }
 
 /// As trails of a horseshoe: later is further to the right, each anywhere in height.
-std::vector<WantedPortrait> random_portraits(int count, std::mt19937& random) {
+std::vector<glance::WantedPortrait> random_portraits(int count, std::mt19937& random) {
     std::uniform_real_distribution<double> time(0, 100);
     std::uniform_real_distribution<double> height(0, 1);
-    std::vector<WantedPortrait> wanted;
+    std::vector<glance::WantedPortrait> wanted;
     for (int i = 0; i < count; ++i) {
         const double middle = time(random);
-        WantedPortrait one{middle, {}};
+        glance::WantedPortrait one{middle, {}};
         for (double at = middle - 10; at <= middle + 10; at += 2) {
             one.anchors.push_back({{60 + 11 * at + 200 * height(random), 200 + 400 * height(random)}, 0});
         }
@@ -34,8 +34,8 @@ std::vector<WantedPortrait> random_portraits(int count, std::mt19937& random) {
 TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
     std::mt19937 random(7);
     for (int round = 0; round < 300; ++round) {
-        const std::vector<WantedPortrait> wanted = random_portraits(1 + round % 40, random);
-        const std::vector<PlacedPortrait> placed = place_portraits(wanted, row, gap, {});
+        const std::vector<glance::WantedPortrait> wanted = random_portraits(1 + round % 40, random);
+        const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
         ASSERT_FALSE(placed.empty());
         for (std::size_t i = 0; i < placed.size(); ++i) {
             EXPECT_TRUE(row.holds(placed[i].still));
@@ -44,7 +44,7 @@ TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
             EXPECT_GE(placed[i].still.left, placed[i - 1].still.right + gap - 1);
             EXPECT_LE(wanted[placed[i - 1].wanted].seconds, wanted[placed[i].wanted].seconds);
             for (std::size_t k = 0; k < i; ++k) {
-                EXPECT_FALSE(lines_cross(placed[i].from, placed[i].to, placed[k].from, placed[k].to)) << round;
+                EXPECT_FALSE(glance::lines_cross(placed[i].from, placed[i].to, placed[k].from, placed[k].to)) << round;
             }
         }
     }
@@ -52,9 +52,9 @@ TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
 
 TEST(PortraitRow, IsTheSameEachTime) {
     std::mt19937 random(3);
-    const std::vector<WantedPortrait> wanted = random_portraits(30, random);
-    const std::vector<PlacedPortrait> once = place_portraits(wanted, row, gap, {});
-    const std::vector<PlacedPortrait> again = place_portraits(wanted, row, gap, {});
+    const std::vector<glance::WantedPortrait> wanted = random_portraits(30, random);
+    const std::vector<glance::PlacedPortrait> once = glance::place_portraits(wanted, row, gap, {});
+    const std::vector<glance::PlacedPortrait> again = glance::place_portraits(wanted, row, gap, {});
     ASSERT_EQ(once.size(), again.size());
     for (std::size_t i = 0; i < once.size(); ++i) {
         EXPECT_EQ(once[i].wanted, again[i].wanted);
@@ -64,8 +64,8 @@ TEST(PortraitRow, IsTheSameEachTime) {
 }
 
 TEST(PortraitRow, StandsAboveItsTrail) {
-    const std::vector<WantedPortrait> wanted{wanted_at(5, {640, 400})};
-    const std::vector<PlacedPortrait> placed = place_portraits(wanted, row, gap, {});
+    const std::vector<glance::WantedPortrait> wanted{wanted_at(5, {640, 400})};
+    const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
     ASSERT_EQ(placed.size(), 1U);
     EXPECT_NEAR(placed[0].from.x, 640, 1);
     EXPECT_EQ(placed[0].to, glm::dvec2(640, 400));
@@ -74,28 +74,28 @@ TEST(PortraitRow, StandsAboveItsTrail) {
 TEST(PortraitRow, GivesThePlaceOfACrossingLineToTheNext) {
     // The second is later, but its trail is left of the first's, far above: from its place on the right its line must
     // cross the first's.
-    const std::vector<WantedPortrait> wanted{wanted_at(1, {900, 600}), wanted_at(2, {100, 300}),
-                                             wanted_at(3, {1200, 500})};
-    const std::vector<PlacedPortrait> placed = place_portraits(wanted, row, gap, {});
+    const std::vector<glance::WantedPortrait> wanted{wanted_at(1, {900, 600}), wanted_at(2, {100, 300}),
+                                                     wanted_at(3, {1200, 500})};
+    const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
     ASSERT_EQ(placed.size(), 2U);
     EXPECT_EQ(placed[0].wanted, 0U);
     EXPECT_EQ(placed[1].wanted, 2U);
 }
 
 TEST(PortraitRow, LeadsAroundText) {
-    const WantedPortrait one{5, {{{640, 400}, 0}, {{700, 420}, 0}}};
+    const glance::WantedPortrait one{5, {{{640, 400}, 0}, {{700, 420}, 0}}};
     const std::vector<PixelBox> text{{630, 200, 650, 220}};
-    const std::vector<PlacedPortrait> placed = place_portraits(std::vector{one}, row, gap, text);
+    const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(std::vector{one}, row, gap, text);
     ASSERT_EQ(placed.size(), 1U);
     EXPECT_EQ(placed[0].to, glm::dvec2(700, 420));
 }
 
 TEST(PortraitRow, HoldsWhatItHasRoomFor) {
-    std::vector<WantedPortrait> wanted;
+    std::vector<glance::WantedPortrait> wanted;
     for (int i = 0; i < 30; ++i) wanted.push_back(wanted_at(i, {20 + 40 * i, 400}));
-    EXPECT_EQ(place_portraits(wanted, row, gap, {}).size(), 11U);  // (1260 + 12) / (100 + 12)
-    EXPECT_TRUE(place_portraits(wanted, {0, 0, 50, 100}, gap, {}).empty());
-    EXPECT_TRUE(place_portraits({}, row, gap, {}).empty());
+    EXPECT_EQ(glance::place_portraits(wanted, row, gap, {}).size(), 11U);  // (1260 + 12) / (100 + 12)
+    EXPECT_TRUE(glance::place_portraits(wanted, {0, 0, 50, 100}, gap, {}).empty());
+    EXPECT_TRUE(glance::place_portraits({}, row, gap, {}).empty());
 }
 
 }  // namespace

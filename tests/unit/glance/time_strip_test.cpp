@@ -7,8 +7,8 @@
 namespace vvr {
 namespace {
 
-Event event_of(double first, double last) {
-    Event event;
+events::Event event_of(double first, double last) {
+    events::Event event;
     event.first = {static_cast<std::int64_t>(first * 10), first};
     event.last = {static_cast<std::int64_t>(last * 10), last};
     return event;
@@ -18,17 +18,17 @@ TEST(StripBars, OfOneRowAreNotThereAtTheSameTime) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> time(0, 100);
     for (int round = 0; round < 100; ++round) {
-        std::vector<Event> events;
+        std::vector<events::Event> events;
         for (int i = 0; i < 60; ++i) {
             const double first = time(random);
             events.push_back(event_of(first, first + time(random) / 5));
         }
-        const std::vector<std::size_t> order = most_telling(events);
-        const std::vector<StripBar> bars = strip_bars(events, order, 8, 2);
+        const std::vector<std::size_t> order = glance::most_telling(events);
+        const std::vector<glance::StripBar> bars = glance::strip_bars(events, order, 8, 2);
         EXPECT_GE(bars.size(), 8U);
-        for (const StripBar& a : bars) {
+        for (const glance::StripBar& a : bars) {
             EXPECT_LT(a.row, 8);
-            for (const StripBar& b : bars) {
+            for (const glance::StripBar& b : bars) {
                 if (a.event == b.event || a.row != b.row) continue;
                 EXPECT_TRUE(events[a.event].first.seconds >= events[b.event].last.seconds + 2 ||
                             events[b.event].first.seconds >= events[a.event].last.seconds + 2);
@@ -38,13 +38,13 @@ TEST(StripBars, OfOneRowAreNotThereAtTheSameTime) {
 }
 
 TEST(StripBars, WithoutRoomAreNone) {
-    const std::vector<Event> events{event_of(0, 5)};
-    EXPECT_TRUE(strip_bars(events, most_telling(events), 0, 1).empty());
+    const std::vector<events::Event> events{event_of(0, 5)};
+    EXPECT_TRUE(glance::strip_bars(events, glance::most_telling(events), 0, 1).empty());
 }
 
 TEST(QuietTimes, AreThoseInWhichNobodyIsThere) {
-    const std::vector<Event> events{event_of(5, 20), event_of(3, 8), event_of(30, 40)};
-    const std::vector<Quiet> quiet = quiet_times(events, 0, 50);
+    const std::vector<events::Event> events{event_of(5, 20), event_of(3, 8), event_of(30, 40)};
+    const std::vector<glance::Quiet> quiet = glance::quiet_times(events, 0, 50);
     ASSERT_EQ(quiet.size(), 3U);
     EXPECT_EQ(quiet[0].begin, 0);
     EXPECT_EQ(quiet[0].end, 3);
@@ -52,8 +52,8 @@ TEST(QuietTimes, AreThoseInWhichNobodyIsThere) {
     EXPECT_EQ(quiet[1].end, 30);
     EXPECT_EQ(quiet[2].begin, 40);
     EXPECT_EQ(quiet[2].end, 50);
-    EXPECT_EQ(quiet_times({}, 0, 50).size(), 1U);
-    EXPECT_TRUE(quiet_times(std::vector{event_of(0, 50)}, 0, 50).empty());
+    EXPECT_EQ(glance::quiet_times({}, 0, 50).size(), 1U);
+    EXPECT_TRUE(glance::quiet_times(std::vector{event_of(0, 50)}, 0, 50).empty());
 }
 
 }  // namespace

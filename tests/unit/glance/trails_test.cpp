@@ -11,8 +11,8 @@ constexpr Size field{64, 48};
 constexpr int frames = 100;
 
 /// 100 frames, ten per second.
-Volume empty_volume() {
-    Volume volume(field, frames);
+bricks::Volume empty_volume() {
+    bricks::Volume volume(field, frames);
     for (int i = 0; i < frames; ++i) {
         volume.add({i, i / 10.0, Plane<std::uint8_t>(field), {}, {}}, {});
     }
@@ -20,8 +20,8 @@ Volume empty_volume() {
 }
 
 /// Goes from the left to the right in the first half, then stands.
-Event walker() {
-    Event event;
+events::Event walker() {
+    events::Event event;
     event.first = {0, 0};
     event.last = {99, 9.9};
     for (int i = 0; i < frames; i += 5) event.path.push_back({{i, i / 10.0}, {std::min(2 + 1.2 * i, 60.0), 24}});
@@ -30,23 +30,23 @@ Event walker() {
 }
 
 TEST(Trails, AreWhereTheVolumeShowsTheObject) {
-    const Volume volume = empty_volume();
-    const auto layout = make_layout("horseshoe", shape_for(field));
-    const Camera camera;
-    const Trails trails(volume, *layout, camera, {100, 100});
+    const bricks::Volume volume = empty_volume();
+    const auto layout = space::make_layout("horseshoe", space::shape_for(field));
+    const space::Camera camera;
+    const glance::Trails trails(volume, *layout, camera, {100, 100});
     const glm::dvec3 expected = layout->p_from_c(volume.c_of({2, 24, 0}));
     const glm::dvec3 found = trails.point(walker(), 0);
     EXPECT_LT(glm::distance(expected, found), 0.05);
 }
 
 TEST(Directions, LeadAlongThePathAndNotWhereItStands) {
-    const Volume volume = empty_volume();
-    const auto layout = make_layout("box", shape_for(field));
-    Objects objects;
+    const bricks::Volume volume = empty_volume();
+    const auto layout = space::make_layout("box", space::shape_for(field));
+    glance::Objects objects;
     objects.events = {walker()};
-    const std::vector<Glyph> arrows = direction_arrows(objects, volume, *layout, 0.1);
+    const std::vector<scene::Glyph> arrows = glance::direction_arrows(objects, volume, *layout, 0.1);
     ASSERT_FALSE(arrows.empty());
-    for (const Glyph& arrow : arrows) {
+    for (const scene::Glyph& arrow : arrows) {
         EXPECT_NEAR(glm::length(arrow.vector), 0.1, 1e-6);
         EXPECT_LT(arrow.frame, 55);
         const glm::dvec3 from = layout->c_from_p(glm::dvec3(arrow.from));
@@ -57,26 +57,26 @@ TEST(Directions, LeadAlongThePathAndNotWhereItStands) {
 }
 
 TEST(Directions, OfWhatNobodySawAreNone) {
-    const Volume volume = empty_volume();
-    const auto layout = make_layout("box", shape_for(field));
-    Event hidden = walker();
+    const bricks::Volume volume = empty_volume();
+    const auto layout = space::make_layout("box", space::shape_for(field));
+    events::Event hidden = walker();
     hidden.path = {hidden.path.front(), hidden.path.back()};
-    Objects objects;
+    glance::Objects objects;
     objects.events = {hidden};
-    EXPECT_TRUE(direction_arrows(objects, volume, *layout, 0.1).empty());
+    EXPECT_TRUE(glance::direction_arrows(objects, volume, *layout, 0.1).empty());
 }
 
 TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
-    const auto layout = make_layout("horseshoe", shape_for(field));
+    const auto layout = space::make_layout("horseshoe", space::shape_for(field));
     const Size picture{1280, 800};
     const PixelBox part{100, 230, 1180, 620};
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= 16; ++i) {
         for (const double x : {0.0, 1.0}) points.push_back(layout->p_from_c({x, x, i / 16.0}));
     }
-    const Camera camera = fit_camera({}, points, part.size()).within(part, picture);
+    const space::Camera camera = space::fit_camera({}, points, part.size()).within(part, picture);
     const PixelBox area{200, 0, 1080, 660};
-    const PixelBox hollow = hollow_of(*layout, camera, picture, area, 4.0 / 3);
+    const PixelBox hollow = glance::hollow_of(*layout, camera, picture, area, 4.0 / 3);
     EXPECT_GT(hollow.width(), 120);
     EXPECT_NEAR(hollow.width() * 3.0 / 4, hollow.height(), 1);
     EXPECT_TRUE(area.holds(hollow));
@@ -89,7 +89,7 @@ TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
             }
         }
     }
-    EXPECT_TRUE(hollow_of(*layout, camera, picture, {}, 4.0 / 3).empty());
+    EXPECT_TRUE(glance::hollow_of(*layout, camera, picture, {}, 4.0 / 3).empty());
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ constexpr Size size{64, 48};
 constexpr int pictures = 6;
 
 /// A grey background with a bar of red that moves.
-Picture bar_at(int place) {
-    Picture picture{Plane<Rgba>(size, {0.5F, 0.5F, 0.5F, 1})};
+image::Picture bar_at(int place) {
+    image::Picture picture{Plane<image::Rgba>(size, {0.5F, 0.5F, 0.5F, 1})};
     for (int j = 0; j < size.height; ++j) {
         for (int i = 8 * place; i < 8 * place + 8; ++i) picture.pixels.at(i, j) = {1, 0, 0, 1};
     }
@@ -44,7 +44,7 @@ class AnimationTest : public testing::TestWithParam<std::string> {
     fs::path file(const std::string& name) const { return folder_ / name; }
 
     static void write(const fs::path& path) {
-        AnimationFile animation(path, 20);
+        image::AnimationFile animation(path, 20);
         for (int i = 0; i < pictures; ++i) animation.add(bar_at(i));
         animation.close();
     }
@@ -63,15 +63,15 @@ class AnimationTest : public testing::TestWithParam<std::string> {
 TEST_P(AnimationTest, HoldsThePicturesInOrder) {
     const fs::path path = file("moving" + GetParam());
     write(path);
-    SourceOptions options;
+    video::SourceOptions options;
     options.field_size = size;
     options.colour = true;
-    const auto source = open_source(path.string(), options);
+    const auto source = video::open_source(path.string(), options);
     EXPECT_EQ(source->info().size, size);
-    Scaler scaler(*source);
+    video::Scaler scaler(*source);
     int count = 0;
     for (auto decoded = source->next(); decoded; decoded = source->next(), ++count) {
-        const Frame frame = scaler(*decoded);
+        const video::Frame frame = scaler(*decoded);
         EXPECT_NEAR(frame.pts, 0.05 * count, 1e-3);
         const Bgr bar = frame.colour.at(8 * count + 4, 20);
         EXPECT_GT(bar[2], 230) << "picture " << count;
@@ -91,50 +91,50 @@ TEST_P(AnimationTest, IsTheSameBytesAgain) {
 
 TEST_P(AnimationTest, LeavesNothingUnlessItIsClosed) {
     {
-        AnimationFile animation(file("a" + GetParam()), 20);
+        image::AnimationFile animation(file("a" + GetParam()), 20);
         animation.add(bar_at(0));
     }
     EXPECT_EQ(files(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Endings, AnimationTest, testing::ValuesIn(animation_endings()),
+INSTANTIATE_TEST_SUITE_P(Endings, AnimationTest, testing::ValuesIn(image::animation_endings()),
                          [](const auto& tested) { return tested.param.substr(1); });
 
 TEST(Animation, KnowsItsEndings) {
-    EXPECT_TRUE(is_animation("a.GIF"));
-    EXPECT_FALSE(is_animation("a.png"));
-    EXPECT_THROW(AnimationFile("a.png", 20), Error);
+    EXPECT_TRUE(image::is_animation("a.GIF"));
+    EXPECT_FALSE(image::is_animation("a.png"));
+    EXPECT_THROW(image::AnimationFile("a.png", 20), Error);
 }
 
 TEST(Animation, OfOddSizesLosesALineInVideo) {
     const fs::path path = fs::temp_directory_path() / ("vvr-odd-" + std::to_string(::getpid()) + ".mp4");
-    AnimationFile animation(path, 20);
-    animation.add(Picture{Plane<Rgba>({33, 17}, {1, 1, 1, 1})});
+    image::AnimationFile animation(path, 20);
+    animation.add(image::Picture{Plane<image::Rgba>({33, 17}, {1, 1, 1, 1})});
     animation.close();
-    EXPECT_EQ(open_source(path.string(), {})->info().size, (Size{32, 16}));
+    EXPECT_EQ(video::open_source(path.string(), {})->info().size, (Size{32, 16}));
     fs::remove(path);
 }
 
 TEST(Palette, KeepsFewColoursExactly) {
-    const Picture picture = bar_at(2);
-    Palette palette(picture);
+    const image::Picture picture = bar_at(2);
+    image::Palette palette(picture);
     ASSERT_EQ(palette.colours().size(), 2U);
-    EXPECT_EQ(palette.colours()[palette.nearest({1, 0, 0, 1})], (Palette::Colour{255, 0, 0}));
-    EXPECT_EQ(palette.colours()[palette.nearest({0.5F, 0.5F, 0.5F, 1})], (Palette::Colour{128, 128, 128}));
+    EXPECT_EQ(palette.colours()[palette.nearest({1, 0, 0, 1})], (image::Palette::Colour{255, 0, 0}));
+    EXPECT_EQ(palette.colours()[palette.nearest({0.5F, 0.5F, 0.5F, 1})], (image::Palette::Colour{128, 128, 128}));
 }
 
 TEST(Palette, IsNearToManyColours) {
-    Picture picture{Plane<Rgba>({256, 256}, {0, 0, 0, 1})};
+    image::Picture picture{Plane<image::Rgba>({256, 256}, {0, 0, 0, 1})};
     for (int j = 0; j < 256; ++j) {
         for (int i = 0; i < 256; ++i) {
             picture.pixels.at(i, j) = {static_cast<float>(i) / 255, static_cast<float>(j) / 255, 0.5F, 1};
         }
     }
-    Palette palette(picture);
+    image::Palette palette(picture);
     EXPECT_EQ(palette.colours().size(), 256U);
     double worst = 0;
-    for (const Rgba& pixel : picture.pixels.pixels()) {
-        const Palette::Colour& colour = palette.colours()[palette.nearest(pixel)];
+    for (const image::Rgba& pixel : picture.pixels.pixels()) {
+        const image::Palette::Colour& colour = palette.colours()[palette.nearest(pixel)];
         for (int c = 0; c < 3; ++c) {
             const int level = colour[static_cast<std::size_t>(c)];
             worst = std::max(worst, std::abs(level - 255.0 * static_cast<double>(pixel[c])));

@@ -9,7 +9,8 @@ namespace vvr {
 namespace {
 
 std::string error_of(const std::string& name, Size size) {
-    return test::error_text(ErrorKind::io, [&] { encode_picture(name, Picture{Plane<Rgba>(size)}); });
+    return test::error_text(ErrorKind::io,
+                            [&] { image::encode_picture(name, image::Picture{Plane<image::Rgba>(size)}); });
 }
 
 TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
@@ -20,22 +21,23 @@ TEST(Encoders, SayWhatIsTooLargeOrEmpty) {
 }
 
 TEST(Encoders, CutADescriptionThatIsTooLong) {
-    const auto bytes = encode_picture("a.jpg", Picture{Plane<Rgba>({8, 8})}, {{"title", std::string(70000, 'x')}});
-    EXPECT_EQ(settings_of(decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
+    const auto bytes = image::encode_picture("a.jpg", image::Picture{Plane<image::Rgba>({8, 8})},
+                                             {{"title", std::string(70000, 'x')}});
+    EXPECT_EQ(image::settings_of(image::decode_samples("a.jpg", bytes)).front().second.substr(0, 3), "xxx");
 }
 
 TEST(Encoders, MarkTextsOfAPngAsUtf8) {
-    const Metadata settings{{"title", "Süd, 10 °C"}, {"theme", "light"}};
-    const auto png = encode_picture("a.png", Picture{Plane<Rgba>({8, 8})}, settings);
+    const image::Metadata settings{{"title", "Süd, 10 °C"}, {"theme", "light"}};
+    const auto png = image::encode_picture("a.png", image::Picture{Plane<image::Rgba>({8, 8})}, settings);
     const std::string file(reinterpret_cast<const char*>(png.data()), png.size());
     EXPECT_NE(file.find("iTXtvvr:title"), std::string::npos);
     EXPECT_NE(file.find("tEXtvvr:theme"), std::string::npos);
-    EXPECT_EQ(settings_of(decode_samples("a.png", png)), settings);
+    EXPECT_EQ(image::settings_of(image::decode_samples("a.png", png)), settings);
 }
 
 TEST(Encoders, GiveAFrameItsColours) {
-    const auto png = encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
-    const Samples samples = decode_samples("a.png", png);
+    const auto png = image::encode_picture("a.png", Plane<Bgr>({3, 2}, Bgr{10, 20, 30}));
+    const image::Samples samples = image::decode_samples("a.png", png);
     EXPECT_EQ(samples.channels, (std::vector<std::string>{"R", "G", "B"}));
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(255 * samples.at(2, 1)[c], 30 - 10 * static_cast<int>(c), 1e-3);
 }

@@ -57,8 +57,8 @@ class ImageTest : public testing::Test {
 
 class ImageFormatTest : public ImageTest, public testing::WithParamInterface<std::string> {};
 
-Picture gradient(Size size, float alpha = 1) {
-    Picture picture{Plane<Rgba>(size)};
+image::Picture gradient(Size size, float alpha = 1) {
+    image::Picture picture{Plane<image::Rgba>(size)};
     for (int j = 0; j < size.height; ++j) {
         for (int i = 0; i < size.width; ++i) {
             const float x = static_cast<float>(i) / static_cast<float>(size.width);
@@ -86,14 +86,14 @@ Error error_of(Action action) {
 }
 
 /// A file as the picture that was written.
-Picture read_picture(const fs::path& path) {
-    const Samples samples = read_samples(path);
+image::Picture read_picture(const fs::path& path) {
+    const image::Samples samples = image::read_samples(path);
     const std::size_t channels = samples.channels.size();
     const auto named = [&](std::string_view name) { return std::ranges::find(samples.channels, name); };
     const auto index_of = [&](auto at) { return static_cast<std::size_t>(at - samples.channels.begin()); };
     const auto alpha = named("A");
-    Picture picture{Plane<Rgba>(samples.size), samples.encoding};
-    for (const PixelDataChannel& channel : pixel_data_channels) {
+    image::Picture picture{Plane<image::Rgba>(samples.size), samples.encoding};
+    for (const image::PixelDataChannel& channel : image::pixel_data_channels) {
         if (named(channel.name) != samples.channels.end()) {
             picture.pixel_data.*channel.plane = Plane<float>(samples.size);
         }
@@ -102,7 +102,7 @@ Picture read_picture(const fs::path& path) {
         const auto from = std::span(samples.values).subspan(i * channels, channels);
         picture.pixels.pixels()[i] = {from[0], from[1], from[2],
                                       alpha == samples.channels.end() ? 1 : from[index_of(alpha)]};
-        for (const PixelDataChannel& channel : pixel_data_channels) {
+        for (const image::PixelDataChannel& channel : image::pixel_data_channels) {
             Plane<float>& plane = picture.pixel_data.*channel.plane;
             if (!plane.empty()) plane.pixels()[i] = from[index_of(named(channel.name))];
         }
@@ -111,7 +111,7 @@ Picture read_picture(const fs::path& path) {
 }
 
 /// The largest difference of any value.
-float apart(const Picture& a, const Picture& b) {
+float apart(const image::Picture& a, const image::Picture& b) {
     if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<float>::infinity();
     float most = 0;
     for (std::size_t i = 0; i < a.pixels.pixels().size(); ++i) {
@@ -127,22 +127,22 @@ void expect_text(const Error& error, const std::string& part) {
 }
 
 TEST_P(ImageFormatTest, ComesBackWithItsSettings) {
-    const Picture picture = gradient({64, 48});
-    const Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
-    write_picture(file("a" + GetParam()), picture, metadata);
+    const image::Picture picture = gradient({64, 48});
+    const image::Metadata metadata{{"size", "64x48"}, {"camera", "-20,25"}, {"show", "volume,arrows"}};
+    image::write_picture(file("a" + GetParam()), picture, metadata);
 
     EXPECT_LT(apart(picture, read_picture(file("a" + GetParam()))),
               GetParam().starts_with(".jp") ? 0.05 : 0.5001 / 255);
-    Metadata read = settings_of(read_samples(file("a" + GetParam())));
+    image::Metadata read = image::settings_of(image::read_samples(file("a" + GetParam())));
     std::ranges::sort(read);
-    EXPECT_EQ(read, (Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
+    EXPECT_EQ(read, (image::Metadata{{"camera", "-20,25"}, {"show", "volume,arrows"}, {"size", "64x48"}}));
     EXPECT_EQ(files(), 1U);
 }
 
 TEST_P(ImageFormatTest, SameBytesAtAnotherTime) {
-    write_picture(file("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    image::write_picture(file("a" + GetParam()), gradient({32, 16}), {{"step", "1"}});
     ::sleep(1);  // dates in pictures count seconds
-    write_picture(file("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
+    image::write_picture(file("b" + GetParam()), gradient({32, 16}), {{"step", "1"}});
     EXPECT_EQ(bytes(file("a" + GetParam())), bytes(file("b" + GetParam())));
 }
 
@@ -152,7 +152,7 @@ TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
     getrlimit(RLIMIT_FSIZE, &old_limit);
     const rlimit limit{100, old_limit.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
-    const Error error = error_of([&] { write_picture(file("a" + GetParam()), gradient({64, 48})); });
+    const Error error = error_of([&] { image::write_picture(file("a" + GetParam()), gradient({64, 48})); });
     setrlimit(RLIMIT_FSIZE, &old_limit);
     std::signal(SIGXFSZ, old_action);
 
@@ -162,13 +162,13 @@ TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
     EXPECT_EQ(files(), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(picture_endings()),
+INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(image::picture_endings()),
                          [](const auto& format) { return format.param.substr(1); });
 
 TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
-    const Picture picture = gradient({16, 16}, 0.5F);
+    const image::Picture picture = gradient({16, 16}, 0.5F);
     for (const std::string name : {"a.png", "a.tif", "a.exr"}) {
-        write_picture(file(name), picture);
+        image::write_picture(file(name), picture);
         EXPECT_LT(apart(picture, read_picture(file(name))), 1.01 / 255) << name;
     }
 }
@@ -176,15 +176,15 @@ TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
 TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     for (const float alpha : {1.0F, 0.5F}) {
-        Picture picture = gradient({5, 3}, alpha);
+        image::Picture picture = gradient({5, 3}, alpha);
         picture.pixel_data = {Plane<float>({5, 3}, none), Plane<float>({5, 3}, none), Plane<float>({5, 3}, -1)};
         picture.pixel_data.depth.at(4, 1) = 2.7182818F;
         picture.pixel_data.time.at(4, 1) = 86399.96F;
         picture.pixel_data.frame.at(4, 1) = 2159999;  // more than a half float holds
-        write_picture(file("a.exr"), picture);
-        const Picture read = read_picture(file("a.exr"));
+        image::write_picture(file("a.exr"), picture);
+        const image::Picture read = read_picture(file("a.exr"));
         EXPECT_LT(apart(picture, read), 1.0 / 255) << "colours and alpha as ever";
-        for (const auto plane : {&PixelData::depth, &PixelData::time, &PixelData::frame}) {
+        for (const auto plane : {&image::PixelData::depth, &image::PixelData::time, &image::PixelData::frame}) {
             ASSERT_EQ((read.pixel_data.*plane).size(), picture.pixels.size());
             EXPECT_EQ((read.pixel_data.*plane).at(4, 1), (picture.pixel_data.*plane).at(4, 1));
         }
@@ -195,63 +195,64 @@ TEST_F(ImageTest, PixelDataComesBackExactlyFromTheFormatThatHoldsIt) {
 
         picture.pixel_data.object = Plane<float>({5, 3});
         picture.pixel_data.object.at(2, 1) = 65'535;
-        write_picture(file("b.exr"), picture);
-        const Picture with_objects = read_picture(file("b.exr"));
+        image::write_picture(file("b.exr"), picture);
+        const image::Picture with_objects = read_picture(file("b.exr"));
         ASSERT_EQ(with_objects.pixel_data.object.size(), picture.pixels.size());
         EXPECT_EQ(with_objects.pixel_data.object.at(2, 1), 65'535);
         EXPECT_EQ(with_objects.pixel_data.object.at(0, 0), 0);
         EXPECT_EQ(with_objects.pixel_data.frame.at(4, 1), 2159999);
 
-        write_picture(file("a.png"), picture);
+        image::write_picture(file("a.png"), picture);
         EXPECT_TRUE(read_picture(file("a.png")).pixel_data.empty());
     }
-    EXPECT_TRUE(holds_pixel_data("out.EXR"));
-    EXPECT_FALSE(holds_pixel_data("out.tif"));
+    EXPECT_TRUE(image::holds_pixel_data("out.EXR"));
+    EXPECT_FALSE(image::holds_pixel_data("out.tif"));
 }
 
 TEST_F(ImageTest, LinearValuesAreEncodedForIntegers) {
-    Picture picture{Plane<Rgba>({4, 4}, Rgba{0.2140F, 0.2140F, 0.2140F, 1}), Encoding::linear};
-    write_picture(file("a.png"), picture);
+    image::Picture picture{Plane<image::Rgba>({4, 4}, image::Rgba{0.2140F, 0.2140F, 0.2140F, 1}),
+                           image::Encoding::linear};
+    image::write_picture(file("a.png"), picture);
     EXPECT_NEAR(read_picture(file("a.png")).pixels.at(0, 0)[0], 0.5, 1.0 / 255);
-    write_picture(file("a.exr"), picture);
+    image::write_picture(file("a.exr"), picture);
     EXPECT_NEAR(read_picture(file("a.exr")).pixels.at(0, 0)[0], 0.2140, 0.0005);
-    EXPECT_EQ(read_picture(file("a.exr")).encoding, Encoding::linear);
+    EXPECT_EQ(read_picture(file("a.exr")).encoding, image::Encoding::linear);
 }
 
 TEST_F(ImageTest, ReplacesAsAWholeAndFollowsLinks) {
-    write_picture(file("a.png"), gradient({8, 8}));
+    image::write_picture(file("a.png"), gradient({8, 8}));
     fs::create_symlink(file("a.png"), file("link.png"));
-    write_picture(file("link.png"), gradient({16, 8}));
+    image::write_picture(file("link.png"), gradient({16, 8}));
     EXPECT_TRUE(fs::is_symlink(file("link.png")));
     EXPECT_EQ(read_picture(file("a.png")).pixels.size(), (Size{16, 8}));
     EXPECT_EQ(files(), 2U);
 }
 
 TEST_F(ImageTest, EndingsInCapitalsCount) {
-    EXPECT_NO_THROW(check_picture_path(file("A.PNG")));
+    EXPECT_NO_THROW(image::check_picture_path(file("A.PNG")));
 }
 
 TEST_F(ImageTest, UnknownFormatNamesThoseThereAre) {
-    const Error error = error_of([&] { check_picture_path(file("a.pgn")); });
+    const Error error = error_of([&] { image::check_picture_path(file("a.pgn")); });
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     expect_text(error,
                 "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg");
-    expect_text(error_of([&] { check_picture_path(file("a")); }), "a name without an ending");
+    expect_text(error_of([&] { image::check_picture_path(file("a")); }), "a name without an ending");
 }
 
 TEST_F(ImageTest, MissingFolderSaysHowToMakeIt) {
-    const Error error = error_of([&] { check_picture_path(file("none/a.png")); });
+    const Error error = error_of([&] { image::check_picture_path(file("none/a.png")); });
     EXPECT_EQ(error.kind(), ErrorKind::io);
     expect_text(error, "mkdir -p '" + file("none").string() + "'");
 }
 
 TEST_F(ImageTest, RefusesWhatIsNoPlaceForAFile) {
     fs::create_directories(file("folder.png"));
-    expect_text(error_of([&] { check_picture_path(file("folder.png")); }), "it is a folder");
+    expect_text(error_of([&] { image::check_picture_path(file("folder.png")); }), "it is a folder");
     std::ofstream(file("plain")) << "text";
-    expect_text(error_of([&] { check_picture_path(file("plain/a.png")); }), "a.png");
+    expect_text(error_of([&] { image::check_picture_path(file("plain/a.png")); }), "a.png");
     // No one may make files here, not even root.
-    EXPECT_EQ(error_of([&] { check_picture_path("/proc/a.png"); }).kind(), ErrorKind::io);
+    EXPECT_EQ(error_of([&] { image::check_picture_path("/proc/a.png"); }).kind(), ErrorKind::io);
 }
 
 TEST_F(ImageTest, ReadingWhatIsNoPictureSaysSo) {
@@ -271,7 +272,7 @@ TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
         fs::last_write_time(part(number), fs::file_time_type::clock::now() - 61min);
     };
     const auto replace = [&](const std::string& text) {
-        replace_file(file("x"), std::as_bytes(std::span(text)));
+        image::replace_file(file("x"), std::as_bytes(std::span(text)));
         EXPECT_EQ(bytes(file("x")), text);
     };
     leave(0);
@@ -283,20 +284,20 @@ TEST_F(ImageTest, RemovesWhatAKilledProgramLeft) {
     ASSERT_EQ(::flock(writer, LOCK_EX), 0);
     replace("second");
     const std::vector<std::string> names{"x"};
-    remove_leftovers(file("."), names);
+    image::remove_leftovers(file("."), names);
     EXPECT_EQ(bytes(part(0)), "half") << "somebody is writing it";
     ::close(writer);
-    check_file_path(file("x"));
+    image::check_file_path(file("x"));
     EXPECT_EQ(files(), 1);
     std::ofstream(part(0)) << "half";
-    remove_leftovers(file("."), names);
+    image::remove_leftovers(file("."), names);
     EXPECT_EQ(files(), 1) << "young, but known to be nobody's";
 }
 
 TEST_F(ImageTest, WritesThroughNoLinkThatLeadsRound) {
     fs::create_symlink("round", file("round"));
     const std::string text = "text";
-    const Error error = error_of([&] { replace_file(file("round"), std::as_bytes(std::span(text))); });
+    const Error error = error_of([&] { image::replace_file(file("round"), std::as_bytes(std::span(text))); });
     EXPECT_EQ(error.kind(), ErrorKind::io);
     EXPECT_NE(std::string(error.what()).find("it is a link that can't be followed"), std::string::npos);
     EXPECT_EQ(files(), 1);
@@ -306,32 +307,32 @@ TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
     const auto put = [](const WriteAt& write_at, std::int64_t offset, std::string_view text) {
         write_at(offset, std::as_bytes(std::span(text)));
     };
-    replace_file(file("x"), [&](const WriteAt& write_at) {
+    image::replace_file(file("x"), [&](const WriteAt& write_at) {
         put(write_at, 4, "tail");
         put(write_at, 0, "head");
         put(write_at, 2, "..");
         EXPECT_FALSE(fs::exists(file("x"))) << "before it is whole";
     });
     EXPECT_EQ(bytes(file("x")), "he..tail");
-    EXPECT_THROW(replace_file(file("x"),
-                              [&](const WriteAt& write_at) {
-                                  put(write_at, 0, "something else");
-                                  throw std::runtime_error("the source ended");
-                              }),
+    EXPECT_THROW(image::replace_file(file("x"),
+                                     [&](const WriteAt& write_at) {
+                                         put(write_at, 0, "something else");
+                                         throw std::runtime_error("the source ended");
+                                     }),
                  std::runtime_error);
     EXPECT_EQ(bytes(file("x")), "he..tail");
     EXPECT_EQ(files(), 1);
 }
 
 TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
-    const FilmFormat format{"mp4", "mpeg4", "b=1000000"};
+    const image::FilmFormat format{"mp4", "mpeg4", "b=1000000"};
     const auto shade = [](int k) { return Plane<Bgr>({32, 16}, Bgr{40, 80, static_cast<std::uint8_t>(20 * k)}); };
-    FilmEncoder memory(format, "a", {32, 16}, 10, 10, 5);
+    image::FilmEncoder memory(format, "a", {32, 16}, 10, 10, 5);
     for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
     const std::vector<std::byte> wanted = memory.finish();
     EXPECT_EQ(memory.bytes(), wanted.size());
-    replace_file(file("film"), [&](const WriteAt& write_at) {
-        FilmEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
+    image::replace_file(file("film"), [&](const WriteAt& write_at) {
+        image::FilmEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
         for (int k = 0; k < 8; ++k) film.add(shade(k), k);
         EXPECT_TRUE(film.finish().empty());
     });
@@ -341,7 +342,7 @@ TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
 TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
     const auto full = [](std::int64_t, std::span<const std::byte>) { throw Error(ErrorKind::io, "the disk is full"); };
     const Error error = error_of([&] {
-        FilmEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
+        image::FilmEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
         film.add(Plane<Bgr>({32, 16}), 0);
         film.finish();
     });

@@ -15,11 +15,11 @@ std::vector<Size> sizes_of(const std::vector<Plane<T>>& levels) {
 }
 
 TEST(MipLevels, HalveDownToAPixel) {
-    EXPECT_EQ(sizes_of(mip_levels(Plane<std::uint8_t>({384, 97}))),
+    EXPECT_EQ(sizes_of(image::mip_levels(Plane<std::uint8_t>({384, 97}))),
               (std::vector<Size>{{192, 48}, {96, 24}, {48, 12}, {24, 6}, {12, 3}, {6, 1}, {3, 1}, {1, 1}}));
-    EXPECT_EQ(sizes_of(mip_levels(Plane<Bgr>({64, 1}))),
+    EXPECT_EQ(sizes_of(image::mip_levels(Plane<Bgr>({64, 1}))),
               (std::vector<Size>{{32, 1}, {16, 1}, {8, 1}, {4, 1}, {2, 1}, {1, 1}}));
-    EXPECT_TRUE(mip_levels(Plane<Bgr>({1, 1})).empty());
+    EXPECT_TRUE(image::mip_levels(Plane<Bgr>({1, 1})).empty());
 }
 
 TEST(MipLevels, AreTheMeansOfWhatTheyCover) {
@@ -28,7 +28,7 @@ TEST(MipLevels, AreTheMeansOfWhatTheyCover) {
     for (Bgr& pixel : picture.pixels()) {
         for (std::uint8_t& value : pixel) value = static_cast<std::uint8_t>(random());
     }
-    const Plane<Bgr> half = mip_levels(picture).front();
+    const Plane<Bgr> half = image::mip_levels(picture).front();
     for (int j = 0; j < half.height(); ++j) {
         for (int i = 0; i < half.width(); ++i) {
             for (std::size_t c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ TEST(MipLevels, AreTheMeansOfWhatTheyCover) {
 TEST(MipLevels, LeaveOutNoColumnOfAnOddWidth) {
     Plane<std::uint8_t> picture({5, 1});
     picture.at(4, 0) = 250;
-    EXPECT_EQ(mip_levels(picture).front().at(1, 0), 100) << "the mean of two pixels and a half";
+    EXPECT_EQ(image::mip_levels(picture).front().at(1, 0), 100) << "the mean of two pixels and a half";
 }
 
 }  // namespace

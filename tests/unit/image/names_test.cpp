@@ -7,7 +7,9 @@ namespace vvr {
 namespace {
 
 TEST(NamePattern, FillsItsFieldWithNumbers) {
-    const auto name = [](const char* pattern, std::int64_t number) { return NamePattern(pattern).at(number).string(); };
+    const auto name = [](const char* pattern, std::int64_t number) {
+        return image::NamePattern(pattern).at(number).string();
+    };
     EXPECT_EQ(name("out.{frame:4}.png", 7), "out.0007.png");
     EXPECT_EQ(name("out.{brick:2}.png", 123), "out.123.png") << "more digits where the number has them";
     EXPECT_EQ(name("{frame}.png", 12), "12.png");
@@ -17,21 +19,21 @@ TEST(NamePattern, FillsItsFieldWithNumbers) {
 }
 
 TEST(NamePattern, SaysWhatItCounts) {
-    EXPECT_EQ(NamePattern("{frame:4}.png").counts(), "frame");
-    EXPECT_EQ(NamePattern("{brick:4}.png").counts(), "brick");
-    EXPECT_EQ(NamePattern("####.png").counts(), "");
-    EXPECT_TRUE(NamePattern("####.png").has_field());
+    EXPECT_EQ(image::NamePattern("{frame:4}.png").counts(), "frame");
+    EXPECT_EQ(image::NamePattern("{brick:4}.png").counts(), "brick");
+    EXPECT_EQ(image::NamePattern("####.png").counts(), "");
+    EXPECT_TRUE(image::NamePattern("####.png").has_field());
 }
 
 TEST(NamePattern, LeavesOtherNamesAlone) {
     for (const char* plain : {"out.png", "camera#3.png", "100%.png", "##/out.png", "{frame}/out.png"}) {
-        EXPECT_FALSE(NamePattern(plain).has_field()) << plain;
-        EXPECT_EQ(NamePattern(plain).at(5), plain);
+        EXPECT_FALSE(image::NamePattern(plain).has_field()) << plain;
+        EXPECT_EQ(image::NamePattern(plain).at(5), plain);
     }
 }
 
 std::string error_of(const char* pattern) {
-    return test::error_text(ErrorKind::usage, [&] { const NamePattern name(pattern); });
+    return test::error_text(ErrorKind::usage, [&] { const image::NamePattern name(pattern); });
 }
 
 TEST(NamePattern, RefusesWhatIsNoField) {

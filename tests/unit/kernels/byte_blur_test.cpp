@@ -37,7 +37,7 @@ TEST(BlurBytes, IsAGaussian) {
                 Bytes from(static_cast<std::size_t>(size.width * size.height * channels));
                 for (std::uint8_t& value : from) value = static_cast<std::uint8_t>(random());
                 Bytes to(from.size());
-                blur_bytes(size, channels, sigma, from, to);
+                kernels::blur_bytes(size, channels, sigma, from, to);
                 for (std::size_t k = 0; k < to.size(); ++k) {
                     const int pixel = static_cast<int>(k) / channels;
                     const double expected = plain_blur(size, channels, from, sigma, radius, pixel % size.width,
@@ -53,7 +53,7 @@ TEST(BlurBytes, LeavesAPlainPictureAsItIs) {
     for (const int level : {0, 1, 127, 254, 255}) {
         const Bytes from(50 * 20, static_cast<std::uint8_t>(level));
         Bytes to(from.size());
-        blur_bytes({50, 20}, 1, 0.7, from, to);
+        kernels::blur_bytes({50, 20}, 1, 0.7, from, to);
         EXPECT_EQ(from, to);
     }
 }

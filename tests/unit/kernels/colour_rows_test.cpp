@@ -11,7 +11,7 @@ namespace {
 TEST(ColourRows, AreTheStandardsMatrix) {
     // ITU-R BT.601 of limited chroma: every chroma with every tenth luma.
     constexpr double stretch = 255.0 / 224;
-    const ColourMatrix matrix(AVCOL_SPC_SMPTE170M, false);
+    const kernels::ColourMatrix matrix(AVCOL_SPC_SMPTE170M, false);
     std::vector<std::uint8_t> chroma(256);
     for (std::size_t k = 0; k < 256; ++k) chroma[k] = static_cast<std::uint8_t>(k);
     const auto level = [](double value) { return std::clamp(value, 0.0, 255.0); };
@@ -20,8 +20,8 @@ TEST(ColourRows, AreTheStandardsMatrix) {
             const std::vector<std::uint8_t> y(chroma.size(), static_cast<std::uint8_t>(luma));
             const std::vector<std::uint8_t> v(chroma.size(), static_cast<std::uint8_t>(cr));
             std::vector<Bgr> out(chroma.size() - 1);  // no whole number of vectors
-            to_bgr(matrix, std::span(y).first(out.size()), std::span(chroma).first(out.size()),
-                   std::span(v).first(out.size()), out);
+            kernels::to_bgr(matrix, std::span(y).first(out.size()), std::span(chroma).first(out.size()),
+                            std::span(v).first(out.size()), out);
             for (std::size_t k = 0; k < out.size(); ++k) {
                 const double b = stretch * (static_cast<double>(k) - 128);
                 const double r = stretch * (cr - 128);

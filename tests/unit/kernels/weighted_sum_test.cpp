@@ -18,7 +18,7 @@ TEST(WeightedSum, IsThePlainSumAtEveryLength) {
     const std::array<const float*, 3> inputs{in.data(), in.data() + 1, in.data() + 40};
     for (int count = 1; count < 70; ++count) {
         std::vector<float> out(static_cast<std::size_t>(count) + 1, 99.F);
-        weighted_sum(inputs, weights, out.data(), count);
+        kernels::weighted_sum(inputs, weights, out.data(), count);
         for (std::size_t i = 0; i + 1 < out.size(); ++i) {
             const double plain = 0.25 * in[i] - 1.5 * in[i + 1] + 3.0 * in[i + 40];
             ASSERT_NEAR(out[i], plain, 1e-6) << i << " of " << count;
@@ -33,11 +33,11 @@ TEST(WeightedSum, DependsOnNoPlaceInTheRow) {
     const std::array weights{0.1F, 0.7F, 0.2F};
     const std::array<const float*, 3> whole{in.data(), in.data() + 1, in.data() + 2};
     std::vector<float> expected(90);
-    weighted_sum(whole, weights, expected.data(), 90);
+    kernels::weighted_sum(whole, weights, expected.data(), 90);
     for (std::size_t first = 0; first < 40; ++first) {
         const std::array<const float*, 3> part{in.data() + first, in.data() + first + 1, in.data() + first + 2};
         std::vector<float> out(50);
-        weighted_sum(part, weights, out.data(), 50);
+        kernels::weighted_sum(part, weights, out.data(), 50);
         for (std::size_t i = 0; i < out.size(); ++i) ASSERT_EQ(out[i], expected[first + i]) << first;
     }
 }

@@ -22,68 +22,69 @@
 namespace vvr {
 namespace {
 
-std::vector<std::string> texts(const std::vector<TimeTick>& ticks) {
+std::vector<std::string> texts(const std::vector<labels::TimeTick>& ticks) {
     std::vector<std::string> result;
-    for (const TimeTick& tick : ticks) result.push_back(tick.text);
+    for (const labels::TimeTick& tick : ticks) result.push_back(tick.text);
     return result;
 }
 
 using Texts = std::vector<std::string>;
 
 TEST(TimeTicks, AreRoundAndFew) {
-    EXPECT_EQ(texts(time_ticks(0, 79.4, 9)), (Texts{"0:00", "0:10", "0:20", "0:30", "0:40", "0:50", "1:00", "1:10"}));
-    EXPECT_EQ(texts(time_ticks(0.04, 1.2, 6)), (Texts{"0.2 s", "0.4 s", "0.6 s", "0.8 s", "1.0 s", "1.2 s"}));
-    EXPECT_EQ(texts(time_ticks(0, 6.5 * 3600, 8)),
+    EXPECT_EQ(texts(labels::time_ticks(0, 79.4, 9)),
+              (Texts{"0:00", "0:10", "0:20", "0:30", "0:40", "0:50", "1:00", "1:10"}));
+    EXPECT_EQ(texts(labels::time_ticks(0.04, 1.2, 6)), (Texts{"0.2 s", "0.4 s", "0.6 s", "0.8 s", "1.0 s", "1.2 s"}));
+    EXPECT_EQ(texts(labels::time_ticks(0, 6.5 * 3600, 8)),
               (Texts{"0:00", "1:00:00", "2:00:00", "3:00:00", "4:00:00", "5:00:00", "6:00:00"}));
     for (const double length : {0.02, 0.3, 1.0, 7.0, 59.0, 600.0, 5000.0, 86400.0, 4e6, 9e9}) {
         for (const int most : {1, 3, 8, 11}) {
-            const std::vector<TimeTick> ticks = time_ticks(3.3, 3.3 + length, most);
+            const std::vector<labels::TimeTick> ticks = labels::time_ticks(3.3, 3.3 + length, most);
             EXPECT_LE(ticks.size(), static_cast<std::size_t>(most)) << length;
-            for (const TimeTick& tick : ticks)
+            for (const labels::TimeTick& tick : ticks)
                 EXPECT_TRUE(tick.seconds > 3.299 - length * 0.001 && tick.seconds < 3.31 + length * 1.001) << tick.text;
         }
     }
-    EXPECT_GE(time_ticks(3.3, 10, 8).size(), 3U);
-    EXPECT_TRUE(time_ticks(5, 5, 8).empty());
-    EXPECT_TRUE(time_ticks(0, NAN, 8).empty());
+    EXPECT_GE(labels::time_ticks(3.3, 10, 8).size(), 3U);
+    EXPECT_TRUE(labels::time_ticks(5, 5, 8).empty());
+    EXPECT_TRUE(labels::time_ticks(0, NAN, 8).empty());
 }
 
 TEST(TimeTicks, AreRoundOnTheClockOnTheWall) {
     const std::int64_t at = 1'795'248'017;  // 2026-11-21 08:00:17
-    EXPECT_EQ(texts(time_ticks(0, 150, 4, at)), (Texts{"08:01", "08:02"}));
-    EXPECT_EQ(time_ticks(0, 150, 4, at).front().seconds, 43);
-    EXPECT_EQ(texts(time_ticks(0, 40, 5, at)), (Texts{"08:00:20", "08:00:30", "08:00:40", "08:00:50"}));
-    EXPECT_EQ(texts(time_ticks(0, 0.9, 2, at)), (Texts{"08:00:17.00", "08:00:17.50"}));
-    EXPECT_EQ(texts(time_ticks(0, 3 * 86400.0, 4, at)), (Texts{"11-22", "11-23", "11-24"}));
-    EXPECT_EQ(format_span(0, 46, at), "2026-11-21 08:00:17 to 08:01:03 (as given)");
-    EXPECT_EQ(format_span(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17 (as given)");
-    EXPECT_EQ(format_span(0, 7.5), "0.0 s to 7.5 s");
-    EXPECT_EQ(format_span(0, 7267), "0:00 to 2:01:07");
+    EXPECT_EQ(texts(labels::time_ticks(0, 150, 4, at)), (Texts{"08:01", "08:02"}));
+    EXPECT_EQ(labels::time_ticks(0, 150, 4, at).front().seconds, 43);
+    EXPECT_EQ(texts(labels::time_ticks(0, 40, 5, at)), (Texts{"08:00:20", "08:00:30", "08:00:40", "08:00:50"}));
+    EXPECT_EQ(texts(labels::time_ticks(0, 0.9, 2, at)), (Texts{"08:00:17.00", "08:00:17.50"}));
+    EXPECT_EQ(texts(labels::time_ticks(0, 3 * 86400.0, 4, at)), (Texts{"11-22", "11-23", "11-24"}));
+    EXPECT_EQ(labels::format_span(0, 46, at), "2026-11-21 08:00:17 to 08:01:03 (as given)");
+    EXPECT_EQ(labels::format_span(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17 (as given)");
+    EXPECT_EQ(labels::format_span(0, 7.5), "0.0 s to 7.5 s");
+    EXPECT_EQ(labels::format_span(0, 7267), "0:00 to 2:01:07");
 }
 
 TEST(Text, IsMadePrintable) {
-    EXPECT_EQ(printable("Tür \"1\" <b>\n"), "Tür \"1\" <b> ");
-    EXPECT_EQ(printable("a\xFF\xC3z\xE2\x82"), "a??z??");
-    EXPECT_EQ(printable(""), "");
+    EXPECT_EQ(image::printable("Tür \"1\" <b>\n"), "Tür \"1\" <b> ");
+    EXPECT_EQ(image::printable("a\xFF\xC3z\xE2\x82"), "a??z??");
+    EXPECT_EQ(image::printable(""), "");
 }
 
 TEST(Text, IsElidedByWholeCharacters) {
     const std::string name = "Überwachung-Tür-März.avi";
-    EXPECT_EQ(elide(name, 20, 10'000), name);
-    const std::string shorter = elide(name, 20, 120);
+    EXPECT_EQ(labels::elide(name, 20, 10'000), name);
+    const std::string shorter = labels::elide(name, 20, 120);
     ASSERT_TRUE(shorter.ends_with("…"));
     EXPECT_EQ(name.find(shorter.substr(0, shorter.size() - 3)), 0U);
-    EXPECT_EQ(printable(shorter), shorter);
-    EXPECT_LE(measure_text(shorter, 20)->width(), 120);
-    EXPECT_EQ(elide(name, 20, 3), "");
+    EXPECT_EQ(image::printable(shorter), shorter);
+    EXPECT_LE(image::measure_text(shorter, 20)->width(), 120);
+    EXPECT_EQ(labels::elide(name, 20, 3), "");
 }
 
 TEST(Text, CoversThePixelsThatItSays) {
-    Picture picture{Plane<Rgba>({200, 60}, Rgba{1, 1, 1, 1})};
-    const Label label = make_label("gÄ 0:10", 24, 30, 40, {0, 0, 0, 1});
-    Lettering lettering;
+    image::Picture picture{Plane<image::Rgba>({200, 60}, image::Rgba{1, 1, 1, 1})};
+    const labels::Label label = labels::make_label("gÄ 0:10", 24, 30, 40, {0, 0, 0, 1});
+    labels::Lettering lettering;
     ASSERT_TRUE(lettering.add(label, {0, 0, 200, 60}, 0));
-    draw(picture, lettering);
+    labels::draw(picture, lettering);
     PixelBox ink{200, 60, 0, 0};
     for (int j = 0; j < 60; ++j) {
         for (int i = 0; i < 200; ++i) {
@@ -99,20 +100,20 @@ TEST(Text, CoversThePixelsThatItSays) {
 }
 
 TEST(Lettering, TakesNothingThatMeetsAnotherOrLeaves) {
-    Lettering lettering;
+    labels::Lettering lettering;
     const PixelBox area{0, 0, 300, 100};
-    EXPECT_TRUE(lettering.add(make_label("first", 20, 10, 50, {}), area, 4));
-    EXPECT_FALSE(lettering.add(make_label("second", 20, 30, 55, {}), area, 4));
-    EXPECT_FALSE(lettering.add(make_label("third", 20, 280, 50, {}), area, 4));
-    EXPECT_TRUE(lettering.add(make_label("fourth", 20, 150, 50, {}), area, 4));
+    EXPECT_TRUE(lettering.add(labels::make_label("first", 20, 10, 50, {}), area, 4));
+    EXPECT_FALSE(lettering.add(labels::make_label("second", 20, 30, 55, {}), area, 4));
+    EXPECT_FALSE(lettering.add(labels::make_label("third", 20, 280, 50, {}), area, 4));
+    EXPECT_TRUE(lettering.add(labels::make_label("fourth", 20, 150, 50, {}), area, 4));
     EXPECT_EQ(lettering.labels.size(), 2U);
 }
 
 /// A volume of `frames` frames, 25 a second.
-Volume clip_of(int frames) {
-    Volume volume({32, 24}, 800, std::max(1, frames / 800 + 1));
+bricks::Volume clip_of(int frames) {
+    bricks::Volume volume({32, 24}, 800, std::max(1, frames / 800 + 1));
     for (int i = 0; i < frames; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.pts = i / 25.0;
         field.scalar = Plane<std::uint8_t>({32, 24});
@@ -121,10 +122,10 @@ Volume clip_of(int frames) {
     return volume;
 }
 
-Volume clip_with_gap() {
-    Volume volume({32, 24}, 800);
+bricks::Volume clip_with_gap() {
+    bricks::Volume volume({32, 24}, 800);
     for (int i = 0; i < 100; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.pts = 0.04 * i;
         field.scalar = Plane<std::uint8_t>({32, 24}, 200);
@@ -138,11 +139,11 @@ Volume clip_with_gap() {
 }
 
 /// Three minutes of motion, each after an hour of nothing, a frame per second.
-Volume day_with_pauses(std::int64_t capacity) {
-    Volume volume({32, 24}, capacity);
+bricks::Volume day_with_pauses(std::int64_t capacity) {
+    bricks::Volume volume({32, 24}, capacity);
     volume.give_room_to_motion();
     for (int i = 0; i < 3 * 3780; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.pts = i;
         field.scalar = Plane<std::uint8_t>({32, 24});
@@ -156,18 +157,18 @@ Volume day_with_pauses(std::int64_t capacity) {
 
 TEST(BusyTime, LeavesLittleRoomToWhereNothingMoves) {
     for (const std::int64_t capacity : {6000, 800, 100}) {
-        const Volume volume = day_with_pauses(capacity);
-        const std::vector<TimeBreak> breaks = time_breaks(volume, 9);
+        const bricks::Volume volume = day_with_pauses(capacity);
+        const std::vector<labels::TimeBreak> breaks = labels::time_breaks(volume, 9);
         ASSERT_EQ(breaks.size(), 3U) << capacity;
-        for (const TimeBreak& gap : breaks) EXPECT_NEAR(gap.seconds, 3600, 40) << capacity;
-        EXPECT_EQ(time_breaks(volume, 1).size(), 1U);
+        for (const labels::TimeBreak& gap : breaks) EXPECT_NEAR(gap.seconds, 3600, 40) << capacity;
+        EXPECT_EQ(labels::time_breaks(volume, 1).size(), 1U);
         for (int k = 0; k < 3; ++k) {
             const double begin = 3780 * k + 3600;
             const double room = volume.t_of_seconds(begin + 180) - volume.t_of_seconds(begin);
             EXPECT_GT(room, 0.22) << k << ": " << capacity;
         }
         // Numbers, times and places belong together.
-        const TimeTable times(volume);
+        const scene::TimeTable times(volume);
         for (const double t : {0.1, 0.3, 0.45, 0.7, 0.9}) {
             const double slots = static_cast<double>(volume.layers() * times.frames_per_layer());
             const Moment at = times.at(t * slots);
@@ -177,19 +178,19 @@ TEST(BusyTime, LeavesLittleRoomToWhereNothingMoves) {
                         1.1 / static_cast<double>(volume.layers()));
         }
     }
-    EXPECT_TRUE(time_breaks(clip_of(100), 9).empty());
+    EXPECT_TRUE(labels::time_breaks(clip_of(100), 9).empty());
 }
 
 TEST(BusyTime, TicksStandWhereSomethingMoves) {
-    const Volume volume = day_with_pauses(800);
-    const std::vector<TimeTick> ticks = spread_ticks(volume, 9, 0);
+    const bricks::Volume volume = day_with_pauses(800);
+    const std::vector<labels::TimeTick> ticks = labels::spread_ticks(volume, 9, 0);
     EXPECT_GE(ticks.size(), 6U);
     EXPECT_LE(ticks.size(), 12U);
     for (std::size_t i = 1; i < ticks.size(); ++i) {
         EXPECT_GT(volume.t_of_seconds(ticks[i].seconds) - volume.t_of_seconds(ticks[i - 1].seconds), 0.8 / 9 - 1e-9);
     }
-    for (const Squeezed& stretch : squeezed_stretches(volume)) {
-        for (const TimeTick& tick : ticks) {
+    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) {
+        for (const labels::TimeTick& tick : ticks) {
             const double t = volume.t_of_seconds(tick.seconds);
             EXPECT_FALSE(stretch.t_begin < t && t < stretch.t_end) << tick.text;
         }
@@ -197,28 +198,29 @@ TEST(BusyTime, TicksStandWhereSomethingMoves) {
 }
 
 TEST(BusyTime, BricksAreCutByTheClock) {
-    const Volume volume = day_with_pauses(800);
-    EXPECT_EQ(cut_by_clock(volume, 3780, 0).size(), 3U);
+    const bricks::Volume volume = day_with_pauses(800);
+    EXPECT_EQ(bricks::cut_by_clock(volume, 3780, 0).size(), 3U);
     std::int64_t next = 0;
-    for (const Brick& brick : cut_by_clock(volume, 3600, -90)) {
+    for (const bricks::Brick& brick : bricks::cut_by_clock(volume, 3600, -90)) {
         EXPECT_EQ(brick.first, next);
         next += brick.count;
     }
     EXPECT_EQ(next, volume.layers());
-    EXPECT_EQ(cut_by_frames(volume, 3780).size(), 3U);
+    EXPECT_EQ(bricks::cut_by_frames(volume, 3780).size(), 3U);
 }
 
 TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
-    const Volume volume = day_with_pauses(800);
-    RenderJob job;
-    Caption caption;
+    const bricks::Volume volume = day_with_pauses(800);
+    app::RenderJob job;
+    app::Caption caption;
     caption.end = 12000;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
-    const Framing framing = frame_volume(job, *layout);
-    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks_of(job, framing, volume, {}));
+    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
+    const app::Framing framing = app::frame_volume(job, *layout);
+    const labels::Lettering lettering =
+        app::letter(job, caption, volume, *layout, framing, app::ticks_of(job, framing, volume, {}));
     const auto tells = [&](const std::string& text) {
-        return std::ranges::any_of(lettering.labels,
-                                   [&](const Label& label) { return label.text.find(text) != std::string::npos; });
+        return std::ranges::any_of(
+            lettering.labels, [&](const labels::Label& label) { return label.text.find(text) != std::string::npos; });
     };
     EXPECT_TRUE(tells("3:00 h without motion drawn short"));
     EXPECT_TRUE(tells("60 min idle"));
@@ -230,41 +232,41 @@ TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
     ::tzset();
     // From 2026-03-28 23:30 CET for four hours: at 2:00 clocks are put forward to 3:00.
     const Clock clock = local_clock(1774737000, 4 * 3600, ClockSource::file_name);
-    EXPECT_EQ(texts(time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
-    EXPECT_EQ(time_ticks(0, 4 * 3600, 4, clock)[2].seconds, 2.5 * 3600);
-    EXPECT_EQ(format_span(0, 4 * 3600, clock),
+    EXPECT_EQ(texts(labels::time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
+    EXPECT_EQ(labels::time_ticks(0, 4 * 3600, 4, clock)[2].seconds, 2.5 * 3600);
+    EXPECT_EQ(labels::format_span(0, 4 * 3600, clock),
               "2026-03-28 23:30:00 to 2026-03-29 04:30:00 (CET, UTC+1, then CEST, UTC+2; by file name)")
         << "what tells it";
-    EXPECT_EQ(format_stretch(0, 60, clock), "2026-03-28 23:30:00 to 23:31:00");
+    EXPECT_EQ(labels::format_stretch(0, 60, clock), "2026-03-28 23:30:00 to 23:31:00");
     EXPECT_EQ(clock.iso(0), "2026-03-28T23:30:00+01:00");
     EXPECT_EQ(clock.iso(2.5 * 3600), "2026-03-29T03:00:00+02:00");
     // In October the hour from 2:00 comes twice.
     const Clock back = local_clock(1792886400, 3 * 3600, ClockSource::file_name);
-    EXPECT_EQ(texts(time_ticks(0, 3 * 3600, 4, back)), (Texts{"02:00", "02:00", "03:00", "04:00"}));
+    EXPECT_EQ(texts(labels::time_ticks(0, 3 * 3600, 4, back)), (Texts{"02:00", "02:00", "03:00", "04:00"}));
     EXPECT_EQ(Clock(1774737000).iso(1.5), "2026-03-28T22:30:01") << "of no zone";
     ::setenv("TZ", "UTC", 1);
     ::tzset();
 }
 
 TEST(TimeTicks, LengthsAreRound) {
-    EXPECT_EQ(format_length(7.4), "7 s");
-    EXPECT_EQ(format_length(420), "7 min");
-    EXPECT_EQ(format_length(12000), "3:20 h");
+    EXPECT_EQ(labels::format_length(7.4), "7 s");
+    EXPECT_EQ(labels::format_length(420), "7 min");
+    EXPECT_EQ(labels::format_length(12000), "3:20 h");
 }
 
 TEST(Gaps, AreWhereNoFrameCame) {
-    const Volume volume = clip_with_gap();
+    const bricks::Volume volume = clip_with_gap();
     EXPECT_EQ(volume.missing(), 30);
-    const std::vector<TimeGap> gaps = time_gaps(volume);
+    const std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     ASSERT_EQ(gaps.size(), 1U);
     EXPECT_DOUBLE_EQ(gaps[0].t_begin, 0.3);
     EXPECT_DOUBLE_EQ(gaps[0].t_end, 0.6);
-    EXPECT_TRUE(time_gaps(clip_of(100)).empty());
+    EXPECT_TRUE(labels::time_gaps(clip_of(100)).empty());
 
     // Layers that hold a frame are none of a gap.
-    Volume joined({32, 24}, 50);
+    bricks::Volume joined({32, 24}, 50);
     for (int i = 0; i < 100; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.scalar = Plane<std::uint8_t>({32, 24}, 200);
         if (i < 31 || i >= 61) {
@@ -273,39 +275,42 @@ TEST(Gaps, AreWhereNoFrameCame) {
             joined.add_missing(i, 0);
         }
     }
-    ASSERT_EQ(time_gaps(joined).size(), 1U);
-    EXPECT_NEAR(time_gaps(joined)[0].t_begin, 0.32, 1e-12);
-    EXPECT_NEAR(time_gaps(joined)[0].t_end, 0.6, 1e-12);
+    ASSERT_EQ(labels::time_gaps(joined).size(), 1U);
+    EXPECT_NEAR(labels::time_gaps(joined)[0].t_begin, 0.32, 1e-12);
+    EXPECT_NEAR(labels::time_gaps(joined)[0].t_end, 0.6, 1e-12);
     EXPECT_EQ(joined.missing(), 30);
     joined.drop_front(25);
     EXPECT_EQ(joined.missing(), 11);
 }
 
 TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
-    const Volume volume = clip_with_gap();
-    RenderJob job;
-    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
-    const Framing framing = frame_volume(job, *layout);
-    const Lettering lettering = letter(job, {}, volume, *layout, framing, ticks_of(job, framing, volume, {}));
-    EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &Label::text), 1);
-    const auto strokes = gap_marks(time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
+    const bricks::Volume volume = clip_with_gap();
+    app::RenderJob job;
+    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
+    const app::Framing framing = app::frame_volume(job, *layout);
+    const labels::Lettering lettering =
+        app::letter(job, {}, volume, *layout, framing, app::ticks_of(job, framing, volume, {}));
+    EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &labels::Label::text), 1);
+    const auto strokes = labels::gap_marks(labels::time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
     EXPECT_GT(strokes.size(), 20U);
-    for (const LineSegment& stroke : strokes) {
+    for (const scene::LineSegment& stroke : strokes) {
         const double t = layout->c_from_p(stroke.from).z;
         EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
     }
-    job.look.show.remove(Part::ruler);
-    EXPECT_EQ(std::ranges::count(letter(job, {}, volume, *layout, framing, {}).labels, "no signal", &Label::text), 0);
+    job.look.show.remove(app::Part::ruler);
+    EXPECT_EQ(std::ranges::count(app::letter(job, {}, volume, *layout, framing, {}).labels, "no signal",
+                                 &labels::Label::text),
+              0);
 }
 
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
-    const Volume volume = clip_of(100);
+    const bricks::Volume volume = clip_of(100);
     EXPECT_NEAR(volume.t_of_seconds(0), 0, 1e-9);
     EXPECT_NEAR(volume.t_of_seconds(2), 0.5, 1e-9);
     EXPECT_NEAR(volume.t_of_seconds(2.02), 0.505, 1e-9);
     EXPECT_EQ(volume.t_of_seconds(-3), 0);
     EXPECT_LE(volume.t_of_seconds(99), 1);
-    const Volume joined = clip_of(2000);
+    const bricks::Volume joined = clip_of(2000);
     ASSERT_GT(joined.step(), 1);
     EXPECT_NEAR(joined.t_of_seconds(40), 0.5, 1e-3);
 }
@@ -315,37 +320,37 @@ class OnASheet : public testing::TestWithParam<std::tuple<Size, std::string, std
 // Strings and places: nothing overlaps, nothing leaves the picture, and each label of the ruler stands at its mark.
 TEST_P(OnASheet, AllTextHasItsPlace) {
     const auto& [size, layout_name, eye, frames] = GetParam();
-    const Volume volume = clip_of(frames);
-    const auto layout = make_layout(layout_name, shape_for(volume.size()));
-    RenderJob job;
+    const bricks::Volume volume = clip_of(frames);
+    const auto layout = space::make_layout(layout_name, space::shape_for(volume.size()));
+    app::RenderJob job;
     job.layout = layout_name;
     job.picture.size = size;
     job.picture.view.azimuth = eye.first;
     job.picture.view.elevation = eye.second;
-    Caption caption;
+    app::Caption caption;
     caption.title = "a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
     caption.frames = frames;
     caption.end = (frames - 1) / 25.0;
-    const Framing framing = frame_volume(job, *layout);
-    const std::vector<TimeTick> ticks = ticks_of(job, framing, volume, {});
-    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks);
+    const app::Framing framing = app::frame_volume(job, *layout);
+    const std::vector<labels::TimeTick> ticks = app::ticks_of(job, framing, volume, {});
+    const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, ticks);
 
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> boxes;
-    for (const Label& label : lettering.labels) boxes.push_back(label.box);
-    for (const ColourBar& bar : lettering.bars) boxes.push_back(bar.box);
+    for (const labels::Label& label : lettering.labels) boxes.push_back(label.box);
+    for (const labels::ColourBar& bar : lettering.bars) boxes.push_back(bar.box);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_TRUE(picture.holds(boxes[i])) << i;
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].meets(boxes[j])) << i << " " << j;
     }
     ASSERT_FALSE(lettering.labels.empty());
     EXPECT_TRUE(std::ranges::any_of(
-        lettering.labels, [](const Label& label) { return label.text.starts_with("a clip with \"quotes\""); }));
+        lettering.labels, [](const labels::Label& label) { return label.text.starts_with("a clip with \"quotes\""); }));
     EXPECT_EQ(lettering.bars.size(), 2U) << "what the colours mean";
 
     int on_the_ruler = 0;
-    for (const TimeTick& tick : ticks) {
-        for (const Label& label : lettering.labels) {
+    for (const labels::TimeTick& tick : ticks) {
+        for (const labels::Label& label : lettering.labels) {
             // The strip of times has texts of its own.
             if (label.text != tick.text || !framing.sheet.between.holds(label.box)) continue;
             ++on_the_ruler;
@@ -360,7 +365,7 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
         EXPECT_EQ(on_the_ruler, static_cast<int>(ticks.size())) << "none is left out by default";
     }
 
-    for (const glm::dvec3& corner : ruler_reach(*layout, framing.edge)) {
+    for (const glm::dvec3& corner : labels::ruler_reach(*layout, framing.edge)) {
         const glm::dvec2 at = framing.camera.pixel(corner, size);
         EXPECT_TRUE(at.x >= 0 && at.x <= size.width && at.y >= 0 && at.y <= size.height);
     }
@@ -374,17 +379,17 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(30, 2000)));
 
 TEST(Lettering, SaysThatNothingMoves) {
-    const Volume volume = clip_of(50);
-    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
-    RenderJob job;
-    Caption caption;
+    const bricks::Volume volume = clip_of(50);
+    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
+    app::RenderJob job;
+    app::Caption caption;
     caption.title = "still.avi";
     caption.frames = 50;
     caption.still = true;
-    const Framing framing = frame_volume(job, *layout);
+    const app::Framing framing = app::frame_volume(job, *layout);
     const auto says_it = [&] {
-        const Lettering lettering = letter(job, caption, volume, *layout, framing, {});
-        return std::ranges::count(lettering.labels, "nothing moves", &Label::text);
+        const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, {});
+        return std::ranges::count(lettering.labels, "nothing moves", &labels::Label::text);
     };
     EXPECT_EQ(says_it(), 1);
     caption.still = false;
@@ -392,24 +397,24 @@ TEST(Lettering, SaysThatNothingMoves) {
 }
 
 TEST(ShownName, TellsNeitherFoldersNorWhoMaySeeIt) {
-    EXPECT_EQ(shown_name("/srv/cctv/Tür 1.avi"), "Tür 1.avi");
-    EXPECT_EQ(shown_name("frames/%05d.png"), "%05d.png");
-    EXPECT_EQ(shown_name("folder/"), "folder");
-    EXPECT_EQ(shown_name("-"), "stdin");
-    EXPECT_EQ(shown_name("rtsp://admin:secret@camera"), "a clip");
-    EXPECT_EQ(shown_name("rtsp://admin:secret@camera/hall?token=abc"), "hall");
+    EXPECT_EQ(app::shown_name("/srv/cctv/Tür 1.avi"), "Tür 1.avi");
+    EXPECT_EQ(app::shown_name("frames/%05d.png"), "%05d.png");
+    EXPECT_EQ(app::shown_name("folder/"), "folder");
+    EXPECT_EQ(app::shown_name("-"), "stdin");
+    EXPECT_EQ(app::shown_name("rtsp://admin:secret@camera"), "a clip");
+    EXPECT_EQ(app::shown_name("rtsp://admin:secret@camera/hall?token=abc"), "hall");
 
-    VideoInfo clip;
+    video::VideoInfo clip;
     clip.name = "rtsp://admin:secret@camera/hall?token=abc";
-    EXPECT_EQ(title_of("", clip), "hall");
-    EXPECT_EQ(title_of("asked for", clip), "asked for");
+    EXPECT_EQ(app::title_of("", clip), "hall");
+    EXPECT_EQ(app::title_of("asked for", clip), "asked for");
 }
 
 TEST(Sheet, HasNoTextWhereThereIsNoRoomForIt) {
-    const Sheet sheet = arrange_sheet({160, 100}, {true, true, true});
+    const labels::Sheet sheet = labels::arrange_sheet({160, 100}, {true, true, true});
     EXPECT_EQ(sheet.text, 0);
     EXPECT_EQ(sheet.volume.size(), (Size{160, 100}));
-    EXPECT_EQ(arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
+    EXPECT_EQ(labels::arrange_sheet({1280, 800}, {}).volume.size(), (Size{1280, 800})) << "nor where none is asked for";
 }
 
 TEST(Themes, AreReadable) {
@@ -417,7 +422,7 @@ TEST(Themes, AreReadable) {
         const auto linear = [](float v) { return std::pow(v, 2.2F); };
         return 0.2126F * linear(c.x) + 0.7152F * linear(c.y) + 0.0722F * linear(c.z);
     };
-    for (const Theme& theme : themes()) {
+    for (const scene::Theme& theme : scene::themes()) {
         const float paper = luminance(theme.background) + 0.05F;
         const auto contrast = [&](const glm::vec3& ink) {
             const float of_ink = luminance(ink) + 0.05F;
@@ -425,7 +430,7 @@ TEST(Themes, AreReadable) {
         };
         EXPECT_GT(contrast(theme.ink), 7) << theme.name;
         EXPECT_GT(contrast(theme.pale_ink), 4.5) << theme.name;
-        EXPECT_NO_THROW(find_transfer(std::string(theme.transfer)));
+        EXPECT_NO_THROW(scene::find_transfer(std::string(theme.transfer)));
     }
 }
 

@@ -11,10 +11,10 @@ namespace vvr {
 namespace {
 
 /// Ten seconds.
-Volume clip_of(int frames) {
-    Volume volume({32, 24}, frames);
+bricks::Volume clip_of(int frames) {
+    bricks::Volume volume({32, 24}, frames);
     for (int i = 0; i < frames; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.pts = i / 25.0;
         field.scalar = Plane<std::uint8_t>({32, 24});
@@ -24,12 +24,12 @@ Volume clip_of(int frames) {
 }
 
 /// Events at random places and times, as many as a busy day has.
-std::vector<Event> random_events(int count, double seconds, Size field, std::mt19937& random) {
+std::vector<events::Event> random_events(int count, double seconds, Size field, std::mt19937& random) {
     const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-    std::vector<Event> events;
+    std::vector<events::Event> events;
     for (int k = 0; k < count; ++k) {
-        Event event;
-        event.kind = static_cast<EventKind>(k % 4);
+        events::Event event;
+        event.kind = static_cast<events::EventKind>(k % 4);
         const double first = any(0, 0.9 * seconds);
         const double last = any(first + 0.05 * seconds, seconds);
         event.first = {static_cast<std::int64_t>(first * 25), first};
@@ -43,7 +43,7 @@ std::vector<Event> random_events(int count, double seconds, Size field, std::mt1
         event.tracks = {static_cast<std::size_t>(k)};
         events.push_back(event);
     }
-    std::ranges::sort(events, {}, [](const Event& event) { return event.first.seconds; });
+    std::ranges::sort(events, {}, [](const events::Event& event) { return event.first.seconds; });
     return events;
 }
 
@@ -53,47 +53,47 @@ class OfManyObjects : public testing::TestWithParam<std::tuple<Size, int>> {};
 TEST_P(OfManyObjects, EachPartHasItsPlace) {
     const auto& [size, count] = GetParam();
     std::mt19937 random(static_cast<unsigned>(count));
-    const Volume volume = clip_of(250);
-    const auto layout = make_layout("horseshoe", shape_for(volume.size()));
-    RenderJob job;
+    const bricks::Volume volume = clip_of(250);
+    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
+    app::RenderJob job;
     job.picture.size = size;
-    const std::vector<Event> events = random_events(count, 9.9, volume.size(), random);
-    Glance glance;
+    const std::vector<events::Event> events = random_events(count, 9.9, volume.size(), random);
+    app::Glance glance;
     glance.field = volume.size();
     glance.scene = glance.first = glance.last = Plane<Bgr>(volume.size());
-    Crops crops;
-    const Frame frame{0, 0, Plane<std::uint8_t>(volume.size()), Plane<Bgr>(volume.size())};
+    glance::Crops crops;
+    const video::Frame frame{0, 0, Plane<std::uint8_t>(volume.size()), Plane<Bgr>(volume.size())};
     for (std::size_t k = 0; k < events.size(); ++k) crops.keep(k, {events[k].first, {2, 2, 12, 12}, 1}, frame);
     glance.crops = &crops;
-    Caption caption;
+    app::Caption caption;
     caption.end = 9.9;
-    glance.objects = shown_objects(job.look, events, 0, 9.9, {});
-    const Framing framing = frame_volume(job, *layout);
-    const std::vector<TimeTick> ticks = ticks_of(job, framing, volume, {});
-    const Lettering lettering = letter(job, caption, volume, *layout, framing, ticks, glance);
+    glance.objects = app::shown_objects(job.look, events, 0, 9.9, {});
+    const app::Framing framing = app::frame_volume(job, *layout);
+    const std::vector<labels::TimeTick> ticks = app::ticks_of(job, framing, volume, {});
+    const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, ticks, glance);
 
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> pictures;
-    for (const PastedPicture& pasted : lettering.pictures) {
+    for (const labels::PastedPicture& pasted : lettering.pictures) {
         pictures.push_back(pasted.box.grown(pasted.border, pasted.border));
     }
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         EXPECT_TRUE(picture.holds(pictures[i])) << i;
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i].meets(pictures[j])) << i << " " << j;
-        for (const Label& label : lettering.labels) {
+        for (const labels::Label& label : lettering.labels) {
             EXPECT_FALSE(pictures[i].meets(label.box)) << i << " " << label.text;
         }
     }
     const int readable = size.width >= 1280 ? 11 : 9;
     for (std::size_t i = 0; i < lettering.labels.size(); ++i) {
-        const Label& label = lettering.labels[i];
+        const labels::Label& label = lettering.labels[i];
         EXPECT_TRUE(picture.holds(label.box)) << label.text;
         EXPECT_GE(label.size, readable) << label.text;
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_FALSE(label.box.meets(lettering.labels[j].box)) << label.text << " " << lettering.labels[j].text;
         }
     }
-    for (const Badge& badge : lettering.badges) {
+    for (const labels::Badge& badge : lettering.badges) {
         EXPECT_TRUE(picture.holds(badge.box)) << badge.label.text;
         EXPECT_GE(badge.label.size, readable) << badge.label.text;
     }

@@ -9,21 +9,21 @@ namespace {
 constexpr Size field{40, 30};
 
 /// Frames 0, 1, 2, ... at 10 per second, each of one grey.
-class Frames final : public FieldSource {
+class Frames final : public fields::FieldSource {
   public:
     explicit Frames(std::int64_t count) : count_(count) { info_.size = {80, 60}; }
 
-    const VideoInfo& info() const override { return info_; }
+    const video::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return field; }
     std::int64_t expected_frames() const override { return 0; }
-    FieldSummary read(const FieldNeeds& needs, const FieldSink& sink) override {
+    fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override {
         EXPECT_TRUE(needs.colour);
         for (std::int64_t k = 0; k < count_; ++k) {
-            auto frame = std::make_shared<Frame>();
+            auto frame = std::make_shared<video::Frame>();
             frame->index = k;
             frame->pts = 0.1 * static_cast<double>(k);
             frame->colour = Plane<Bgr>(field, Bgr{static_cast<std::uint8_t>(k % 250), 0, 0});
-            Field of_frame;
+            fields::Field of_frame;
             of_frame.index = k;
             of_frame.pts = frame->pts;
             sink(frame, std::move(of_frame));
@@ -32,38 +32,38 @@ class Frames final : public FieldSource {
     }
 
   private:
-    VideoInfo info_;
+    video::VideoInfo info_;
     std::int64_t count_;
 };
 
 TEST(RecentMoments, KeepTheEndOfAStreamAndNoMore) {
-    RecentMoments moments(std::make_unique<Frames>(5000), 400);
-    moments.read({}, [](const SharedFrame&, Field&&) {});
-    const Moments all = moments.since(0);
+    page::RecentMoments moments(std::make_unique<Frames>(5000), 400);
+    moments.read({}, [](const video::SharedFrame&, fields::Field&&) {});
+    const page::Moments all = moments.since(0);
     ASSERT_EQ(all.times.size(), 1U);
     EXPECT_EQ(all.times[0].first, 4600);
     EXPECT_EQ(all.times[0].count, 400);
     EXPECT_NEAR(all.times[0].begin, 460, 1e-3);
     EXPECT_LE(all.stills.size(), 42U);
     EXPECT_GE(all.stills.size(), 38U);
-    const Moments end = moments.since(4900);
+    const page::Moments end = moments.since(4900);
     EXPECT_EQ(end.times[0].first, 4900);
-    for (const Still& still : end.stills) {
+    for (const page::Still& still : end.stills) {
         EXPECT_GE(still.frame, 4900);
         EXPECT_EQ(still.picture.at(0, 0)[0], still.frame % 250);
     }
     EXPECT_FALSE(moments.since(4999).stills.empty()) << "the last still there is, rather than none";
 }
 
-std::vector<Still> stills() {
-    std::vector<Still> stills;
+std::vector<page::Still> stills() {
+    std::vector<page::Still> stills;
     for (std::int64_t k = 0; k < 100; k += 10)
         stills.push_back({k, 0.1 * static_cast<double>(k), Plane<Bgr>({80, 60})});
     return stills;
 }
 
-Event event_of(EventKind kind, std::int64_t first, std::int64_t last, glm::dvec2 place) {
-    Event event;
+events::Event event_of(events::EventKind kind, std::int64_t first, std::int64_t last, glm::dvec2 place) {
+    events::Event event;
     event.kind = kind;
     event.first = {first, 0.1 * static_cast<double>(first)};
     event.last = {last, 0.1 * static_cast<double>(last)};
@@ -72,16 +72,16 @@ Event event_of(EventKind kind, std::int64_t first, std::int64_t last, glm::dvec2
     return event;
 }
 
-bool has_mark(const Still& still) {
+bool has_mark(const page::Still& still) {
     return std::ranges::any_of(still.picture.pixels(), [](const Bgr& pixel) { return pixel[2] > 0; });
 }
 
 TEST(TellingStill, IsOfWhatWasLeftAndHasAFrameAroundIt) {
-    const std::vector<Still> all = stills();
-    const std::vector<Event> events{event_of(EventKind::moved, 0, 99, {5, 5}),
-                                    event_of(EventKind::left, 60, 80, {20, 15}),
-                                    event_of(EventKind::stood, 20, 50, {5, 5})};
-    const auto still = telling_still(all, events, field);
+    const std::vector<page::Still> all = stills();
+    const std::vector<events::Event> events{event_of(events::EventKind::moved, 0, 99, {5, 5}),
+                                            event_of(events::EventKind::left, 60, 80, {20, 15}),
+                                            event_of(events::EventKind::stood, 20, 50, {5, 5})};
+    const auto still = page::telling_still(all, events, field);
     ASSERT_TRUE(still);
     EXPECT_EQ(still->frame, 70);
     EXPECT_TRUE(has_mark(*still));
@@ -90,13 +90,13 @@ TEST(TellingStill, IsOfWhatWasLeftAndHasAFrameAroundIt) {
 }
 
 TEST(TellingStill, IsTheMiddleWhereNothingHappened) {
-    const std::vector<Still> all = stills();
-    EXPECT_EQ(telling_still(all, {}, field)->frame, 50);
-    EXPECT_FALSE(has_mark(*telling_still(all, {}, field)));
-    EXPECT_FALSE(telling_still({}, {}, field));
+    const std::vector<page::Still> all = stills();
+    EXPECT_EQ(page::telling_still(all, {}, field)->frame, 50);
+    EXPECT_FALSE(has_mark(*page::telling_still(all, {}, field)));
+    EXPECT_FALSE(page::telling_still({}, {}, field));
     // Nothing shows its time: no frame around a place where it is not.
-    const std::vector<Event> brief{event_of(EventKind::moved, 33, 36, {5, 5})};
-    EXPECT_FALSE(has_mark(*telling_still(all, brief, field)));
+    const std::vector<events::Event> brief{event_of(events::EventKind::moved, 33, 36, {5, 5})};
+    EXPECT_FALSE(has_mark(*page::telling_still(all, brief, field)));
 }
 
 }  // namespace

@@ -25,51 +25,53 @@ std::span<const std::byte> bytes_of(const std::string& text) {
 }
 
 TEST(PageText, DoesNothingInHtml) {
-    EXPECT_EQ(html_text("<b a=\"x\" b='y'>&amp;ü</b>"), "&lt;b a=&quot;x&quot; b=&#39;y&#39;&gt;&amp;amp;ü&lt;/b&gt;");
+    EXPECT_EQ(page::html_text("<b a=\"x\" b='y'>&amp;ü</b>"),
+              "&lt;b a=&quot;x&quot; b=&#39;y&#39;&gt;&amp;amp;ü&lt;/b&gt;");
 }
 
 TEST(PageText, MeansTheSameInAScript) {
     const nlohmann::json name = "</script><!--&\\\"";
-    const std::string text = script_json(name.dump());
+    const std::string text = page::script_json(name.dump());
     EXPECT_EQ(text.find_first_of("<>&"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(text), name);
 }
 
 TEST(PageText, IsBase64AsOthersMakeIt) {
-    EXPECT_EQ(base64(bytes_of("")), "");
-    EXPECT_EQ(base64(bytes_of("a")), "YQ==");
-    EXPECT_EQ(data_url("text/plain", bytes_of("any carnal pleas")), "data:text/plain;base64,YW55IGNhcm5hbCBwbGVhcw==");
+    EXPECT_EQ(page::base64(bytes_of("")), "");
+    EXPECT_EQ(page::base64(bytes_of("a")), "YQ==");
+    EXPECT_EQ(page::data_url("text/plain", bytes_of("any carnal pleas")),
+              "data:text/plain;base64,YW55IGNhcm5hbCBwbGVhcw==");
     // Longer than what is encoded at a time: no padding in between.
     const std::string large(10'000'001, 'a');
-    const std::string text = base64(bytes_of(large));
+    const std::string text = page::base64(bytes_of(large));
     EXPECT_EQ(text.size(), (large.size() + 2) / 3 * 4);
     EXPECT_EQ(text.find('='), text.size() - 1);
     EXPECT_EQ(text.substr(0, 8), "YWFhYWFh");
 }
 
 TEST(PageText, IsHashedForThePolicy) {
-    EXPECT_EQ(policy_hash(""), "'sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU='");
-    EXPECT_EQ(policy_hash("abc"), "'sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0='");
+    EXPECT_EQ(page::policy_hash(""), "'sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU='");
+    EXPECT_EQ(page::policy_hash("abc"), "'sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0='");
 }
 
 TEST(PageText, LeadsFromThePageToTheClip) {
-    EXPECT_EQ(relative_url("out.html", "clip.avi"), "./clip.avi");
-    EXPECT_EQ(relative_url("pages/out.html", "clips/a b.avi"), "./../clips/a%20b.avi");
-    EXPECT_EQ(relative_url("/a/b/c.html", "/a/d.avi"), "./../d.avi");
-    EXPECT_EQ(relative_url("/a/./b/../c.html", "/a/b/d.avi"), "./b/d.avi");
-    EXPECT_EQ(relative_url("out.html", "javascript:x?#%\"<ü\xFF"), "./javascript%3Ax%3F%23%25%22%3C%C3%BC%FF");
+    EXPECT_EQ(page::relative_url("out.html", "clip.avi"), "./clip.avi");
+    EXPECT_EQ(page::relative_url("pages/out.html", "clips/a b.avi"), "./../clips/a%20b.avi");
+    EXPECT_EQ(page::relative_url("/a/b/c.html", "/a/d.avi"), "./../d.avi");
+    EXPECT_EQ(page::relative_url("/a/./b/../c.html", "/a/b/d.avi"), "./b/d.avi");
+    EXPECT_EQ(page::relative_url("out.html", "javascript:x?#%\"<ü\xFF"), "./javascript%3Ax%3F%23%25%22%3C%C3%BC%FF");
 }
 
 TEST(PageText, IsFilledOnce) {
-    EXPECT_EQ(fill("a {{x}} b {{y z}}{{x}}", {{"x", "{{y z}}"}, {"y z", "}}"}}), "a {{y z}} b }}{{y z}}");
-    EXPECT_THROW(fill("{{z}}", {{"x", ""}}), std::out_of_range);
-    EXPECT_THROW(fill("{{x", {{"x", ""}}), std::out_of_range);
+    EXPECT_EQ(page::fill("a {{x}} b {{y z}}{{x}}", {{"x", "{{y z}}"}, {"y z", "}}"}}), "a {{y z}} b }}{{y z}}");
+    EXPECT_THROW(page::fill("{{z}}", {{"x", ""}}), std::out_of_range);
+    EXPECT_THROW(page::fill("{{x", {{"x", ""}}), std::out_of_range);
 }
 
-double worst_of(const std::vector<SteadyFrames>& times, const std::vector<double>& truth) {
+double worst_of(const std::vector<page::SteadyFrames>& times, const std::vector<double>& truth) {
     double worst = 0;
     std::size_t frame = 0;
-    for (const SteadyFrames& steady : times) {
+    for (const page::SteadyFrames& steady : times) {
         for (std::int64_t k = 0; k < steady.count; ++k, ++frame) {
             EXPECT_EQ(steady.first + k, static_cast<std::int64_t>(frame));
             worst = std::max(worst, std::abs(steady.at(steady.first + k) - truth[frame]));
@@ -82,7 +84,7 @@ double worst_of(const std::vector<SteadyFrames>& times, const std::vector<double
 TEST(TimeLine, IsShortForASteadyClip) {
     for (const double rate : {25.0, 30000.0 / 1001, 59.94}) {
         for (const double rounding : {0.0, 1e-3}) {
-            TimeLine line;
+            page::TimeLine line;
             std::vector<double> truth;
             for (int i = 0; i < 200'000; ++i) {
                 const double exact = i / rate;
@@ -90,14 +92,14 @@ TEST(TimeLine, IsShortForASteadyClip) {
                 line.add(i, truth.back());
             }
             EXPECT_EQ(line.stretches().size(), 1U) << rate << " rounded to " << rounding;
-            EXPECT_LE(worst_of(line.stretches(), truth), TimeLine::tolerance * 1.001);
+            EXPECT_LE(worst_of(line.stretches(), truth), page::TimeLine::tolerance * 1.001);
         }
     }
 }
 
 TEST(TimeLine, IsExactForAClipThatVaries) {
     std::mt19937 random(1);
-    TimeLine line;
+    page::TimeLine line;
     std::vector<double> truth;
     double now = 3;
     for (int i = 0; i < 5000; ++i) {
@@ -105,11 +107,11 @@ TEST(TimeLine, IsExactForAClipThatVaries) {
         line.add(i, now);
         now += i % 700 < 400 ? 0.04 : 0.001 * static_cast<double>(random() % 200);  // sometimes not at all
     }
-    EXPECT_LE(worst_of(line.stretches(), truth), TimeLine::tolerance * 1.001);
+    EXPECT_LE(worst_of(line.stretches(), truth), page::TimeLine::tolerance * 1.001);
 }
 
 TEST(TimeLine, OfOneFrame) {
-    TimeLine line;
+    page::TimeLine line;
     EXPECT_TRUE(line.stretches().empty());
     line.add(7, 2.5);
     ASSERT_EQ(line.stretches().size(), 1U);
@@ -118,15 +120,15 @@ TEST(TimeLine, OfOneFrame) {
 
 TEST(Stills, KeepTheFramesInWhichMostGoesOn) {
     constexpr int frames = 10'000;
-    Stills stills({8, 6});
+    page::Stills stills({8, 6});
     for (int i = 0; i < frames; ++i) {
         stills.add(i, i / 25.0, Plane<Bgr>({16, 12}, {static_cast<std::uint8_t>(i % 256), 0, 0}), i % 61 == 30 ? 9 : 0);
     }
-    const std::vector<Still> kept = stills.take();
-    EXPECT_LE(kept.size(), Stills::most);
-    EXPECT_GE(kept.size(), Stills::most / 2 - 1);
+    const std::vector<page::Still> kept = stills.take();
+    EXPECT_LE(kept.size(), page::Stills::most);
+    EXPECT_GE(kept.size(), page::Stills::most / 2 - 1);
     std::int64_t before = -1;
-    for (const Still& still : kept) {
+    for (const page::Still& still : kept) {
         EXPECT_GT(still.frame, before);
         EXPECT_LE(still.frame - before, 2 * 128) << "a gap in which there is no still";
         EXPECT_EQ(still.picture.size(), (Size{8, 6}));
@@ -140,7 +142,7 @@ TEST(Stills, KeepTheFramesInWhichMostGoesOn) {
 }
 
 TEST(Stills, AreAllFramesOfAShortClip) {
-    Stills stills({8, 6});
+    page::Stills stills({8, 6});
     for (int i = 0; i < 5; ++i) stills.add(i, i, Plane<Bgr>({4, 3}), 0);
     EXPECT_EQ(stills.take().size(), 5U);
 }
@@ -157,7 +159,7 @@ Plane<Bgr> noise(Size size, unsigned seed) {
 
 TEST(Preview, HoldsTheFramesAtTheirTimes) {
     const Size size{64, 48};
-    Preview preview(size, {50, 5});
+    page::Preview preview(size, {50, 5});
     std::vector<double> times;
     for (int i = 0; i < 50; ++i) {
         times.push_back(0.1 * i + (i % 3 == 0 ? 0.03 : 0));
@@ -170,7 +172,7 @@ TEST(Preview, HoldsTheFramesAtTheirTimes) {
     const fs::path path = fs::temp_directory_path() / ("vvr-preview-" + std::to_string(::getpid()) + ".film");
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(film->bytes.data()), static_cast<std::streamsize>(film->bytes.size()));
-    const auto source = open_source(path.string(), {});
+    const auto source = video::open_source(path.string(), {});
     EXPECT_EQ(source->info().size, size);
     int count = 0;
     while (const auto frame = source->next()) {
@@ -182,7 +184,7 @@ TEST(Preview, HoldsTheFramesAtTheirTimes) {
 }
 
 TEST(Preview, TakesNotEveryFrameOfALongClip) {
-    Preview preview({16, 16}, {4 * Preview::most_frames, 4.0 * Preview::most_frames / 25});
+    page::Preview preview({16, 16}, {4 * page::Preview::most_frames, 4.0 * page::Preview::most_frames / 25});
     for (int i = 0; i < 100; ++i) preview.add(i, i / 25.0, Plane<Bgr>({16, 16}));
     const auto film = preview.finish();
     ASSERT_TRUE(film);
@@ -190,7 +192,7 @@ TEST(Preview, TakesNotEveryFrameOfALongClip) {
 }
 
 TEST(Preview, IsNoneOfAClipThatIsTooLong) {
-    Preview preview({16, 16}, {90'000 * 2, 3600 * 2});
+    page::Preview preview({16, 16}, {90'000 * 2, 3600 * 2});
     for (int i = 0; i < 100; ++i) preview.add(i, i / 25.0, Plane<Bgr>({16, 16}));
     EXPECT_FALSE(preview.finish());
 }
@@ -198,26 +200,26 @@ TEST(Preview, IsNoneOfAClipThatIsTooLong) {
 TEST(Preview, IsNoneWhereItWouldBeLarge) {
     // A header that promises 50 frames, and noise without end.
     const Size size{384, 288};
-    Preview preview(size, {50, 2});
+    page::Preview preview(size, {50, 2});
     for (unsigned i = 0; i < 700; ++i) preview.add(i, i / 25.0, noise(size, i));
     const auto film = preview.finish();
-    EXPECT_TRUE(!film || film->bytes.size() <= Preview::most_bytes);
+    EXPECT_TRUE(!film || film->bytes.size() <= page::Preview::most_bytes);
 }
 
 TEST(Preview, OfNothingIsNone) {
-    EXPECT_FALSE(Preview({16, 16}, {}).finish());
+    EXPECT_FALSE(page::Preview({16, 16}, {}).finish());
 }
 
 TEST(Page, NamesNothingThatIsNotInIt) {
-    PageContent content;
+    page::PageContent content;
     content.name = "</title><script>";
     content.shown = content.field = {8, 6};
-    content.picture.pixels = Plane<Rgba>({20, 10}, {1, 1, 1, 1});
+    content.picture.pixels = Plane<image::Rgba>({20, 10}, {1, 1, 1, 1});
     content.picture.pixel_data.frame = Plane<float>({20, 10}, -1);
     content.moments.times = {{5, 3, 0.2, 0.04}};
     content.moments.stills.push_back({5, 0.2, Plane<Bgr>({8, 6})});
-    const std::string page = make_page(content);
-    EXPECT_EQ(page, make_page(content));
+    const std::string page = page::make_page(content);
+    EXPECT_EQ(page, page::make_page(content));
     EXPECT_EQ(page.find("http"), page.find("http-equiv"));
     EXPECT_NE(page.find("<title>&lt;/title&gt;&lt;script&gt;</title>"), std::string::npos);
     std::size_t scripts = 0;

@@ -13,10 +13,10 @@ namespace {
 
 constexpr glm::vec4 green{0, 1, 0, 1};
 
-Volume dot_at(int column, int row, int frame) {
-    Volume volume({64, 48}, 64);
+bricks::Volume dot_at(int column, int row, int frame) {
+    bricks::Volume volume({64, 48}, 64);
     for (int i = 0; i < 64; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.scalar = Plane<std::uint8_t>({64, 48});
         if (i == frame) field.scalar.at(column, row) = 255;
@@ -26,39 +26,39 @@ Volume dot_at(int column, int row, int frame) {
 }
 
 TEST(Boxes, HoldTheLayoutAndWhatIsSeen) {
-    const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const AxisBox all = layout_box(*layout);
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
+    const scene::AxisBox all = scene::layout_box(*layout);
     EXPECT_LT(glm::distance(all.low, glm::dvec3(-1, 0, 0)), 1e-9);
     EXPECT_LT(glm::distance(all.high, glm::dvec3(1, 0.4, 1)), 1e-9);
 
-    const BrickCells cells = brick_cells(BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
-    const std::vector<PlacedCells> bricks = {{&cells}};
-    const AxisBox seen = visible_box(bricks, *layout, default_transfer_function());
+    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
+    const std::vector<bricks::PlacedCells> bricks = {{&cells}};
+    const scene::AxisBox seen = scene::visible_box(bricks, *layout, scene::default_transfer_function());
     const glm::dvec3 dot = layout->p_from_c({1 - 10.5 / 64, 1 - 40.5 / 48, 32.5 / 64});
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_LT(seen.low[axis], dot[axis]);
         EXPECT_GT(seen.high[axis], dot[axis]);
         EXPECT_LT(seen.high[axis] - seen.low[axis], 0.35) << "a few cells, not the whole";
     }
-    EXPECT_TRUE(visible_box(bricks, *layout, default_transfer_function().scaled(0)).empty());
-    EXPECT_TRUE(box_edges({}, green).empty());
+    EXPECT_TRUE(scene::visible_box(bricks, *layout, scene::default_transfer_function().scaled(0)).empty());
+    EXPECT_TRUE(scene::box_edges({}, green).empty());
 }
 
 TEST(Boxes, HaveTwelveEdges) {
-    const auto edges = box_edges({{0, 0, 0}, {1, 2, 4}}, green);
+    const auto edges = scene::box_edges({{0, 0, 0}, {1, 2, 4}}, green);
     ASSERT_EQ(edges.size(), 12U);
     double length = 0;
-    for (const LineSegment& edge : edges) length += static_cast<double>(glm::distance(edge.from, edge.to));
+    for (const scene::LineSegment& edge : edges) length += static_cast<double>(glm::distance(edge.from, edge.to));
     EXPECT_DOUBLE_EQ(length, 4 * (1 + 2 + 4));
 }
 
 TEST(SliceOutlines, AreClosedPolygonsAcrossTheView) {
-    const AxisBox box{{-1, 0, 0}, {1, 0.4, 1}};
-    const auto layout = make_horseshoe({0.45, 1, 0.4});
+    const scene::AxisBox box{{-1, 0, 0}, {1, 0.4, 1}};
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
     for (const double azimuth : {0.0, 25.0}) {
-        const Camera camera = fit_camera({azimuth, 30, 30}, outline_points(*layout), {640, 480});
-        const SliceStack stack = stack_slices(camera, *layout, 300, 0);
-        const auto lines = slice_outlines(box, camera, stack, 20, green);
+        const space::Camera camera = space::fit_camera({azimuth, 30, 30}, scene::outline_points(*layout), {640, 480});
+        const scene::SliceStack stack = scene::stack_slices(camera, *layout, 300, 0);
+        const auto lines = scene::slice_outlines(box, camera, stack, 20, green);
         std::set<int> depths;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const auto slice = [&](const glm::vec3& p) {
@@ -69,13 +69,14 @@ TEST(SliceOutlines, AreClosedPolygonsAcrossTheView) {
             depths.insert(static_cast<int>(std::lround(slice(lines[i].from))));
             // The next side begins where this one ends, or this was the last of its slice.
             const bool goes_on = i + 1 < lines.size() && lines[i + 1].from == lines[i].to;
-            const bool closes = std::ranges::any_of(lines, [&](const LineSegment& s) { return s.from == lines[i].to; });
+            const bool closes =
+                std::ranges::any_of(lines, [&](const scene::LineSegment& s) { return s.from == lines[i].to; });
             EXPECT_TRUE(goes_on || closes);
         }
         EXPECT_GE(depths.size(), 19U);
         EXPECT_LE(depths.size(), 24U);
     }
-    EXPECT_TRUE(slice_outlines({}, Camera{}, {}, 20, green).empty());
+    EXPECT_TRUE(scene::slice_outlines({}, space::Camera{}, {}, 20, green).empty());
 }
 
 }  // namespace

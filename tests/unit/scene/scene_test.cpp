@@ -12,7 +12,7 @@ namespace vvr {
 namespace {
 
 TEST(TransferFunction, InterpolatesBetweenItsPoints) {
-    const TransferFunction transfer({{10, {0, 0, 0}, 0}, {20, {1, 0.5, 0}, 8}});
+    const scene::TransferFunction transfer({{10, {0, 0, 0}, 0}, {20, {1, 0.5, 0}, 8}});
     EXPECT_DOUBLE_EQ(transfer.at(0).w, 0);
     EXPECT_DOUBLE_EQ(transfer.at(15).w, 4);
     EXPECT_DOUBLE_EQ(transfer.at(15).y, 0.25);
@@ -21,23 +21,23 @@ TEST(TransferFunction, InterpolatesBetweenItsPoints) {
 }
 
 TEST(TransferFunction, KnowsWhichRangesAreVisible) {
-    const TransferFunction transfer({{0, {}, 0}, {10, {}, 0}, {20, {}, 8}, {30, {}, 0}, {255, {}, 0}});
+    const scene::TransferFunction transfer({{0, {}, 0}, {10, {}, 0}, {20, {}, 8}, {30, {}, 0}, {255, {}, 0}});
     EXPECT_FALSE(transfer.visible({0, 10}));
     EXPECT_TRUE(transfer.visible({0, 11}));
     EXPECT_TRUE(transfer.visible({0, 255})) << "interpolation passes through the visible values";
     EXPECT_FALSE(transfer.visible({30, 255}));
-    EXPECT_FALSE(transfer.visible(ValueRange{})) << "no value at all";
+    EXPECT_FALSE(transfer.visible(bricks::ValueRange{})) << "no value at all";
 }
 
 TEST(TransferFunction, RefusesNonsense) {
-    EXPECT_THROW(TransferFunction({}), Error);
-    EXPECT_THROW(TransferFunction({{10, {}, 0}, {5, {}, 0}}), Error);
-    EXPECT_THROW(TransferFunction({{10, {}, -1}}), Error);
-    EXPECT_THROW(TransferFunction({{10, {}, std::numeric_limits<double>::quiet_NaN()}}), Error);
+    EXPECT_THROW(scene::TransferFunction({}), Error);
+    EXPECT_THROW(scene::TransferFunction({{10, {}, 0}, {5, {}, 0}}), Error);
+    EXPECT_THROW(scene::TransferFunction({{10, {}, -1}}), Error);
+    EXPECT_THROW(scene::TransferFunction({{10, {}, std::numeric_limits<double>::quiet_NaN()}}), Error);
 }
 
 /// Area of all pieces of one brick's slices.
-double area_of(const SliceMesh& mesh) {
+double area_of(const scene::SliceMesh& mesh) {
     double area = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::dvec3 a = mesh.vertices[mesh.indices[i]].p;
@@ -50,24 +50,24 @@ double area_of(const SliceMesh& mesh) {
 
 TEST(Slices, FillTheVolumeExactlyOnce) {
     for (const std::string name : {"box", "horseshoe"}) {
-        Volume volume({48, 40}, 64);
+        bricks::Volume volume({48, 40}, 64);
         for (int i = 0; i < 64; ++i) {
-            Field field;
+            fields::Field field;
             field.index = i;
             field.scalar = Plane<std::uint8_t>({48, 40}, 255);
             volume.add(field);
         }
-        const auto layout = make_layout(name, {0.45, 1, 0.4});
+        const auto layout = space::make_layout(name, {0.45, 1, 0.4});
         const double depth = 0.55;
         const double length = std::numbers::pi * (0.45 + 1) / 2;
-        const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
+        const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 64}), 1, *layout);
         for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
             for (const double elevation : {0.0, 38.0, 90.0}) {
-                const std::vector<glm::dvec3> outline = outline_points(*layout);
-                const Camera camera = fit_camera({azimuth, elevation, 30}, outline, {640, 480});
-                const SliceStack stack = stack_slices(camera, *layout, 300, 0);
-                const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout,
-                                                  default_transfer_function(), camera, stack);
+                const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
+                const space::Camera camera = space::fit_camera({azimuth, elevation, 30}, outline, {640, 480});
+                const scene::SliceStack stack = scene::stack_slices(camera, *layout, 300, 0);
+                const scene::SliceMesh mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout,
+                                                                scene::default_transfer_function(), camera, stack);
                 EXPECT_NEAR(area_of(mesh) * stack.spacing / (depth * 0.4 * length), 1, 0.01)
                     << name << " " << azimuth << " " << elevation;
             }
@@ -76,20 +76,20 @@ TEST(Slices, FillTheVolumeExactlyOnce) {
 }
 
 TEST(Slices, GoFromFarToNear) {
-    Volume volume({32, 32}, 32);
+    bricks::Volume volume({32, 32}, 32);
     for (int i = 0; i < 32; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.scalar = Plane<std::uint8_t>({32, 32}, 255);
         volume.add(field);
     }
-    const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 32}), 1, *layout);
-    const std::vector<glm::dvec3> outline = outline_points(*layout);
-    const Camera camera = fit_camera({}, outline, {640, 480});
-    const SliceStack stack = stack_slices(camera, *layout, 50, 0);
-    const SliceMesh mesh =
-        cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout, default_transfer_function(), camera, stack);
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
+    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 32}), 1, *layout);
+    const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
+    const space::Camera camera = space::fit_camera({}, outline, {640, 480});
+    const scene::SliceStack stack = scene::stack_slices(camera, *layout, 50, 0);
+    const scene::SliceMesh mesh = scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout,
+                                                    scene::default_transfer_function(), camera, stack);
     ASSERT_FALSE(mesh.indices.empty());
     double before = std::numeric_limits<double>::infinity();
     for (const std::uint32_t index : mesh.indices) {
@@ -100,25 +100,26 @@ TEST(Slices, GoFromFarToNear) {
 }
 
 TEST(Slices, PassOverWhatCannotBeSeen) {
-    Volume volume({64, 64}, 64);
+    bricks::Volume volume({64, 64}, 64);
     for (int i = 0; i < 64; ++i) {
-        Field field;
+        fields::Field field;
         field.index = i;
         field.scalar = Plane<std::uint8_t>({64, 64}, 0);
         volume.add(field);
     }
-    const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const BrickCells cells = brick_cells(BrickLayers(volume, {0, 64}), 1, *layout);
-    const std::vector<glm::dvec3> outline = outline_points(*layout);
-    const Camera camera = fit_camera({}, outline, {640, 480});
-    const SliceMesh mesh = cut_slices(std::vector<PlacedCells>{{&cells}}, 0, *layout, default_transfer_function(),
-                                      camera, stack_slices(camera, *layout, 50, 0));
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
+    const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(volume, {0, 64}), 1, *layout);
+    const std::vector<glm::dvec3> outline = scene::outline_points(*layout);
+    const space::Camera camera = space::fit_camera({}, outline, {640, 480});
+    const scene::SliceMesh mesh =
+        scene::cut_slices(std::vector<bricks::PlacedCells>{{&cells}}, 0, *layout, scene::default_transfer_function(),
+                          camera, scene::stack_slices(camera, *layout, 50, 0));
     EXPECT_TRUE(mesh.indices.empty());
 }
 
 TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
-    Volume volume({100, 80}, 64);
-    Field field;
+    bricks::Volume volume({100, 80}, 64);
+    fields::Field field;
     field.scalar = Plane<std::uint8_t>({100, 80});
     field.seeds = {{20, 30, 1.5F, -0.5F}};
     volume.add(field);
@@ -127,21 +128,22 @@ TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
         field.index = i;
         volume.add(field);
     }
-    const auto layout = make_horseshoe({0.45, 1, 0.4});
-    const std::vector<Glyph> glyphs = arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1});
+    const auto layout = space::make_horseshoe({0.45, 1, 0.4});
+    const std::vector<scene::Glyph> glyphs = scene::arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1});
     ASSERT_EQ(glyphs.size(), 1U);
     const glm::dvec3 c = {1 - 20.5 / 100, 1 - 30.5 / 80, 0.5 / 64};
     EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from), layout->p_from_c(c)), 1e-6);
     const glm::dvec3 tip = layout->p_from_c(c + glm::dvec3(-1.5 / 100, 0.5 / 80, 0));
     EXPECT_LT(glm::distance(glm::dvec3(glyphs[0].from + glyphs[0].vector), tip), 1e-6)
         << "without motion along time the map is straight, so the arrow ends where the map puts its end";
-    const std::vector<Glyph> capped = arrows(volume, volume.seeds(), *layout, {.frames = 1000, .cap = 0.09});
+    const std::vector<scene::Glyph> capped =
+        scene::arrows(volume, volume.seeds(), *layout, {.frames = 1000, .cap = 0.09});
     EXPECT_NEAR(glm::length(capped[0].vector), 0.09, 1e-6);
 }
 
 TEST(Arrows, LeanAlongTimeByItsVelocity) {
-    Volume volume({100, 80}, 64);
-    Field field;
+    bricks::Volume volume({100, 80}, 64);
+    fields::Field field;
     field.scalar = Plane<std::uint8_t>({100, 80});
     field.seeds = {{20, 30, 1.5F, -0.5F}};
     for (int i = 0; i < 64; ++i) {
@@ -149,11 +151,11 @@ TEST(Arrows, LeanAlongTimeByItsVelocity) {
         volume.add(field);
         field.seeds.clear();
     }
-    for (const auto& row : layouts()) {
+    for (const auto& row : space::layouts()) {
         const auto layout = row.make({0.45, 1, 0.4});
         const double v_t = 0.8;
-        const std::vector<Glyph> glyphs =
-            arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1, .time_velocity = v_t});
+        const std::vector<scene::Glyph> glyphs =
+            scene::arrows(volume, volume.seeds(), *layout, {.frames = 1, .cap = 1, .time_velocity = v_t});
         ASSERT_EQ(glyphs.size(), 1U);
         // The derivative of the map along the way of the particle.
         const auto place = [&](double frames) {
@@ -166,10 +168,10 @@ TEST(Arrows, LeanAlongTimeByItsVelocity) {
 }
 
 TEST(ArrowMesh, ReachesFromZeroToOne) {
-    const GlyphMesh mesh = arrow_mesh();
+    const scene::GlyphMesh mesh = scene::arrow_mesh();
     float low = 1;
     float high = 0;
-    for (const GlyphVertex& vertex : mesh.vertices) {
+    for (const scene::GlyphVertex& vertex : mesh.vertices) {
         low = std::min(low, vertex.position.z);
         high = std::max(high, vertex.position.z);
     }

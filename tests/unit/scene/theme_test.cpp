@@ -58,7 +58,7 @@ double contrast(const glm::vec3& a, const glm::vec3& b) {
 
 TEST(ObjectColours, AllEyesTellThemApart) {
     constexpr double least = 20;  // CIE76; two patches side by side are told apart from 2.3 on
-    for (const Theme& theme : themes()) {
+    for (const scene::Theme& theme : scene::themes()) {
         for (const Eyes& by : eyes) {
             for (std::size_t a = 0; a < theme.objects.size(); ++a) {
                 for (std::size_t b = 0; b < a; ++b) {
@@ -72,7 +72,7 @@ TEST(ObjectColours, AllEyesTellThemApart) {
 
 TEST(ObjectColours, AreToldApartInAGreyCopy) {
     constexpr double least = 5;  // of L*
-    for (const Theme& theme : themes()) {
+    for (const scene::Theme& theme : scene::themes()) {
         std::array<double, 8> lightness{};
         std::ranges::transform(theme.objects, lightness.begin(),
                                [](const glm::vec3& colour) { return lab(colour, eyes[0]).x; });
@@ -85,7 +85,7 @@ TEST(ObjectColours, AreToldApartInAGreyCopy) {
 }
 
 TEST(ObjectColours, StandOutFromTheBackgroundAndFromWhatIsNobodys) {
-    for (const Theme& theme : themes()) {
+    for (const scene::Theme& theme : scene::themes()) {
         const auto chroma = [](const glm::vec3& colour) {
             const glm::dvec3 at = lab(colour, eyes[0]);
             return std::hypot(at.y, at.z);

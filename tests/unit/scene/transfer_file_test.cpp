@@ -15,11 +15,11 @@ namespace vvr {
 namespace {
 
 std::string error_of(const std::string& text) {
-    return test::error_text(ErrorKind::usage, [&] { parse_transfer(text, "my.tf"); });
+    return test::error_text(ErrorKind::usage, [&] { scene::parse_transfer(text, "my.tf"); });
 }
 
 TEST(TransferFile, HoldsPoints) {
-    const TransferFunction transfer = parse_transfer(
+    const scene::TransferFunction transfer = scene::parse_transfer(
         "# my own\n"
         "0 0 0 0 0\n"
         "\n"
@@ -29,9 +29,10 @@ TEST(TransferFile, HoldsPoints) {
     ASSERT_EQ(transfer.points().size(), 3U);
     EXPECT_EQ(transfer.points()[1].value, 100);
     EXPECT_EQ(transfer.points()[1].colour, glm::dvec3(1, 0.5, 0.25));
-    EXPECT_NEAR(std::exp(-transfer.at(100).w * opacity_length), 0.5, 1e-12) << "so much goes through";
+    EXPECT_NEAR(std::exp(-transfer.at(100).w * scene::opacity_length), 0.5, 1e-12) << "so much goes through";
     EXPECT_EQ(transfer.at(0).w, 0);
-    EXPECT_NEAR(std::exp(-transfer.at(255).w * opacity_length), 0.001, 1e-9) << "1 is nearly opaque, not infinite";
+    EXPECT_NEAR(std::exp(-transfer.at(255).w * scene::opacity_length), 0.001, 1e-9)
+        << "1 is nearly opaque, not infinite";
 }
 
 TEST(TransferFile, SaysWhichLineIsWrong) {
@@ -46,24 +47,24 @@ TEST(TransferFile, SaysWhichLineIsWrong) {
 }
 
 TEST(TransferFile, IsFoundByNameOrPath) {
-    EXPECT_EQ(find_transfer("blue").at(200), default_transfer_function().at(200));
-    for (const TransferRow& row : transfer_functions()) {
-        EXPECT_GT(find_transfer(row.name).at(255).w, 0) << row.name;
-        EXPECT_EQ(find_transfer(row.name).at(0).w, 0) << row.name << ": what is empty is not seen";
+    EXPECT_EQ(scene::find_transfer("blue").at(200), scene::default_transfer_function().at(200));
+    for (const scene::TransferRow& row : scene::transfer_functions()) {
+        EXPECT_GT(scene::find_transfer(row.name).at(255).w, 0) << row.name;
+        EXPECT_EQ(scene::find_transfer(row.name).at(0).w, 0) << row.name << ": what is empty is not seen";
     }
     const auto path = std::filesystem::temp_directory_path() / ("vvr-" + std::to_string(::getpid()) + ".tf");
     std::ofstream(path) << "7 0 0 0 0\n8 1 0 0 1\n";
-    EXPECT_EQ(find_transfer(path.string()).points().size(), 2U);
+    EXPECT_EQ(scene::find_transfer(path.string()).points().size(), 2U);
     std::filesystem::remove(path);
     try {
-        find_transfer("heet");
+        scene::find_transfer("heet");
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
                      "transfer: there is no 'heet' (did you mean 'heat'?); it is one of: blue, grey, heat, "
                      "viridis, magma, coolwarm, mist, solid, bands, signed, or the name of a file");
     }
-    EXPECT_THROW(find_transfer("/"), Error) << "a folder";
+    EXPECT_THROW(scene::find_transfer("/"), Error) << "a folder";
 }
 
 }  // namespace

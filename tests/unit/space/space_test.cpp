@@ -14,7 +14,7 @@ namespace {
 
 class EveryLayout : public testing::TestWithParam<std::string> {
   protected:
-    std::unique_ptr<Layout> layout = make_layout(GetParam(), {0.5, 1.0, 0.4});
+    std::unique_ptr<space::Layout> layout = space::make_layout(GetParam(), {0.5, 1.0, 0.4});
     std::mt19937 random{7};
 
     glm::dvec3 point() {
@@ -36,7 +36,7 @@ TEST_P(EveryLayout, BasisIsTheDerivativeOfTheMap) {
     constexpr double h = 1e-6;
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 c = point();
-        const Basis basis = layout->basis(c);
+        const space::Basis basis = layout->basis(c);
         const glm::dvec3 expected[] = {basis.x, basis.y, basis.t};
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 step{0};
@@ -48,7 +48,7 @@ TEST_P(EveryLayout, BasisIsTheDerivativeOfTheMap) {
 }
 
 TEST_P(EveryLayout, KeepsOneHandedness) {
-    const Basis basis = layout->basis({0.3, 0.5, 0.37});
+    const space::Basis basis = layout->basis({0.3, 0.5, 0.37});
     EXPECT_LT(glm::dot(basis.x, glm::cross(basis.y, basis.t)), 0);
 }
 
@@ -84,14 +84,14 @@ INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout, testing::ValuesIn(test::layout_na
                          [](const auto& tested) { return tested.param; });
 
 TEST(Horseshoe, HasThePapersCorrectedBasis) {
-    const Basis basis = make_horseshoe({0.5, 1.0, 0.4})->basis({0.3, 0.5, 0.37});
+    const space::Basis basis = space::make_horseshoe({0.5, 1.0, 0.4})->basis({0.3, 0.5, 0.37});
     EXPECT_NEAR(basis.t.x, 1.874, 5e-4);
     EXPECT_NEAR(basis.t.y, 0, 1e-12);
     EXPECT_NEAR(basis.t.z, 0.811, 5e-4);
 }
 
 TEST(Horseshoe, RunsFromLeftToRightAwayFromTheViewer) {
-    const auto layout = make_horseshoe({0.45, 1.0, 0.4});
+    const auto layout = space::make_horseshoe({0.45, 1.0, 0.4});
     EXPECT_LT(layout->p_from_c({0.5, 0, 0}).x, 0);
     EXPECT_GT(layout->p_from_c({0.5, 0, 1}).x, 0);
     EXPECT_GT(layout->p_from_c({0.5, 0, 0.5}).z, 0.5);
@@ -99,7 +99,7 @@ TEST(Horseshoe, RunsFromLeftToRightAwayFromTheViewer) {
 
 TEST(LayoutTable, NamesWhatThereIs) {
     try {
-        make_layout("spiral", {});
+        space::make_layout("spiral", {});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::usage);
@@ -108,7 +108,7 @@ TEST(LayoutTable, NamesWhatThereIs) {
 }
 
 TEST(FitCamera, HoldsEveryPointAndTouchesTheMargins) {
-    const auto layout = make_horseshoe({0.45, 1.0, 0.4});
+    const auto layout = space::make_horseshoe({0.45, 1.0, 0.4});
     std::vector<glm::dvec3> points;
     for (int i = 0; i <= 40; ++i) {
         for (int corner = 0; corner < 4; ++corner)
@@ -118,7 +118,7 @@ TEST(FitCamera, HoldsEveryPointAndTouchesTheMargins) {
         for (const Size size : {Size{1280, 800}, Size{300, 900}, Size{640, 640}}) {
             for (const double elevation : {-30.0, 0.0, 38.0, 90.0}) {
                 for (const double azimuth : {-120.0, 0.0, 45.0}) {
-                    const Camera camera = fit_camera({azimuth, elevation, fov, 0.05}, points, size);
+                    const space::Camera camera = space::fit_camera({azimuth, elevation, fov, 0.05}, points, size);
                     double nearest_edge = 1;
                     for (const glm::dvec3& p : points) {
                         const glm::dvec2 at = camera.pixel(p, size) / glm::dvec2(size.width, size.height);
@@ -134,12 +134,12 @@ TEST(FitCamera, HoldsEveryPointAndTouchesTheMargins) {
 }
 
 TEST(FitCamera, ShowsTheFirstFrameUnmirroredOnTheLeft) {
-    const auto layout = make_horseshoe({0.45, 1.0, 0.4});
+    const auto layout = space::make_horseshoe({0.45, 1.0, 0.4});
     std::vector<glm::dvec3> points;
     for (int i = 0; i < 8; ++i) points.push_back(layout->p_from_c({i & 1, i >> 1 & 1, i >> 2}));
     points.push_back(layout->p_from_c({1, 0, 0.5}));
     const Size size{1280, 800};
-    const Camera camera = fit_camera({}, points, size);
+    const space::Camera camera = space::fit_camera({}, points, size);
     const glm::dvec2 left_column = camera.pixel(layout->p_from_c({1, 0.5, 0}), size);  // x_C = 1 is column 0
     const glm::dvec2 right_column = camera.pixel(layout->p_from_c({0, 0.5, 0}), size);
     const glm::dvec2 top_row = camera.pixel(layout->p_from_c({0.5, 1, 0}), size);

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr Size size{9, 5};
 
-Field field_of(std::int64_t index) {
-    Field field{index, 0.04 * static_cast<double>(index) + 1.0 / 3, Plane<std::uint8_t>(size), {}, {}};
+fields::Field field_of(std::int64_t index) {
+    fields::Field field{index, 0.04 * static_cast<double>(index) + 1.0 / 3, Plane<std::uint8_t>(size), {}, {}};
     for (std::size_t i = 0; i < field.scalar.pixels().size(); ++i) {
         field.scalar.pixels()[i] = static_cast<std::uint8_t>(7 * i + static_cast<std::size_t>(index));
     }
@@ -31,13 +31,13 @@ Field field_of(std::int64_t index) {
     return field;
 }
 
-Frame frame_of(std::int64_t index) {
+video::Frame frame_of(std::int64_t index) {
     const auto level = static_cast<std::uint8_t>(index);
     return {index, field_of(index).pts, Plane<std::uint8_t>(size), Plane<Bgr>(size, {level, 20, 200})};
 }
 
-Manifest manifest_of() {
-    Manifest manifest;
+store::Manifest manifest_of() {
+    store::Manifest manifest;
     manifest.clip = {
         .name = {}, .container = "avi", .codec = "ffv1", .size = {90, 50}, .rate = 25, .duration = 0.4, .frames = 10};
     manifest.field_size = size;
@@ -56,7 +56,7 @@ class Store : public testing::Test {
     Store& operator=(const Store&) = delete;
 
     std::string write(const std::string& name, std::int64_t begin, std::int64_t end) const {
-        DataFolder data(folder_ / name, 2, false);
+        store::DataFolder data(folder_ / name, 2, false);
         for (std::int64_t i = begin; i < end; ++i) data.add(frame_of(i), field_of(i));
         data.close(manifest_of(), {});
         return (folder_ / name).string();
@@ -67,32 +67,33 @@ class Store : public testing::Test {
 
 TEST_F(Store, GivesBackWhatItTook) {
     const std::vector<std::string> parts{write("a", 0, 4), write("b", 4, 10)};
-    StoredFields stored(parts);
+    store::StoredFields stored(parts);
     EXPECT_EQ(stored.info().frames, 10);
     EXPECT_EQ(stored.interval(3), 4);
     std::int64_t next = 0;
-    const FieldSummary summary = stored.read({.every = 2}, [&](const SharedFrame& frame, Field&& field) {
-        const Field expected = field_of(next);
-        EXPECT_EQ(field.index, next);
-        EXPECT_EQ(field.pts, expected.pts);
-        EXPECT_TRUE(std::ranges::equal(field.scalar.pixels(), expected.scalar.pixels()));
-        EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<Seed>{});
-        EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
-        if (next == 0 || next == 9) {
-            EXPECT_TRUE(std::ranges::equal(frame->colour.pixels(), frame_of(next).colour.pixels()));
-        }
-        ++next;
-    });
+    const fields::FieldSummary summary =
+        stored.read({.every = 2}, [&](const video::SharedFrame& frame, fields::Field&& field) {
+            const fields::Field expected = field_of(next);
+            EXPECT_EQ(field.index, next);
+            EXPECT_EQ(field.pts, expected.pts);
+            EXPECT_TRUE(std::ranges::equal(field.scalar.pixels(), expected.scalar.pixels()));
+            EXPECT_EQ(field.seeds, next % 2 == 0 ? expected.seeds : std::vector<fields::Seed>{});
+            EXPECT_EQ(field.flow.v.empty(), next % 2 == 1);
+            if (next == 0 || next == 9) {
+                EXPECT_TRUE(std::ranges::equal(frame->colour.pixels(), frame_of(next).colour.pixels()));
+            }
+            ++next;
+        });
     EXPECT_EQ(summary.frames, 10);
 }
 
 TEST_F(Store, WithoutCloseNothingStays) {
     {
-        DataFolder data(folder_ / "a", 1, false);
+        store::DataFolder data(folder_ / "a", 1, false);
         data.add(frame_of(0), field_of(0));
-        EXPECT_TRUE(is_data_folder(folder_ / "a"));
+        EXPECT_TRUE(store::is_data_folder(folder_ / "a"));
         const std::vector<std::string> names{(folder_ / "a").string()};
-        EXPECT_THROW(StoredFields{names}, Error);
+        EXPECT_THROW(store::StoredFields{names}, Error);
     }
     EXPECT_TRUE(fs::is_empty(folder_));
 }
@@ -100,27 +101,28 @@ TEST_F(Store, WithoutCloseNothingStays) {
 TEST_F(Store, ListsReplaceSeeds) {
     const std::vector<std::string> whole{write("a", 0, 10)};
     const std::vector<std::string> rest{write("b", 4, 10)};
-    ListedSeeds listed(std::make_unique<StoredFields>(rest), whole.front() + "/seeds", {}, true);
+    fields::ListedSeeds listed(std::make_unique<store::StoredFields>(rest), whole.front() + "/seeds", {}, true);
     EXPECT_EQ(listed.interval(4), 2);
-    fs::remove(folder_ / "a" / stored::seed_file(6));
-    ListedSeeds fewer(std::make_unique<StoredFields>(rest), whole.front() + "/seeds", {}, true);
+    fs::remove(folder_ / "a" / store::stored::seed_file(6));
+    fields::ListedSeeds fewer(std::make_unique<store::StoredFields>(rest), whole.front() + "/seeds", {}, true);
     std::size_t seeds = 0;
-    fewer.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) { seeds += field.seeds.size(); });
+    fewer.read({.flow = false, .every = 2},
+               [&](const video::SharedFrame&, fields::Field&& field) { seeds += field.seeds.size(); });
     EXPECT_EQ(seeds, 2U);
 }
 
 TEST_F(Store, AListIsSharedByAllFrames) {
     const std::vector<std::string> whole{write("a", 0, 10)};
     const std::string list = whole.front() + "/seeds/000004.txt";
-    const auto seeds_of = [&](const SeedOptions& options, bool on_object) {
-        std::vector<Seed> seeds;
-        ListedSeeds shared(std::make_unique<StoredFields>(whole), list, options, on_object);
-        shared.read({.flow = false, .every = 2}, [&](const SharedFrame&, Field&& field) {
-            for (const Seed& seed : field.seeds) seeds.push_back(seed);
+    const auto seeds_of = [&](const fields::SeedOptions& options, bool on_object) {
+        std::vector<fields::Seed> seeds;
+        fields::ListedSeeds shared(std::make_unique<store::StoredFields>(whole), list, options, on_object);
+        shared.read({.flow = false, .every = 2}, [&](const video::SharedFrame&, fields::Field&& field) {
+            for (const fields::Seed& seed : field.seeds) seeds.push_back(seed);
         });
         return seeds;
     };
-    const std::vector<Seed> all = seeds_of({.min_magnitude = 0}, false);
+    const std::vector<fields::Seed> all = seeds_of({.min_magnitude = 0}, false);
     ASSERT_EQ(all.size(), 5U) << "each frame that has a flow";
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(all[i].x, 1);
@@ -132,13 +134,13 @@ TEST_F(Store, AListIsSharedByAllFrames) {
 }
 
 TEST(ManifestText, ReadsWhatItWrote) {
-    Manifest manifest = manifest_of();
+    store::Manifest manifest = manifest_of();
     manifest.frames = {{3, 1.0 / 3, 2}, {4, 0.1 + 0.3, {}}};
-    const Manifest read = parse_manifest(format_manifest(manifest), "m");
+    const store::Manifest read = store::parse_manifest(store::format_manifest(manifest), "m");
     EXPECT_EQ(read.frames, manifest.frames);
     EXPECT_EQ(read.settings, manifest.settings);
     EXPECT_EQ(read.field_size, size);
-    EXPECT_EQ(format_manifest(read), format_manifest(manifest));
+    EXPECT_EQ(store::format_manifest(read), store::format_manifest(manifest));
 }
 
 }  // namespace

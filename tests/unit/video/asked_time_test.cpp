@@ -16,8 +16,8 @@ constexpr double hour = 3600;
 constexpr std::int64_t evening = 1'795'291'200;  // 2026-11-21 20:00:00
 
 /// 12 hours from 20:00 on, as its name says.
-VideoInfo night() {
-    VideoInfo info;
+video::VideoInfo night() {
+    video::VideoInfo info;
     info.name = "gate";
     info.duration = 12 * hour;
     info.rate = 10;
@@ -31,9 +31,9 @@ Clock clock_of(std::int64_t begin) {
     return clock;
 }
 
-FrameSpan asked(std::optional<AskedTime> start, std::optional<AskedTime> end = {},
-                std::optional<DayPart> between = {}) {
-    FrameSpan span;
+video::FrameSpan asked(std::optional<video::AskedTime> start, std::optional<video::AskedTime> end = {},
+                       std::optional<video::DayPart> between = {}) {
+    video::FrameSpan span;
     span.asked = {std::move(start), std::move(end), std::move(between)};
     return span;
 }
@@ -55,26 +55,27 @@ struct InZone {
 };
 
 TEST(AskedTime, IsASecondOfTheClip) {
-    const AskedTime dated{evening + 6 * 3600, true, "2026-11-22 02:00"};
-    const AskedTime of_day{2 * 3600, false, "@02:00"};
-    EXPECT_EQ(seconds_of(dated, clock_of(evening)), 6 * hour);
-    EXPECT_EQ(seconds_of(of_day, clock_of(evening)), 6 * hour) << "the next that comes is tomorrow's";
-    EXPECT_EQ(seconds_of({20 * 3600, false, ""}, clock_of(evening)), 0) << "its own first second counts";
-    EXPECT_EQ(seconds_of(of_day, clock_of(evening), 6 * hour + 1), 30 * hour) << "after a start, the next again";
+    const video::AskedTime dated{evening + 6 * 3600, true, "2026-11-22 02:00"};
+    const video::AskedTime of_day{2 * 3600, false, "@02:00"};
+    EXPECT_EQ(video::seconds_of(dated, clock_of(evening)), 6 * hour);
+    EXPECT_EQ(video::seconds_of(of_day, clock_of(evening)), 6 * hour) << "the next that comes is tomorrow's";
+    EXPECT_EQ(video::seconds_of({20 * 3600, false, ""}, clock_of(evening)), 0) << "its own first second counts";
+    EXPECT_EQ(video::seconds_of(of_day, clock_of(evening), 6 * hour + 1), 30 * hour) << "after a start, the next again";
 
-    const FrameSpan span = resolve(asked(of_day, AskedTime{5 * 3600, false, "@05:00"}), clock_of(evening), night());
+    const video::FrameSpan span =
+        video::resolve(asked(of_day, video::AskedTime{5 * 3600, false, "@05:00"}), clock_of(evening), night());
     EXPECT_EQ(span.start, 6 * hour);
     EXPECT_EQ(span.end, 9 * hour);
-    EXPECT_EQ(span.asked, AskedSpan{});
-    EXPECT_EQ(day_times_of(span, clock_of(evening), night()),
+    EXPECT_EQ(span.asked, video::AskedSpan{});
+    EXPECT_EQ(video::day_times_of(span, clock_of(evening), night()),
               "2026-11-22 02:00:00 to 2026-11-22 05:00:00 (by file name)");
-    FrameSpan offset;
+    video::FrameSpan offset;
     offset.start = 2 * hour;
-    EXPECT_EQ(day_times_of(offset, clock_of(evening), night()),
+    EXPECT_EQ(video::day_times_of(offset, clock_of(evening), night()),
               "2026-11-21 22:00:00 to the end at 2026-11-22 08:00:00 (by file name)")
         << "what 02:00:00 without an @ means";
-    EXPECT_EQ(day_times_of(offset, std::nullopt, night()), "");
-    EXPECT_EQ(resolve(asked(AskedTime{evening - 60, true, ""}), clock_of(evening), night()).start, 0)
+    EXPECT_EQ(video::day_times_of(offset, std::nullopt, night()), "");
+    EXPECT_EQ(video::resolve(asked(video::AskedTime{evening - 60, true, ""}), clock_of(evening), night()).start, 0)
         << "before it begins is its beginning";
 }
 
@@ -82,79 +83,81 @@ TEST(AskedTime, FollowsSummerTime) {
     const InZone berlin("Europe/Berlin");
     // From 2026-03-28 23:30 for eight hours: at 2:00 clocks are put forward to 3:00.
     const Clock forward = local_clock(1'774'737'000, 8 * hour, ClockSource::file_name);
-    EXPECT_EQ(seconds_of({3600 + 1800, false, ""}, forward), 2 * hour);
-    EXPECT_EQ(seconds_of({3 * 3600, false, ""}, forward), 2.5 * hour);
-    EXPECT_EQ(seconds_of({4 * 3600, false, ""}, forward), 3.5 * hour);
-    EXPECT_EQ(seconds_of({2 * 3600 + 1800, false, ""}, forward), 2.5 * hour) << "no clock showed that: at the leap";
+    EXPECT_EQ(video::seconds_of({3600 + 1800, false, ""}, forward), 2 * hour);
+    EXPECT_EQ(video::seconds_of({3 * 3600, false, ""}, forward), 2.5 * hour);
+    EXPECT_EQ(video::seconds_of({4 * 3600, false, ""}, forward), 3.5 * hour);
+    EXPECT_EQ(video::seconds_of({2 * 3600 + 1800, false, ""}, forward), 2.5 * hour)
+        << "no clock showed that: at the leap";
     // From 2026-10-25 02:00 CEST: the hour comes twice, and the first is meant.
     const Clock back = local_clock(1'792'886'400, 8 * hour, ClockSource::file_name);
-    EXPECT_EQ(seconds_of({2 * 3600 + 1800, false, ""}, back), 0.5 * hour);
-    EXPECT_EQ(seconds_of({3 * 3600, false, ""}, back), 2 * hour);
+    EXPECT_EQ(video::seconds_of({2 * 3600 + 1800, false, ""}, back), 0.5 * hour);
+    EXPECT_EQ(video::seconds_of({3 * 3600, false, ""}, back), 2 * hour);
     EXPECT_EQ(back.when(back.at(0) - 60), -60) << "before it began";
 }
 
 TEST(Between, IsAPartOfEachDay) {
-    VideoInfo days = night();
+    video::VideoInfo days = night();
     days.duration = 60 * hour;
     days.frames = 60 * 36'000;
-    const auto between = [&](std::int64_t begin, std::int64_t end, const VideoInfo& info) {
-        return resolve(asked({}, {}, DayPart{begin * 3600, end * 3600, "it"}), clock_of(evening), info);
+    const auto between = [&](std::int64_t begin, std::int64_t end, const video::VideoInfo& info) {
+        return video::resolve(asked({}, {}, video::DayPart{begin * 3600, end * 3600, "it"}), clock_of(evening), info);
     };
-    const FrameSpan nights = between(2, 5, days);
+    const video::FrameSpan nights = between(2, 5, days);
     ASSERT_EQ(nights.parts.size(), 3U);  // the nights to the 22nd, 23rd and 24th
-    EXPECT_EQ(nights.parts[0], (FrameSpan::Part{6 * hour, 9 * hour}));
-    EXPECT_EQ(nights.parts[2], (FrameSpan::Part{54 * hour, 57 * hour}));
+    EXPECT_EQ(nights.parts[0], (video::FrameSpan::Part{6 * hour, 9 * hour}));
+    EXPECT_EQ(nights.parts[2], (video::FrameSpan::Part{54 * hour, 57 * hour}));
     EXPECT_EQ(nights.start, 6 * hour);
     EXPECT_EQ(nights.end, 57 * hour);
-    EXPECT_FALSE(is_between_parts(nights, 6 * hour));
-    EXPECT_TRUE(is_between_parts(nights, 9 * hour));
-    EXPECT_TRUE(is_between_parts(nights, 20 * hour));
-    EXPECT_FALSE(is_between_parts(nights, 30 * hour));
-    EXPECT_EQ(expected_frames(days, nights), 3 * 3 * 36'000);
+    EXPECT_FALSE(video::is_between_parts(nights, 6 * hour));
+    EXPECT_TRUE(video::is_between_parts(nights, 9 * hour));
+    EXPECT_TRUE(video::is_between_parts(nights, 20 * hour));
+    EXPECT_FALSE(video::is_between_parts(nights, 30 * hour));
+    EXPECT_EQ(video::expected_frames(days, nights), 3 * 3 * 36'000);
 
-    const FrameSpan over_midnight = between(22, 5, night());
+    const video::FrameSpan over_midnight = between(22, 5, night());
     EXPECT_TRUE(over_midnight.parts.empty()) << "one part is a span";
     EXPECT_EQ(over_midnight.start, 2 * hour);
     EXPECT_EQ(over_midnight.end, 9 * hour);
     EXPECT_EQ(between(19, 21, night()).start, 0) << "it has begun already";
     EXPECT_EQ(between(19, 21, night()).end, hour);
 
-    FrameSpan later = asked(AskedTime{evening + 4 * 3600, true, ""}, {}, DayPart{22 * 3600, 5 * 3600, ""});
-    later = resolve(later, clock_of(evening), night());
+    video::FrameSpan later =
+        asked(video::AskedTime{evening + 4 * 3600, true, ""}, {}, video::DayPart{22 * 3600, 5 * 3600, ""});
+    later = video::resolve(later, clock_of(evening), night());
     EXPECT_EQ(later.start, 4 * hour) << "within the other limits";
     EXPECT_EQ(later.end, 9 * hour);
 }
 
 /// What is said of limits that a recording does not have.
-std::string refusal(const FrameSpan& span, const WallClock& clock, const VideoInfo& info) {
-    return test::error_text(ErrorKind::usage, [&] { resolve(span, clock, info); });
+std::string refusal(const video::FrameSpan& span, const WallClock& clock, const video::VideoInfo& info) {
+    return test::error_text(ErrorKind::usage, [&] { video::resolve(span, clock, info); });
 }
 
 TEST(AskedTime, NeedsAClock) {
-    const AskedTime two{7200, false, "@02:00"};
+    const video::AskedTime two{7200, false, "@02:00"};
     EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, night()),
                  "start @02:00: nothing tells at which time of day 'gate' was recorded; say when it begins with "
                  "--start-time DATETIME, or how its name tells it with --names, or count from its beginning");
-    VideoInfo written = night();
+    video::VideoInfo written = night();
     written.created = evening;
     EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, written), "--start-time container takes that");
-    EXPECT_PRED2(contains, refusal(asked({}, {}, DayPart{0, 60, "00:00-00:01"}), std::nullopt, night()),
+    EXPECT_PRED2(contains, refusal(asked({}, {}, video::DayPart{0, 60, "00:00-00:01"}), std::nullopt, night()),
                  "between 00:00-00:01: nothing tells");
 }
 
 TEST(AskedTime, HasToBeInTheClip) {
     const Clock clock = clock_of(evening);
-    EXPECT_PRED2(contains, refusal(asked(AskedTime{12 * 3600, false, "@12:00"}), clock, night()),
+    EXPECT_PRED2(contains, refusal(asked(video::AskedTime{12 * 3600, false, "@12:00"}), clock, night()),
                  "start: there is nothing of @12:00 in 'gate', which begins at 2026-11-21 20:00:00 and ends at "
                  "2026-11-22 08:00:00 (by file name)");
-    const AskedTime before{evening - 60, true, "2026-11-21 19:59"};
+    const video::AskedTime before{evening - 60, true, "2026-11-21 19:59"};
     EXPECT_PRED2(contains, refusal(asked({}, before), clock, night()),
                  "end: there is nothing of 2026-11-21 19:59 in 'gate'");
-    const AskedTime later{evening + 7200, true, "2026-11-21 22:00"};
-    const AskedTime sooner{evening + 3600, true, "2026-11-21 21:00"};
+    const video::AskedTime later{evening + 7200, true, "2026-11-21 22:00"};
+    const video::AskedTime sooner{evening + 3600, true, "2026-11-21 21:00"};
     EXPECT_PRED2(contains, refusal(asked(later, sooner), clock, night()),
                  "end: 2026-11-21 21:00 is not after the start, 2026-11-21 22:00:00");
-    EXPECT_PRED2(contains, refusal(asked({}, {}, DayPart{12 * 3600, 13 * 3600, "12:00-13:00"}), clock, night()),
+    EXPECT_PRED2(contains, refusal(asked({}, {}, video::DayPart{12 * 3600, 13 * 3600, "12:00-13:00"}), clock, night()),
                  "between: there is nothing of 12:00-13:00 in 'gate'");
 }
 

@@ -51,29 +51,29 @@ inline int level(std::int64_t i) {
 }
 
 /// Frames of one grey level each, so that a decoded frame tells which one it is.
-class Counting final : public scene::Story {
+class Counting final : public generator::Story {
   public:
     explicit Counting(Size size) : size_(size) {}
     Plane<Bgr> paint(int frame) const override {
         const auto grey = static_cast<std::uint8_t>(level(frame));
         return Plane<Bgr>(size_, {grey, grey, grey});
     }
-    scene::Truth truth(int) const override { return {}; }
+    generator::Truth truth(int) const override { return {}; }
 
   private:
     Size size_;
 };
 
-inline void write_scene(const scene::Scene& scene, const std::string& name) {
+inline void write_scene(const generator::Scene& scene, const std::string& name) {
     std::ofstream file(name, std::ios::binary);
-    scene::write_y4m(scene, file);
+    generator::write_y4m(scene, file);
 }
 
 /// Writes a counting clip of 100 frames, 25 a second, encoded as `encoding` says.
 inline std::string counting_clip(const TempFolder& folder, const std::string& name, const std::string& encoding,
                                  Size size = {64, 48}) {
     const std::string raw = folder / (name + ".y4m");
-    scene::Options options;
+    generator::Options options;
     options.size = size;
     options.frames = 100;
     write_scene({options, std::make_shared<Counting>(size)}, raw);
@@ -85,11 +85,11 @@ inline std::string counting_clip(const TempFolder& folder, const std::string& na
 inline std::string walkers_clip(const TempFolder& folder, const std::string& name, const std::string& encoding) {
     const std::string raw = folder / "walkers.y4m";
     if (!std::filesystem::exists(raw)) {
-        scene::Options options;
+        generator::Options options;
         options.frames = 75;
         options.size = {192, 144};
         options.noise = 3;
-        write_scene(scene::make_walkers(options), raw);
+        write_scene(generator::make_walkers(options), raw);
     }
     ffmpeg("-i " + quoted(raw) + " " + encoding + " " + quoted(folder / name));
     return folder / name;
@@ -125,19 +125,19 @@ inline std::string spoiled(const TempFolder& folder, const std::string& name) {
 }
 
 /// All frames that are left in a source, scaled.
-inline std::vector<Frame> read_all(FrameSource& source) {
-    Scaler scale(source);
-    std::vector<Frame> frames;
+inline std::vector<video::Frame> read_all(video::FrameSource& source) {
+    video::Scaler scale(source);
+    std::vector<video::Frame> frames;
     while (const auto decoded = source.next()) frames.push_back(scale(*decoded));
     return frames;
 }
 
-inline int middle_of(const Frame& frame) {
+inline int middle_of(const video::Frame& frame) {
     return frame.grey.at(frame.grey.width() / 2, frame.grey.height() / 2);
 }
 
 /// One number for the grey values of all frames.
-inline std::size_t fingerprint(const std::vector<Frame>& frames) {
+inline std::size_t fingerprint(const std::vector<video::Frame>& frames) {
     std::size_t sum = 14695981039346656037u;
     for (const auto& frame : frames)
         for (const auto value : frame.grey.pixels()) sum = (sum ^ value) * 1099511628211u;

@@ -19,7 +19,7 @@ class Damage : public testing::TestWithParam<Container> {
 };
 
 TEST_P(Damage, ACutClipGivesWhatThereIs) {
-    const auto source = open_source(cut(folder, clip, 0.6));
+    const auto source = video::open_source(cut(folder, clip, 0.6));
     const auto frames = read_all(*source);
     EXPECT_GT(frames.size(), 15u);
     EXPECT_LT(frames.size(), 75u);
@@ -30,9 +30,9 @@ TEST_P(Damage, SpoiledBytesAreCountedAndPassed) {
     const auto name = spoiled(folder, clip);
     std::size_t first = 0;
     for (const int threads : {1, 2, 4, 4}) {
-        SourceOptions options;
+        video::SourceOptions options;
         options.threads = threads;
-        const auto source = open_source(name, options);
+        const auto source = video::open_source(name, options);
         const auto frames = read_all(*source);
         EXPECT_GT(frames.size(), 25u);
         EXPECT_GT(source->damaged(), 0);
@@ -63,7 +63,7 @@ TEST(VideoDamage, AStreamOfNothingButErrorsEnds) {
     }
     write_bytes(folder / "errors.avi", bytes);
     try {
-        read_all(*open_source(folder / "errors.avi"));
+        read_all(*video::open_source(folder / "errors.avi"));
     } catch (const std::exception&) {
         SUCCEED();
     }

@@ -21,9 +21,9 @@ using namespace test;
 
 /// Opens, and expects an Error whose text holds every one of `parts`.
 void expect_error(const std::string& name, ErrorKind kind, const std::vector<std::string>& parts,
-                  const SourceOptions& options = {}) {
+                  const video::SourceOptions& options = {}) {
     try {
-        open_source(name, options);
+        video::open_source(name, options);
         FAIL() << name << " opened";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), kind) << error.what();
@@ -134,7 +134,7 @@ TEST_F(VideoErrors, Address) {
 
 TEST_F(VideoErrors, RateThatCannotBe) {
     const auto clip = counting_clip(folder, "clip.mkv", "-c:v ffv1");
-    SourceOptions options;
+    video::SourceOptions options;
     options.rate = 0;
     expect_error(clip, ErrorKind::usage, {"rate: 0 is not between"}, options);
 }
@@ -163,7 +163,7 @@ TEST_F(VideoErrors, HugePicturesAreRefusedBeforeTheyAreAllocated) {
     rusage before{};
     ::getrusage(RUSAGE_SELF, &before);
     try {
-        read_all(*open_source(folder / "huge.avi"));
+        read_all(*video::open_source(folder / "huge.avi"));
     } catch (const Error& error) {
         EXPECT_TRUE(error.kind() == ErrorKind::limit || error.kind() == ErrorKind::not_video) << error.what();
     }
@@ -216,16 +216,16 @@ void with_pipe(const std::string& bytes, const std::function<void()>& use) {
 TEST_F(VideoErrors, APipeGivesTheSameAsTheFile) {
     // The index of this one is at its end: a pipe that isn't spooled can't reach it.
     const auto clip = walkers_clip(folder, "clip.mp4", "-c:v libx264 -bf 2");
-    const auto whole = fingerprint(read_all(*open_source(clip)));
+    const auto whole = fingerprint(read_all(*video::open_source(clip)));
     with_pipe(read_bytes(clip), [&] {
-        const auto source = open_source("-");
+        const auto source = video::open_source("-");
         EXPECT_EQ(source->info().name, "-");
         EXPECT_EQ(fingerprint(read_all(*source)), whole);
         EXPECT_GT(source->sample(5).size(), 1u);
         EXPECT_EQ(fingerprint(read_all(*source)), whole);
     });
     const Stdin redirected(::open(clip.c_str(), O_RDONLY));
-    EXPECT_EQ(fingerprint(read_all(*open_source("-"))), whole);
+    EXPECT_EQ(fingerprint(read_all(*video::open_source("-"))), whole);
 }
 
 TEST_F(VideoErrors, ANamedPipeIsSpooled) {
@@ -233,7 +233,7 @@ TEST_F(VideoErrors, ANamedPipeIsSpooled) {
     const auto fifo = folder / "fifo";
     ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
     std::thread writer([&] { write_bytes(fifo, read_bytes(clip)); });
-    EXPECT_EQ(read_all(*open_source(fifo)).size(), 75u);
+    EXPECT_EQ(read_all(*video::open_source(fifo)).size(), 75u);
     writer.join();
 }
 

@@ -23,7 +23,7 @@ class Encodings : public testing::TestWithParam<Encoding> {};
 TEST_P(Encodings, GiveEveryFrameInOrderWithItsTime) {
     const TempFolder folder;
     const auto& encoding = GetParam();
-    const auto source = open_source(counting_clip(folder, encoding.name, encoding.arguments));
+    const auto source = video::open_source(counting_clip(folder, encoding.name, encoding.arguments));
     EXPECT_EQ(source->info().container, encoding.container);
     EXPECT_EQ(source->info().codec, encoding.codec);
     EXPECT_EQ(source->info().size, (Size{64, 48}));
@@ -62,7 +62,7 @@ TEST(VideoFile, KeepsTheTimesOfAVariableFrameRate) {
     // Every frame up to 40, then each tenth.
     const auto name =
         counting_clip(folder, "vfr.mkv", "-vf \"select='lt(n,40)+not(mod(n,10))'\" -vsync vfr -c:v libx264 -qp 4");
-    const auto frames = read_all(*open_source(name));
+    const auto frames = read_all(*video::open_source(name));
     ASSERT_EQ(frames.size(), 46u);
     EXPECT_NEAR(frames[39].pts, 39 / 25.0, 0.002);
     EXPECT_NEAR(frames[41].pts, 50 / 25.0, 0.002);
@@ -73,7 +73,7 @@ TEST(VideoFile, KeepsTheTimesOfAVariableFrameRate) {
 TEST(VideoFile, TimesCountFromTheFirstFrame) {
     const TempFolder folder;
     const auto name = counting_clip(folder, "late.mkv", "-c:v libx264 -output_ts_offset 3600");
-    const auto source = open_source(name);
+    const auto source = video::open_source(name);
     EXPECT_DOUBLE_EQ(source->next()->pts, 0);
 }
 
@@ -89,8 +89,8 @@ TEST_P(Seeking, GoesOnWithTheFramesOfTheWholeClip) {
     const auto& [encoding, place] = GetParam();
     const auto file = std::to_string(std::hash<std::string>()(encoding)) + ".mkv";
     const auto name = std::filesystem::exists(folder / file) ? folder / file : counting_clip(folder, file, encoding);
-    const auto all = read_all(*open_source(name));
-    const auto source = open_source(name);
+    const auto all = read_all(*video::open_source(name));
+    const auto source = video::open_source(name);
     for (int pass = 0; pass < 2; ++pass) {
         source->seek(place.seconds);
         const auto frames = read_all(*source);
@@ -122,23 +122,23 @@ INSTANTIATE_TEST_SUITE_P(Video, Seeking,
 
 TEST(VideoFile, TurnsPicturesUpright) {
     const TempFolder folder;
-    scene::Options options;
+    generator::Options options;
     options.frames = 2;
     options.size = {64, 32};
     options.u = options.v = 0;
-    const auto scene = scene::make_shifted_texture(options);
+    const auto scene = generator::make_shifted_texture(options);
     write_scene(scene, folder / "flat.y4m");
     ffmpeg("-i " + quoted(folder / "flat.y4m") + " -c:v libx264 -qp 0 " + quoted(folder / "flat.mp4"));
-    const auto flat = read_all(*open_source(folder / "flat.mp4"));
+    const auto flat = read_all(*video::open_source(folder / "flat.mp4"));
     for (const int degrees : {90, 180, 270}) {
         const auto name = folder / ("turned" + std::to_string(degrees) + ".mp4");
         ffmpeg("-i " + quoted(folder / "flat.mp4") + " -c copy -metadata:s:v rotate=" + std::to_string(degrees) + " " +
                quoted(name));
         // What ffmpeg itself makes of the turn.
         ffmpeg("-i " + quoted(name) + " -c:v ffv1 " + quoted(folder / "truth.mkv"));
-        const auto source = open_source(name);
+        const auto source = video::open_source(name);
         const auto turned = read_all(*source);
-        const auto truth = read_all(*open_source(folder / "truth.mkv"));
+        const auto truth = read_all(*video::open_source(folder / "truth.mkv"));
         EXPECT_EQ(source->info().size, degrees == 180 ? (Size{64, 32}) : (Size{32, 64}));
         EXPECT_EQ(fingerprint(turned), fingerprint(truth)) << degrees;
         EXPECT_NE(fingerprint(turned), fingerprint(flat)) << degrees;
@@ -147,21 +147,23 @@ TEST(VideoFile, TurnsPicturesUpright) {
 
 TEST(VideoFile, MakesPixelsSquare) {
     const TempFolder folder;
-    EXPECT_EQ(open_source(counting_clip(folder, "wide.mkv", "-c:v ffv1 -aspect 16:9"))->info().size, (Size{85, 48}));
-    EXPECT_EQ(open_source(counting_clip(folder, "tall.mkv", "-c:v ffv1 -aspect 1:1"))->info().size, (Size{64, 64}));
+    EXPECT_EQ(video::open_source(counting_clip(folder, "wide.mkv", "-c:v ffv1 -aspect 16:9"))->info().size,
+              (Size{85, 48}));
+    EXPECT_EQ(video::open_source(counting_clip(folder, "tall.mkv", "-c:v ffv1 -aspect 1:1"))->info().size,
+              (Size{64, 64}));
 }
 
 TEST(VideoFile, TakesTinyAndOddSizes) {
     const TempFolder folder;
     for (const Size size : {Size{1, 1}, Size{1, 40}, Size{40, 1}, Size{33, 17}}) {
-        SourceOptions options;
+        video::SourceOptions options;
         options.colour = true;
         const auto name = folder / "odd.y4m";
-        scene::Options drawn;
+        generator::Options drawn;
         drawn.size = size;
         drawn.frames = 3;
         write_scene({drawn, std::make_shared<Counting>(size)}, name);
-        const auto source = open_source(name, options);
+        const auto source = video::open_source(name, options);
         const auto frames = read_all(*source);
         ASSERT_EQ(frames.size(), 3u);
         EXPECT_EQ(frames[0].grey.size(), size);
@@ -173,7 +175,7 @@ TEST(VideoFile, TakesTinyAndOddSizes) {
 
 TEST(VideoFile, TakesOneFrame) {
     const TempFolder folder;
-    const auto source = open_source(counting_clip(folder, "one.mp4", "-frames:v 1 -c:v libx264"));
+    const auto source = video::open_source(counting_clip(folder, "one.mp4", "-frames:v 1 -c:v libx264"));
     EXPECT_EQ(source->sample(5).size(), 1u);
     EXPECT_EQ(read_all(*source).size(), 1u);
 }
@@ -181,7 +183,7 @@ TEST(VideoFile, TakesOneFrame) {
 TEST(VideoFile, TakesEightThousandPixels) {
     const TempFolder folder;
     ffmpeg("-f lavfi -i color=gray:s=7680x4320:r=1:d=2 -c:v libx264 -preset ultrafast " + quoted(folder / "8k.mp4"));
-    const auto frames = read_all(*open_source(folder / "8k.mp4"));
+    const auto frames = read_all(*video::open_source(folder / "8k.mp4"));
     ASSERT_EQ(frames.size(), 2u);
     EXPECT_EQ(frames[0].grey.size(), (Size{384, 216}));
 }
@@ -191,17 +193,17 @@ TEST(VideoFile, NamesWithColonsAndPercentsAreFiles) {
     const auto name = counting_clip(folder, "clip.mkv", "-c:v ffv1 -frames:v 3");
     for (const std::string odd : {"cam:1.mkv", "100%d.mkv", "a*b.mkv", "file:x.mkv"}) {
         std::filesystem::copy_file(name, folder / odd);
-        EXPECT_EQ(read_all(*open_source(folder / odd)).size(), 3u) << odd;
+        EXPECT_EQ(read_all(*video::open_source(folder / odd)).size(), 3u) << odd;
     }
 }
 
-DecodingPlan samples_of(const ClipPackets& clip, int count) {
-    return plan_decoding(clip, sampled_stamps(clip, count));
+video::DecodingPlan samples_of(const video::ClipPackets& clip, int count) {
+    return video::plan_decoding(clip, video::sampled_stamps(clip, count));
 }
 
 TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
     const TempFolder folder;
-    const auto source = open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
+    const auto source = video::open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
     const auto frames = source->sample(20);
     EXPECT_LE(frames.size(), 20u);
     EXPECT_GE(frames.size(), 7u);
@@ -218,18 +220,18 @@ TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
           "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
           "-c:v msmpeg4 -g 30 -sc_threshold 1000000000"}) {
         const auto name = counting_clip(folder, "clip.mkv", encoding);
-        const auto source = open_source(name);
+        const auto source = video::open_source(name);
         const auto quick = source->sample(7);
-        const auto all = source->FrameSource::sample(7);
+        const auto all = source->video::FrameSource::sample(7);
         ASSERT_EQ(quick.size(), all.size()) << encoding;
         for (std::size_t i = 0; i < all.size(); ++i) {
             EXPECT_NEAR(quick[i].pts, all[i].pts, 1e-6) << encoding;
             EXPECT_TRUE(std::ranges::equal(quick[i].grey.pixels(), all[i].grey.pixels())) << encoding;
         }
-        Demuxer demuxer(open_input(name), Demuxer::Kind::video, 25);
-        const DecodingPlan plan = samples_of(scan_packets(demuxer), 7);
-        EXPECT_EQ(std::ranges::count(plan.uses, PacketUse::frame), std::ssize(all)) << encoding;
-        EXPECT_GT(std::ranges::count(plan.uses, PacketUse::none), 5) << encoding;
+        video::Demuxer demuxer(video::open_input(name), video::Demuxer::Kind::video, 25);
+        const video::DecodingPlan plan = samples_of(video::scan_packets(demuxer), 7);
+        EXPECT_EQ(std::ranges::count(plan.uses, video::PacketUse::frame), std::ssize(all)) << encoding;
+        EXPECT_GT(std::ranges::count(plan.uses, video::PacketUse::none), 5) << encoding;
     }
 }
 
@@ -238,20 +240,21 @@ TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
     for (const char* encoding :
          {"-c:v libx264 -g 20 -bf 3 -sc_threshold 0", "-c:v libx264 -g 20 -bf 3 -x264-params open-gop=1",
           "-c:v mpeg4 -g 10 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 1000"}) {
-        Demuxer demuxer(open_input(counting_clip(folder, "clip.mkv", encoding)), Demuxer::Kind::video, 25);
-        const DecodingPlan plan = samples_of(scan_packets(demuxer), 31);
+        video::Demuxer demuxer(video::open_input(counting_clip(folder, "clip.mkv", encoding)),
+                               video::Demuxer::Kind::video, 25);
+        const video::DecodingPlan plan = samples_of(video::scan_packets(demuxer), 31);
         for (const int parts : {1, 2, 3, 50}) {
-            const auto cut = cut_plan(plan, parts);
+            const auto cut = video::cut_plan(plan, parts);
             EXPECT_LE(std::ssize(cut), parts);
             EXPECT_EQ(cut.size() > 1, parts > 1 && !plan.starts.empty()) << encoding << ", " << parts;
             std::vector<std::int64_t> stamps;
-            std::vector<PacketUse> uses(plan.uses.size(), PacketUse::none);
-            for (const DecodingPlan& part : cut) {
+            std::vector<video::PacketUse> uses(plan.uses.size(), video::PacketUse::none);
+            for (const video::DecodingPlan& part : cut) {
                 stamps.insert(stamps.end(), part.stamps.begin(), part.stamps.end());
-                EXPECT_EQ(std::ranges::count(part.uses, PacketUse::frame), std::ssize(part.stamps)) << encoding;
+                EXPECT_EQ(std::ranges::count(part.uses, video::PacketUse::frame), std::ssize(part.stamps)) << encoding;
                 for (std::size_t i = 0; i < uses.size(); ++i) {
-                    if (part.uses[i] == PacketUse::none) continue;
-                    EXPECT_EQ(uses[i], PacketUse::none) << "a packet is decoded twice";
+                    if (part.uses[i] == video::PacketUse::none) continue;
+                    EXPECT_EQ(uses[i], video::PacketUse::none) << "a packet is decoded twice";
                     uses[i] = part.uses[i];
                 }
             }
@@ -261,7 +264,7 @@ TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
     }
 }
 
-std::size_t colours(const std::vector<Frame>& frames) {
+std::size_t colours(const std::vector<video::Frame>& frames) {
     std::size_t sum = 14695981039346656037u;
     for (const auto& frame : frames) {
         for (const auto& pixel : frame.colour.pixels()) {
@@ -271,7 +274,8 @@ std::size_t colours(const std::vector<Frame>& frames) {
     return sum;
 }
 
-void expect_same(const std::vector<Frame>& frames, const std::vector<Frame>& wanted, const std::string& which) {
+void expect_same(const std::vector<video::Frame>& frames, const std::vector<video::Frame>& wanted,
+                 const std::string& which) {
     ASSERT_EQ(frames.size(), wanted.size()) << which;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         EXPECT_EQ(frames[i].index, wanted[i].index) << which;
@@ -291,11 +295,11 @@ TEST(Sample, KeepsAShortClipSoThatItIsDecodedOnce) {
           "-c:v libx264 -g 40 -color_range pc -colorspace bt709", "-c:v libvpx-vp9 -b:v 0 -crf 30 -g 40"}) {
         const std::string name = walkers_clip(folder, "clip.mkv", encoding);
         for (const Size size : {Size{0, 0}, Size{101, 77}, Size{400, 300}}) {
-            SourceOptions options;
+            video::SourceOptions options;
             options.colour = true;
             options.field_size = size;
-            const auto fresh = read_all(*open_source(name, options));
-            const auto source = open_source(name, options);
+            const auto fresh = read_all(*video::open_source(name, options));
+            const auto source = video::open_source(name, options);
             source->sample(7);
             // What has been kept needs no file any more.
             std::filesystem::rename(name, folder / "away.mkv");
@@ -324,11 +328,11 @@ TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
            quoted(noise));
     const std::string whole = walkers_clip(folder, "whole.avi", "-c:v mpeg4 -q:v 2 -g 30");
     for (const std::string& name : {noise, spoiled(folder, whole), cut(folder, whole, 0.7)}) {
-        SourceOptions options;
+        video::SourceOptions options;
         options.field_size = {-1, -1};
-        const auto fresh = open_source(name, options);
+        const auto fresh = video::open_source(name, options);
         const auto wanted = read_all(*fresh);
-        const auto source = open_source(name, options);
+        const auto source = video::open_source(name, options);
         EXPECT_GE(source->sample(9).size(), 4u);
         expect_same(read_all(*source), wanted, name);
         EXPECT_EQ(source->damaged(), fresh->damaged());
@@ -341,7 +345,7 @@ TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
 TEST(Sample, TakesKeyFramesWhereThereAreEnough) {
     const TempFolder folder;
     const auto name = counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 5 -bf 2 -sc_threshold 0");
-    const auto source = open_source(name);
+    const auto source = video::open_source(name);
     const auto frames = source->sample(8);
     EXPECT_LE(frames.size(), 8u);
     EXPECT_GE(frames.size(), 4u);
@@ -356,7 +360,7 @@ TEST(Sample, DoesNotTrustTheHeadersDuration) {
     const TempFolder folder;
     // An AVI cut in the middle still has the frame count of the whole in its header.
     const auto whole = counting_clip(folder, "clip.avi", "-c:v mjpeg -q:v 2");
-    const auto source = open_source(cut(folder, whole, 0.5));
+    const auto source = video::open_source(cut(folder, whole, 0.5));
     const auto frames = source->sample(10);
     EXPECT_GE(frames.size(), 4u);
     EXPECT_GT(frames.back().pts, 1.2);

@@ -6,7 +6,7 @@ namespace vvr {
 namespace {
 
 TEST(LiveClock, FollowsTheStampsOfOneConnection) {
-    LiveClock clock(0.04);
+    video::LiveClock clock(0.04);
     EXPECT_EQ(clock(100.0, 5), 0);
     EXPECT_NEAR(clock(100.04, 9), 0.04, 1e-9);  // late, and yet taken 40 ms after the other
     EXPECT_NEAR(clock(103.0, 9.01), 3.0, 1e-9);
@@ -14,7 +14,7 @@ TEST(LiveClock, FollowsTheStampsOfOneConnection) {
 }
 
 TEST(LiveClock, GoesByTheReadersClockWhereStampsSayNothing) {
-    LiveClock clock(0.04);
+    video::LiveClock clock(0.04);
     clock(100.0, 0);
     clock(100.04, 0.04);
     clock.begin_anew();
@@ -26,7 +26,7 @@ TEST(LiveClock, GoesByTheReadersClockWhereStampsSayNothing) {
 }
 
 TEST(LiveClock, NeverRunsBackwards) {
-    LiveClock clock(0.04);
+    video::LiveClock clock(0.04);
     double last = -1;
     for (const double stamp : {3.0, 3.04, 3.02, 3.08, -50.0, 1e9, 2.0, 2.04}) {
         const double time = clock(stamp, 0);  // all at once

@@ -15,28 +15,28 @@ namespace vvr {
 namespace {
 
 TEST(NaturalOrder, CountsAsPeopleDo) {
-    EXPECT_TRUE(natural_less("frame2.png", "frame10.png"));
-    EXPECT_FALSE(natural_less("frame10.png", "frame2.png"));
-    EXPECT_TRUE(natural_less("frame09", "frame10"));
-    EXPECT_TRUE(natural_less("a2b10", "a2b11"));
-    EXPECT_TRUE(natural_less("a", "a1"));
-    EXPECT_TRUE(natural_less("99999999999999999999998", "99999999999999999999999"));
+    EXPECT_TRUE(video::natural_less("frame2.png", "frame10.png"));
+    EXPECT_FALSE(video::natural_less("frame10.png", "frame2.png"));
+    EXPECT_TRUE(video::natural_less("frame09", "frame10"));
+    EXPECT_TRUE(video::natural_less("a2b10", "a2b11"));
+    EXPECT_TRUE(video::natural_less("a", "a1"));
+    EXPECT_TRUE(video::natural_less("99999999999999999999998", "99999999999999999999999"));
 }
 
 TEST(NaturalOrder, IsStrict) {
-    EXPECT_FALSE(natural_less("frame1", "frame1"));
-    EXPECT_NE(natural_less("frame1", "frame01"), natural_less("frame01", "frame1"));
+    EXPECT_FALSE(video::natural_less("frame1", "frame1"));
+    EXPECT_NE(video::natural_less("frame1", "frame01"), video::natural_less("frame01", "frame1"));
 }
 
 TEST(StampClock, StartsAtTheFirstStamp) {
-    StampClock clock(0.04);
+    video::StampClock clock(0.04);
     EXPECT_DOUBLE_EQ(clock(5.0), 0);
     EXPECT_DOUBLE_EQ(clock(5.5), 0.5);
     EXPECT_DOUBLE_EQ(clock(std::nullopt), 0.54);
 }
 
 TEST(StampClock, NeverRunsBackwards) {
-    StampClock clock(0.04);
+    video::StampClock clock(0.04);
     clock(0.0);
     clock(1.0);
     EXPECT_DOUBLE_EQ(clock(0.9), 1.0);
@@ -44,7 +44,7 @@ TEST(StampClock, NeverRunsBackwards) {
 }
 
 TEST(StampClock, GoesOnWhenTheCameraSetsItsClockBack) {
-    StampClock clock(0.04);
+    video::StampClock clock(0.04);
     clock(1000.0);
     clock(1010.0);
     EXPECT_DOUBLE_EQ(clock(3.0), 10.04);
@@ -52,14 +52,14 @@ TEST(StampClock, GoesOnWhenTheCameraSetsItsClockBack) {
 }
 
 TEST(StampClock, CountsFromTheFirstFrameWhenItHasNoStamp) {
-    StampClock clock(0.5);
+    video::StampClock clock(0.5);
     EXPECT_DOUBLE_EQ(clock(std::nullopt), 0);
     EXPECT_DOUBLE_EQ(clock(7.0), 0.5);
     EXPECT_DOUBLE_EQ(clock(8.0), 1.5);
 }
 
 TEST(TimeSampler, KeepsAllOfAShortStream) {
-    TimeSampler<int> sampler(10);
+    video::TimeSampler<int> sampler(10);
     for (int i = 0; i < 10; ++i) {
         if (sampler.wants(i)) sampler.keep(i, i);
     }
@@ -68,7 +68,7 @@ TEST(TimeSampler, KeepsAllOfAShortStream) {
 
 TEST(TimeSampler, SpreadsOverAStreamOfAnyLength) {
     for (const int length : {11, 100, 795, 10'000}) {
-        TimeSampler<int> sampler(64);
+        video::TimeSampler<int> sampler(64);
         for (int i = 0; i < length; ++i) {
             if (sampler.wants(i / 25.0)) sampler.keep(i / 25.0, i);
         }
@@ -85,7 +85,7 @@ TEST(TimeSampler, SpreadsOverAStreamOfAnyLength) {
 }
 
 TEST(TimeSampler, StaysBoundedWhenTimeStandsStill) {
-    TimeSampler<int> sampler(4);
+    video::TimeSampler<int> sampler(4);
     for (int i = 0; i < 100; ++i) {
         if (sampler.wants(0)) sampler.keep(0, i);
     }
@@ -93,19 +93,19 @@ TEST(TimeSampler, StaysBoundedWhenTimeStandsStill) {
 }
 
 TEST(FieldSize, IsAtMost384AndNeverLarger) {
-    EXPECT_EQ(field_size_for({768, 576}, {0, 0}), (Size{384, 288}));
-    EXPECT_EQ(field_size_for({1080, 1920}, {0, 0}), (Size{216, 384}));
-    EXPECT_EQ(field_size_for({100, 50}, {0, 0}), (Size{100, 50}));
-    EXPECT_EQ(field_size_for({1, 5000}, {0, 0}), (Size{1, 384}));
-    EXPECT_EQ(field_size_for({1, 1}, {0, 0}), (Size{1, 1}));
-    EXPECT_EQ(field_size_for({333, 211}, {-1, -1}), (Size{333, 211}));
-    EXPECT_EQ(field_size_for({333, 211}, {1000, 3}), (Size{1000, 3}));
+    EXPECT_EQ(video::field_size_for({768, 576}, {0, 0}), (Size{384, 288}));
+    EXPECT_EQ(video::field_size_for({1080, 1920}, {0, 0}), (Size{216, 384}));
+    EXPECT_EQ(video::field_size_for({100, 50}, {0, 0}), (Size{100, 50}));
+    EXPECT_EQ(video::field_size_for({1, 5000}, {0, 0}), (Size{1, 384}));
+    EXPECT_EQ(video::field_size_for({1, 1}, {0, 0}), (Size{1, 1}));
+    EXPECT_EQ(video::field_size_for({333, 211}, {-1, -1}), (Size{333, 211}));
+    EXPECT_EQ(video::field_size_for({333, 211}, {1000, 3}), (Size{1000, 3}));
 }
 
 TEST(FieldSize, RefusesWhatCannotBe) {
     const auto kind_of = [](Size asked) {
         try {
-            field_size_for({768, 576}, asked);
+            video::field_size_for({768, 576}, asked);
         } catch (const Error& error) {
             return error.kind();
         }
@@ -119,7 +119,7 @@ TEST(FieldSize, RefusesWhatCannotBe) {
 TEST(FullRange, IsRoundedWhereverAPixelStands) {
     std::vector<std::uint8_t> luma(2 * 256 + 7), out(luma.size());
     for (std::size_t i = 0; i < luma.size(); ++i) luma[i] = static_cast<std::uint8_t>(i % 256);
-    to_full_range(luma, out);
+    kernels::to_full_range(luma, out);
     for (std::size_t i = 0; i < luma.size(); ++i) {
         const long wanted = std::clamp(std::lround((luma[i] - 16) * 255.0 / 219), 0L, 255L);
         EXPECT_EQ(out[i], wanted) << int{luma[i]};

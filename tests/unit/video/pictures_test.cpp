@@ -17,7 +17,7 @@ class Pictures : public testing::Test {
     }
 
     void expect_counts(const std::string& name, std::size_t count) {
-        const auto source = open_source(name);
+        const auto source = video::open_source(name);
         const auto frames = read_all(*source);
         ASSERT_EQ(frames.size(), count) << name;
         for (std::size_t i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ TEST_F(Pictures, ComeInNaturalOrder) {
 TEST_F(Pictures, PatternsOfFixedWidth) {
     write("f%05d.png", 12);
     expect_counts(folder / "f%05d.png", 12);
-    EXPECT_THROW(open_source(folder / "f%03d.png"), Error);
+    EXPECT_THROW(video::open_source(folder / "f%03d.png"), Error);
 }
 
 TEST_F(Pictures, OtherFilesAreLeftOut) {
@@ -56,7 +56,7 @@ TEST_F(Pictures, ThoseThatDoNotDecodeAreCounted) {
     write("f%02d.png", 6);
     write_bytes(folder / "f02.png", "no picture");
     write_bytes(folder / "f04.png", "");
-    const auto source = open_source(folder.path());
+    const auto source = video::open_source(folder.path());
     const auto frames = read_all(*source);
     ASSERT_EQ(frames.size(), 4u);
     EXPECT_EQ(source->damaged(), 2);
@@ -71,16 +71,16 @@ TEST_F(Pictures, MayChangeTheirSizeAndFormat) {
     write("f%02d.png", 4);
     ffmpeg("-f lavfi -i color=gray:s=123x45 -frames:v 1 -update 1 " + quoted(folder / "f02.png"));
     ffmpeg("-f lavfi -i color=gray:s=64x48 -frames:v 1 -update 1 " + quoted(folder / "f05.jpg"));
-    const auto frames = read_all(*open_source(folder.path()));
+    const auto frames = read_all(*video::open_source(folder.path()));
     ASSERT_EQ(frames.size(), 5u);
     for (const auto& frame : frames) EXPECT_EQ(frame.grey.size(), (Size{64, 48}));
 }
 
 TEST_F(Pictures, HaveTheRateThatIsAskedFor) {
     write("f%02d.png", 10);
-    SourceOptions options;
+    video::SourceOptions options;
     options.rate = 2;
-    const auto source = open_source(folder.path(), options);
+    const auto source = video::open_source(folder.path(), options);
     EXPECT_DOUBLE_EQ(source->info().duration, 5);
     EXPECT_EQ(source->info().frames, 10);
     EXPECT_EQ(source->info().container, "pictures");
@@ -97,7 +97,7 @@ TEST_F(Pictures, HaveTheRateThatIsAskedFor) {
 
 TEST_F(Pictures, OnePictureIsAVideoOfOneFrame) {
     write("f%d.png", 1);
-    const auto frames = read_all(*open_source(folder / "f0.png"));
+    const auto frames = read_all(*video::open_source(folder / "f0.png"));
     ASSERT_EQ(frames.size(), 1u);
     EXPECT_NEAR(middle_of(frames[0]), level(0), 1);
 }

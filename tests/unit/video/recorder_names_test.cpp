@@ -24,7 +24,7 @@ struct Known {
 };
 
 TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
-    const RecorderNames names;
+    const video::RecorderNames names;
     for (const Known& known : {
              Known{"2026-11-21/08/gate/00.07.mp4", "Frigate", "gate", morning, 0},
              Known{"media/recordings/2026-11-21/08/front door/00.07.mp4", "Frigate", "front door", morning, 0},
@@ -52,7 +52,7 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
              Known{"gate/VID_20261121_080007.mp4", any_name, "gate", morning},
              Known{"hall-20261121080007", any_name, "hall", morning},
          }) {
-        const RecorderName name = names.read(known.path);
+        const video::RecorderName name = names.read(known.path);
         EXPECT_EQ(name.layout, known.layout) << known.path;
         EXPECT_EQ(names.camera_of(known.path), known.camera) << known.path;
         ASSERT_TRUE(name.begin) << known.path;
@@ -62,7 +62,7 @@ TEST(RecorderNames, OfKnownRecordersTellCameraAndTime) {
 }
 
 TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
-    const RecorderNames names;
+    const video::RecorderNames names;
     constexpr std::int64_t evening = 1795291200;  // 2026-11-21 20:00:00
     struct Tree {
         const char* path;
@@ -133,7 +133,7 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
              Tree{"gate/2026Y11M21D20H/05M00S60.mp4", "gate", evening + 300},
              Tree{"Front Door 3-4-2026, 20.00.00 GMT+1.mp4", "Front Door", 1772654400, 3600},
          }) {
-        const RecorderName name = names.read(tree.path);
+        const video::RecorderName name = names.read(tree.path);
         EXPECT_EQ(names.camera_of(tree.path), tree.camera) << tree.path;
         ASSERT_TRUE(name.begin) << tree.path;
         EXPECT_EQ(name.begin->clock, tree.clock) << tree.path << " by " << name.layout;
@@ -142,7 +142,7 @@ TEST(RecorderNames, OfPlainTreesTellCameraAndTime) {
 }
 
 TEST(RecorderNames, AreNotGuessed) {
-    const RecorderNames names;
+    const video::RecorderNames names;
     for (const char* path :
          {"gate/clip1.mp4", "2026-11-21/clip1.mp4", "gate/1280x720_30fps.mp4", "2026-11-21/1280x720_30fps.mp4",
           "gate/IMG_0001.mp4", "2026-11-21/IMG_0001.mp4", "2026-11-21/IMG_000123.mp4", "v1.20.30.mp4",
@@ -155,28 +155,28 @@ TEST(RecorderNames, AreNotGuessed) {
           // 20:05, or 20:20:05?
           "2026_11_21/20/20-05.mp4", "WhatsApp Video 2026-11-21 at 20.00.00.mp4", "12345678.mp4", "0912345678.mp4",
           "5912345678.mp4"}) {
-        const RecorderName name = names.read(path);
+        const video::RecorderName name = names.read(path);
         EXPECT_FALSE(name.begin) << path << " by " << name.layout;
     }
     EXPECT_EQ(names.camera_of("2026-11-21/backdoor/clip1.mp4"), "backdoor");
 }
 
 TEST(RecorderNames, SayTheSameWhereverOneStands) {
-    const RecorderNames whole;
+    const video::RecorderNames whole;
     const std::string path = "/srv/2026-11-21/20/gate/05.00.mp4";
     for (const char* folder : {"/", "/srv", "/srv/2026-11-21", "/srv/2026-11-21/20", "/srv/2026-11-21/20/gate"}) {
-        const RecorderNames names({}, folder);
+        const video::RecorderNames names({}, folder);
         const std::string below = path.substr(std::string(folder).size() + (std::string(folder) == "/" ? 0 : 1));
         EXPECT_EQ(names.read(below).begin, whole.read(path).begin) << folder;
         EXPECT_EQ(names.camera_of(below), "gate") << folder;
     }
     // Folders above the archive's are no cameras.
-    EXPECT_EQ(RecorderNames({}, "/home/user/videos").camera_of("x.avi"), "");
-    EXPECT_EQ(RecorderNames({}, "/home/user/2026-11-21").camera_of("20-00-00.avi"), "");
+    EXPECT_EQ(video::RecorderNames({}, "/home/user/videos").camera_of("x.avi"), "");
+    EXPECT_EQ(video::RecorderNames({}, "/home/user/2026-11-21").camera_of("20-00-00.avi"), "");
 }
 
 TEST(RecorderNames, OfNobodyTellNothing) {
-    const RecorderNames names;
+    const video::RecorderNames names;
     for (const char* path : {"x.avi", "", "/", "....", "gate/clip 12.mp4", "2026-11-21/25/gate/00.07.mp4",
                              "gate/20260231080007.mp4", "gate/2026-13-21_08-00-07.mp4", "gate/123456789012345.mp4"}) {
         EXPECT_EQ(names.read(path).layout, "") << path;
@@ -185,22 +185,23 @@ TEST(RecorderNames, OfNobodyTellNothing) {
 }
 
 TEST(RecorderNames, AreThoseOfTheUserFirst) {
-    const RecorderNames names(std::vector<std::string>{"%Y-%m-%d/%H/{camera}/%M.%S", "{camera} at %s", "cam {camera}"});
-    const RecorderName local = names.read("2026-11-21/08/gate/00.07.mp4");
+    const video::RecorderNames names(
+        std::vector<std::string>{"%Y-%m-%d/%H/{camera}/%M.%S", "{camera} at %s", "cam {camera}"});
+    const video::RecorderName local = names.read("2026-11-21/08/gate/00.07.mp4");
     EXPECT_EQ(local.layout, "--names");
-    EXPECT_EQ(local.begin, (NamedTime{morning, {}})) << "not in UTC, unlike Frigate's";
-    EXPECT_EQ(names.read("hall at 1795248007.mp4").begin, (NamedTime{morning, 0}));
+    EXPECT_EQ(local.begin, (video::NamedTime{morning, {}})) << "not in UTC, unlike Frigate's";
+    EXPECT_EQ(names.read("hall at 1795248007.mp4").begin, (video::NamedTime{morning, 0}));
     EXPECT_EQ(names.camera_of("x/cam 7.mp4"), "7");
     // The camera by one pattern, the time by a known one.
-    const RecorderName both = names.read("cam 20261121_080007.mp4");
+    const video::RecorderName both = names.read("cam 20261121_080007.mp4");
     EXPECT_EQ(both.camera, "20261121_080007");
-    EXPECT_EQ(both.begin, (NamedTime{morning, {}}));
+    EXPECT_EQ(both.begin, (video::NamedTime{morning, {}}));
 }
 
 TEST(RecorderNames, RefuseWrongPatterns) {
     const auto refusal = [](const std::string& pattern) -> std::string {
         try {
-            RecorderLayout("--names", pattern);
+            video::RecorderLayout("--names", pattern);
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::usage);
             return error.what();
@@ -219,7 +220,7 @@ TEST(RecorderNames, RefuseWrongPatterns) {
 }
 
 TEST(RecorderNames, OfAnyBytesAreReadSoon) {
-    const RecorderNames names(std::vector<std::string>{"*{camera}*a*a*a*a*%Y*%m*%d*%H*b", "{camera}%Y%m%d%H*c"});
+    const video::RecorderNames names(std::vector<std::string>{"*{camera}*a*a*a*a*%Y*%m*%d*%H*b", "{camera}%Y%m%d%H*c"});
     const auto begin = std::chrono::steady_clock::now();
     for (const char c : {'a', '0', '1', '_', '\xFF', '\0', '/', '.'}) names.read(std::string(255, c));
     for (const std::size_t length : {4096, 4097, 1'000'000}) names.read(std::string(length, '1') + ".mp4");
@@ -231,9 +232,9 @@ TEST(RecorderNames, OfAnyBytesAreReadSoon) {
 TEST(RecorderNames, AreOnTheLocalClockAcrossSummerTime) {
     ::setenv("TZ", "Europe/Berlin", 1);
     ::tzset();
-    const RecorderNames names;
+    const video::RecorderNames names;
     const auto utc = [&](const std::string& clock, std::optional<std::int64_t> near = {}) {
-        return utc_of(*names.read("gate/" + clock + ".mp4").begin, near);
+        return video::utc_of(*names.read("gate/" + clock + ".mp4").begin, near);
     };
     EXPECT_EQ(utc("20261121080007"), morning - 3600);
     EXPECT_EQ(utc("20260329030000") - utc("20260329015950"), 10) << "clocks leap from 2:00 to 3:00";

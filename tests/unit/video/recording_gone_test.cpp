@@ -15,7 +15,7 @@ using namespace test;
 namespace fs = std::filesystem;
 
 /// Frames from here to the end.
-int count(FrameSource& source) {
+int count(video::FrameSource& source) {
     int frames = 0;
     while (source.next()) ++frames;
     return frames;
@@ -31,7 +31,7 @@ TEST(RecordingSource, SaysThatItsFilesHaveGone) {
         fs::copy_file(folder / "clip.avi", fs::path(day) / name);
     }
     std::vector<std::string> warnings;
-    const auto source = open_sources({day}, {}, RecorderNames(), warnings);
+    const auto source = video::open_sources({day}, {}, video::RecorderNames(), warnings);
     EXPECT_EQ(count(*source), 200);
 
     fs::rename(day, folder / "away");

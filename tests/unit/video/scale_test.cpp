@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 /// Left half red, right half a grey ramp from top to bottom.
-class Chart final : public scene::Story {
+class Chart final : public generator::Story {
   public:
     explicit Chart(Size size) : size_(size) {}
     Plane<Bgr> paint(int) const override {
@@ -28,14 +28,14 @@ class Chart final : public scene::Story {
         }
         return picture;
     }
-    scene::Truth truth(int) const override { return {}; }
+    generator::Truth truth(int) const override { return {}; }
 
   private:
     Size size_;
 };
 
 void write_chart(const std::string& name, Size size) {
-    scene::Options options;
+    generator::Options options;
     options.size = size;
     options.frames = 2;
     write_scene({options, std::make_shared<Chart>(size)}, name);
@@ -53,10 +53,10 @@ TEST_P(PixelFormats, GiveTheSameGreyAndColour) {
     const auto name = is_picture ? folder / "c%d.png" : folder / "chart.nut";
     ffmpeg("-i " + quoted(folder / "chart.y4m") + (is_picture ? "" : " -c:v " + codec) + " -pix_fmt " + format + " " +
            quoted(name));
-    SourceOptions options;
+    video::SourceOptions options;
     options.colour = true;
     options.field_size = {32, 32};
-    const auto frames = read_all(*open_source(name, options));
+    const auto frames = read_all(*video::open_source(name, options));
     ASSERT_EQ(frames.size(), 2u);
     const auto& frame = frames[1];
     const bool is_grey = format == "gray" || format == "gray10le";
@@ -100,16 +100,16 @@ double area_mean(const Plane<Bgr>& picture, Size to, int i, int j) {
 
 TEST(Scaler, AveragesAreas) {
     const TempFolder folder;
-    scene::Options drawn;
+    generator::Options drawn;
     drawn.size = {300, 200};
     drawn.frames = 2;
-    const auto scene = scene::make_shifted_texture(drawn);
+    const auto scene = generator::make_shifted_texture(drawn);
     write_scene(scene, folder / "texture.y4m");
     const auto truth = scene.frame(1);
     for (const Size size : {Size{150, 100}, Size{100, 50}, Size{133, 89}, Size{299, 199}, Size{3, 2}, Size{1, 1}}) {
-        SourceOptions options;
+        video::SourceOptions options;
         options.field_size = size;
-        const auto frames = read_all(*open_source(folder / "texture.y4m", options));
+        const auto frames = read_all(*video::open_source(folder / "texture.y4m", options));
         ASSERT_EQ(frames.size(), 2u);
         double worst = 0;
         for (int j = 0; j < size.height; ++j) {
@@ -139,7 +139,7 @@ TEST(AreaScaler, DoublesLinearly) {
         Plane<std::uint8_t> plane(size);
         std::mt19937 random(5);
         for (std::uint8_t& value : plane.pixels()) value = static_cast<std::uint8_t>(random());
-        AreaScaler scale;
+        video::AreaScaler scale;
         const cv::Mat twice = scale(cv_view(plane), {2 * size.width, 2 * size.height});
         for (int j = 0; j < twice.rows; ++j) {
             for (int i = 0; i < twice.cols; ++i) {
@@ -153,10 +153,10 @@ TEST(AreaScaler, DoublesLinearly) {
 TEST(Scaler, EnlargesToo) {
     const TempFolder folder;
     write_chart(folder / "chart.y4m", {16, 16});
-    SourceOptions options;
+    video::SourceOptions options;
     options.field_size = {100, 8};
     options.colour = true;
-    const auto frames = read_all(*open_source(folder / "chart.y4m", options));
+    const auto frames = read_all(*video::open_source(folder / "chart.y4m", options));
     EXPECT_EQ(frames[0].grey.size(), (Size{100, 8}));
     EXPECT_NEAR(frames[0].grey.at(10, 4), 87, 3);
 }
