@@ -29,7 +29,7 @@ void Console::info(const std::string& text) {
     environment_.log.info("{}", text);
 }
 
-void Console::warn(const std::string& text, const About& about) {
+void Console::warn(const std::string& text, const RelatedSettings& about) {
     clear();
     environment_.log.warn("{}", with_flags(text, about));
 }

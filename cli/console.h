@@ -20,7 +20,7 @@ class Console final : public app::Observer {
     void frames(std::int64_t done, std::int64_t expected) override;
     void debug(const std::string& text) override;
     void info(const std::string& text) override;
-    void warn(const std::string& text, const About& about = {}) override;
+    void warn(const std::string& text, const RelatedSettings& about = {}) override;
     std::unique_lock<std::mutex> guard() override;
 
   private:

@@ -27,7 +27,7 @@ class WarningFlag : public spdlog::custom_flag_formatter {
 };
 
 std::string payload_of(const spdlog::details::log_msg& message) {
-    return shown_text(without_secrets({message.payload.data(), message.payload.size()}));
+    return shown_text(redact_secrets({message.payload.data(), message.payload.size()}));
 }
 
 /// What is said, as a terminal and a log may show it: names in it may be anybody's.
@@ -84,11 +84,11 @@ std::shared_ptr<spdlog::logger> make_log() {
     auto log = std::make_shared<spdlog::logger>("vvr", std::make_shared<spdlog::sinks::stderr_sink_mt>());
     log->set_level(spdlog::level::debug);
     set_format(*log, "text");
-    set_talk(*log, Talk::normal);
+    set_verbosity(*log, Verbosity::normal);
     return log;
 }
 
-void set_talk(spdlog::logger& log, Talk talk) {
+void set_verbosity(spdlog::logger& log, Verbosity talk) {
     constexpr std::array levels{spdlog::level::err, spdlog::level::info, spdlog::level::debug};
     log.sinks()[on_stderr]->set_level(levels[static_cast<std::size_t>(talk)]);
 }

@@ -13,9 +13,9 @@ namespace vvr::cli {
 std::shared_ptr<spdlog::logger> make_log();
 
 /// How much a logger says on stderr.
-enum class Talk { quiet, normal, verbose };
+enum class Verbosity { quiet, normal, verbose };
 
-void set_talk(spdlog::logger& log, Talk talk);
+void set_verbosity(spdlog::logger& log, Verbosity talk);
 
 /// One row of the table of formats.
 struct LogFormat {

@@ -13,8 +13,8 @@
 
 int main(int argc, char** argv) {
     vvr::workers::begin_worker();
-    vvr::cli::end_in_good_order();
-    vvr::keep_freed_planes();
+    vvr::cli::install_terminate_handler();
+    vvr::tune_malloc();
     vvr::gl::choose_shader_cache();
     const auto log = vvr::cli::make_log();
     const vvr::cli::ExitStatus status = vvr::cli::report_errors(*log, [&] {

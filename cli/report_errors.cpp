@@ -13,7 +13,7 @@
 
 namespace vvr::cli {
 
-std::string with_flags(const std::string& text, const About& about) {
+std::string with_flags(const std::string& text, const RelatedSettings& about) {
     std::string flagged = text;
     std::string others;
     for (const std::string& name : about.names()) {
@@ -50,7 +50,7 @@ constexpr std::string_view out_of_memory =
 
 }  // namespace
 
-void end_in_good_order() {
+void install_terminate_handler() {
     std::set_terminate(end_program);
 }
 

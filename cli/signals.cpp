@@ -39,31 +39,31 @@ Signals::~Signals() {
     }
 }
 
-void Signals::stop_with(std::function<void()> stop) {
+void Signals::set_stop_handler(std::function<void()> stop) {
     const std::lock_guard lock(stopping_);
     stop_ = std::move(stop);
 }
 
-bool Signals::stop_politely() {
+bool Signals::stop_gracefully() {
     const std::lock_guard lock(stopping_);
     if (!stop_) return false;
     std::exchange(stop_, nullptr)();
     return true;
 }
 
-void Signals::before_end(std::function<void()> last_words) {
+void Signals::set_exit_hook(std::function<void()> exit_hook) {
     const std::scoped_lock alone(ending_);
-    last_words_ = std::move(last_words);
+    exit_hook_ = std::move(exit_hook);
 }
 
 void Signals::wait(const std::stop_token& stop) {
     int signal = 0;
     do {
         if (sigwait(&set_, &signal) != 0 || stop.stop_requested()) return;
-    } while (stop_politely());
+    } while (stop_gracefully());
     {
         const std::scoped_lock alone(ending_);
-        if (last_words_) last_words_();
+        if (exit_hook_) exit_hook_();
     }
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);

@@ -24,13 +24,13 @@ class Signals {
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
     /// What a signal calls before it ends the program, on a thread of its own; an empty function takes it back.
-    void before_end(std::function<void()> last_words);
+    void set_exit_hook(std::function<void()> exit_hook);
 
   private:
-    friend class PoliteStop;
+    friend class GracefulShutdown;
 
-    void stop_with(std::function<void()> stop);
-    bool stop_politely();
+    void set_stop_handler(std::function<void()> stop);
+    bool stop_gracefully();
     void wait(const std::stop_token& stop);
 
     sigset_t set_{};
@@ -38,22 +38,22 @@ class Signals {
     std::mutex stopping_;
     std::function<void()> stop_;
     std::mutex ending_;
-    std::function<void()> last_words_;
+    std::function<void()> exit_hook_;
     std::jthread waiter_;
 };
 
 /// While it lives, the first signal calls `stop`, on another thread, and the program goes on; the next one ends it.
-class PoliteStop {
+class GracefulShutdown {
   public:
-    PoliteStop(Signals& signals, std::function<void()> stop) : signals_(signals) {
-        signals_.stop_with([this, stop = std::move(stop)] {
+    GracefulShutdown(Signals& signals, std::function<void()> stop) : signals_(signals) {
+        signals_.set_stop_handler([this, stop = std::move(stop)] {
             asked_ = true;
             stop();
         });
     }
-    ~PoliteStop() { signals_.stop_with({}); }
-    PoliteStop(const PoliteStop&) = delete;
-    PoliteStop& operator=(const PoliteStop&) = delete;
+    ~GracefulShutdown() { signals_.set_stop_handler({}); }
+    GracefulShutdown(const GracefulShutdown&) = delete;
+    GracefulShutdown& operator=(const GracefulShutdown&) = delete;
 
     /// Whether there was a signal.
     bool asked() const { return asked_; }

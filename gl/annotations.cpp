@@ -52,10 +52,10 @@ Annotations::Annotations(const GladGLContext& gl)
 }
 
 void Annotations::upload(const scene::FloorShadow& floor, std::span<const scene::StandingFrame> frames) {
-    floor_texture_ = floor.darkness.empty() ? GlTexture() : smooth_texture(*gl_, floor.darkness);
-    tint_texture_ = floor.tint.empty() ? GlTexture() : smooth_texture(*gl_, floor.tint);
+    floor_texture_ = floor.darkness.empty() ? GlTexture() : mipmapped_texture(*gl_, floor.darkness);
+    tint_texture_ = floor.tint.empty() ? GlTexture() : mipmapped_texture(*gl_, floor.tint);
     frame_textures_.clear();
-    for (const scene::StandingFrame& frame : frames) frame_textures_.push_back(smooth_texture(*gl_, frame.picture));
+    for (const scene::StandingFrame& frame : frames) frame_textures_.push_back(mipmapped_texture(*gl_, frame.picture));
 }
 
 void Annotations::draw_lines(std::span<const scene::LineSegment> lines, const space::Camera& camera, double width,

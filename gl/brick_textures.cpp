@@ -34,7 +34,7 @@ void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, s
     for (const std::int64_t end = first + count; first < end; first += slab) {
         const std::int64_t depth = std::min(slab, end - first);
         texels.resize(static_cast<std::size_t>(depth) * layers.area());
-        layers.lay_out(first, texels);
+        layers.fill_texels(first, texels);
         gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(first), layers.box().width(), layers.box().height(),
                          static_cast<GLsizei>(depth), storage_of(layers).format, GL_UNSIGNED_BYTE, texels.data());
     }
@@ -68,7 +68,7 @@ void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layer
     }
 
     Slot* found = find(number);
-    if (found == nullptr) found = find(nobody);
+    if (found == nullptr) found = find(unused);
     Slot& slot = found != nullptr ? *found : slots_[next_++ % slots_.size()];
     const bool fits = slot.texture && slot.box.width() == width && slot.box.height() == height &&
                       slot.layers == layers.count() && slot.coloured == layers.coloured();
@@ -93,7 +93,7 @@ void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layer
     slot.coloured = layers.coloured();
 }
 
-void BrickTextures::renew_ends(std::int64_t number, const bricks::BrickLayers& layers) {
+void BrickTextures::update_border_layers(std::int64_t number, const bricks::BrickLayers& layers) {
     const Slot* const slot = find(number);
     if (slot == nullptr) return;
     if (slot->box != layers.box()) return upload(number, layers);
@@ -104,7 +104,7 @@ void BrickTextures::renew_ends(std::int64_t number, const bricks::BrickLayers& l
 
 void BrickTextures::keep_only(std::int64_t first, std::int64_t end) {
     for (Slot& slot : slots_) {
-        if (slot.number < first || slot.number >= end) slot.number = nobody;
+        if (slot.number < first || slot.number >= end) slot.number = unused;
     }
 }
 

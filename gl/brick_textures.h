@@ -26,17 +26,17 @@ class BrickTextures {
 
     /// Uploads the first and the last texel layer of a brick that has a texture: they repeat layers of its neighbours.
     /// All of the brick is uploaded if the box of its layers has changed.
-    void renew_ends(std::int64_t number, const bricks::BrickLayers& layers);
+    void update_border_layers(std::int64_t number, const bricks::BrickLayers& layers);
 
     /// Takes their textures from all bricks but those from `first` to before `end`.
     void keep_only(std::int64_t first, std::int64_t end);
 
   private:
-    static constexpr std::int64_t nobody = -1;
+    static constexpr std::int64_t unused = -1;
 
     struct Slot {
         GlTexture texture;
-        std::int64_t number = nobody;  ///< of the brick
+        std::int64_t number = unused;  ///< of the brick
         PixelBox box;                  ///< of the layers' texels
         std::int64_t layers = 0;
         bool coloured = false;

@@ -36,7 +36,7 @@ void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Bri
     std::int64_t layers_before = 0;
     for (std::size_t i = 0; i < shown_.size(); ++i) {
         const auto& [number, layers, cells] = shown_[i];
-        if (unchanged(i) == nullptr) textures_.renew_ends(number, layers);
+        if (unchanged(i) == nullptr) textures_.update_border_layers(number, layers);
         const double t_begin = static_cast<double>(layers_before) / window_layers_;
         layers_before += layers.brick().count;
         placed_.push_back({&cells, t_begin, static_cast<double>(layers_before) / window_layers_});

@@ -39,7 +39,7 @@ class BrickWindow {
     /// \param identify stays as `volume` does. A brick that has a texture keeps the identities that it was laid out
     ///        with.
     void show(const bricks::Volume& volume, std::span<const bricks::Brick> bricks, std::int64_t first = 0,
-              const bricks::Identify& identify = bricks::nobodys);
+              const bricks::Identify& identify = bricks::no_identities);
 
     /// Where the bricks lie in t_C, with their cells.
     std::span<const bricks::PlacedCells> cells() const { return placed_; }

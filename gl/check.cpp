@@ -52,7 +52,7 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
             {"backend"});
     }
     const std::string failure = fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing);
-    blame_memory(failure);
+    throw_if_out_of_memory(failure);
     throw Error(ErrorKind::backend, failure);
 }
 

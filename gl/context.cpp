@@ -71,7 +71,7 @@ std::unique_ptr<Context> open_context(std::string_view name, int device, DriverM
         }
     }
     if (tried.empty()) refuse_choice("backend", name, backend_names());
-    blame_memory(fmt::format("no context from {}", tried));
+    throw_if_out_of_memory(fmt::format("no context from {}", tried));
     throw Error(ErrorKind::backend,
                 fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it", name,
                             device < 0 ? "" : fmt::format(", device {}", device), tried));

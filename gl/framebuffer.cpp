@@ -87,7 +87,7 @@ void Framebuffer::check_complete(int samples) const {
     if (status == GL_FRAMEBUFFER_COMPLETE) return;
     const std::string failure = fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
                                             size_.width, size_.height, samples, status);
-    blame_memory(failure);
+    throw_if_out_of_memory(failure);
     throw Error(ErrorKind::backend, failure);
 }
 

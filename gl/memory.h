@@ -8,6 +8,6 @@ namespace vvr::gl {
 /// fails, and memory is to blame.
 /// \param failure what it says
 /// \throws Error limit
-void blame_memory(std::string_view failure);
+void throw_if_out_of_memory(std::string_view failure);
 
 }  // namespace vvr::gl

@@ -45,7 +45,7 @@ PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
         if (status != GL_FRAMEBUFFER_COMPLETE) {
             const std::string failure = fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})",
                                                     size.width, size.height, status);
-            blame_memory(failure);
+            throw_if_out_of_memory(failure);
             throw Error(ErrorKind::backend, failure);
         }
     }

@@ -24,11 +24,11 @@ void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::stri
     GLsizei length = 0;
     get_log(id, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    blame_memory(fmt::format("{}: {}", failed, log));
+    throw_if_out_of_memory(fmt::format("{}: {}", failed, log));
     throw Error(ErrorKind::backend, fmt::format("{}: {}", failed, log));
 }
 
-void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderPiece> pieces) {
+void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderChunk> pieces) {
     const std::string text = shader_text(pieces);
     const char* const begin = text.c_str();
     gl.ShaderSource(shader, 1, &begin, nullptr);
@@ -41,13 +41,13 @@ void compile(const GladGLContext& gl, GLuint shader, const std::string& name, st
 
 }  // namespace
 
-ShaderPiece shader_piece(std::string_view file) {
+ShaderChunk shader_chunk(std::string_view file) {
     const auto found = std::ranges::find(shaders::files, file, [](const auto& entry) { return entry.first; });
     if (found == shaders::files.end()) throw std::logic_error(fmt::format("there is no shader file '{}'", file));
     return {found->first, found->second};
 }
 
-std::string shader_text(std::span<const ShaderPiece> pieces) {
+std::string shader_text(std::span<const ShaderChunk> pieces) {
     std::string text = "#version 330 core\n";
     for (std::size_t i = 0; i < pieces.size(); ++i)
         text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);

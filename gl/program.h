@@ -14,24 +14,24 @@
 namespace vvr::gl {
 
 /// A piece of a shader.
-struct ShaderPiece {
+struct ShaderChunk {
     std::string_view file;  ///< in glsl/
     std::string_view text;
 };
 
 /// The piece that is a file in glsl/. \throws std::logic_error when there is none of that name
-ShaderPiece shader_piece(std::string_view file);
+ShaderChunk shader_chunk(std::string_view file);
 
 /// A vertex and a fragment shader, each made of pieces that follow one another.
 struct ProgramSource {
     std::string name;  ///< for messages: "the arrows"
-    std::vector<ShaderPiece> vertex;
-    std::vector<ShaderPiece> fragment;
+    std::vector<ShaderChunk> vertex;
+    std::vector<ShaderChunk> fragment;
 };
 
 /// The text of a shader: "#version 330 core", then each piece behind a #line with its number k, from 1 on. The lines of
 /// piece k are numbered from 1000 k + 1 on, as Mesa's messages name only the line.
-std::string shader_text(std::span<const ShaderPiece> pieces);
+std::string shader_text(std::span<const ShaderChunk> pieces);
 
 /// A linked program.
 class Program {

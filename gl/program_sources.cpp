@@ -10,8 +10,8 @@ namespace {
 ProgramSource source(std::string name, std::initializer_list<std::string_view> vertex,
                      std::initializer_list<std::string_view> fragment) {
     ProgramSource source{std::move(name), {}, {}};
-    std::ranges::transform(vertex, std::back_inserter(source.vertex), shader_piece);
-    std::ranges::transform(fragment, std::back_inserter(source.fragment), shader_piece);
+    std::ranges::transform(vertex, std::back_inserter(source.vertex), shader_chunk);
+    std::ranges::transform(fragment, std::back_inserter(source.fragment), shader_chunk);
     return source;
 }
 

@@ -111,7 +111,7 @@ std::vector<double> Renderer::frame_times() const {
     return times;
 }
 
-void Renderer::rehearse(BrickWindow& window) {
+void Renderer::warm_up(BrickWindow& window) {
     const PixelBox corner{0, 0, std::min(16, options_.size.width), std::min(16, options_.size.height)};
     draw_tile(window, corner);
     Plane<glm::vec4> unused(corner.size());

@@ -35,8 +35,8 @@ class Renderer {
 
     void set_transfer(const scene::TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
-    /// As VolumeSlicer::set_looks.
-    void set_looks(std::span<const glm::vec4> looks) { slicer_.set_looks(looks); }
+    /// As VolumeSlicer::set_palette.
+    void set_palette(std::span<const glm::vec4> looks) { slicer_.set_palette(looks); }
 
     /// Replaces the geometry that is drawn with the bricks.
     void set_scene(scene::Scene scene);
@@ -57,7 +57,7 @@ class Renderer {
 
     /// Draws and reads back a corner of the picture, so that the driver compiles its shaders. Mesa compiles a shader
     /// when it first draws with it.
-    void rehearse(BrickWindow& window);
+    void warm_up(BrickWindow& window);
 
     const space::Camera& camera() const { return camera_; }
 

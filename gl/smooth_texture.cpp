@@ -50,15 +50,15 @@ GlTexture make_smooth(const GladGLContext& gl, GLenum target, GLint wrap, const 
 
 }  // namespace
 
-GlTexture smooth_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture) {
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture) {
     return make_smooth(gl, GL_TEXTURE_2D, GL_CLAMP_TO_EDGE, picture);
 }
 
-GlTexture smooth_texture(const GladGLContext& gl, const Plane<Bgr>& picture) {
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<Bgr>& picture) {
     return make_smooth(gl, GL_TEXTURE_2D, GL_CLAMP_TO_EDGE, picture);
 }
 
-GlTexture smooth_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row) {
+GlTexture mipmapped_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row) {
     return make_smooth(gl, GL_TEXTURE_1D, GL_REPEAT, row);
 }
 

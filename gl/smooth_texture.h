@@ -12,10 +12,10 @@ namespace vvr::gl {
 /// each run.
 ///
 /// \throws Error limit when there is no memory for it, backend for anything else, as check_gl does
-GlTexture smooth_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture);
-GlTexture smooth_texture(const GladGLContext& gl, const Plane<Bgr>& picture);
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture);
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<Bgr>& picture);
 
 /// A one-dimensional one that repeats, of a row of bytes.
-GlTexture smooth_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row);
+GlTexture mipmapped_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row);
 
 }  // namespace vvr::gl

@@ -15,7 +15,7 @@ namespace vvr::gl {
 TracelineStrips::TracelineStrips(const GladGLContext& gl)
     : gl_(&gl),
       program_(gl, traceline_program(Channels::colour)),
-      zebra_(smooth_repeating_texture(gl, scene::zebra_texels())),
+      zebra_(mipmapped_repeating_texture(gl, scene::zebra_texels())),
       vertex_array_(gl),
       corners_(gl),
       points_(gl) {

@@ -16,7 +16,7 @@ enum class VolumeColour {
 struct VolumeColourRow {
     VolumeColour colour;
     std::string_view shader;  ///< file in glsl/ that defines optical_at(place), scalar_of(voxel) and number_at(place)
-    bool takes_looks;         ///< the shader reads those of VolumeSlicer::set_looks
+    bool uses_palette;         ///< the shader reads those of VolumeSlicer::set_looks
 };
 
 /// The sources of colour there are; the first is the default.

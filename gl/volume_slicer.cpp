@@ -29,7 +29,7 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const space::Layout& layout,
       program_(gl, volume_program(layout, colour, shading, Channels::colour)),
       transfer_({scene::TransferPoint{}}),
       transfer_texture_(gl),
-      looks_texture_(gl),
+      palette_texture_(gl),
       vertex_array_(gl),
       vertices_(gl),
       indices_(gl) {
@@ -58,8 +58,8 @@ void VolumeSlicer::set_transfer(const scene::TransferFunction& transfer) {
     check_gl(*gl_, "uploading the transfer function");
 }
 
-void VolumeSlicer::set_looks(std::span<const glm::vec4> looks) {
-    gl_->BindTexture(GL_TEXTURE_2D, looks_texture_.id());
+void VolumeSlicer::set_palette(std::span<const glm::vec4> looks) {
+    gl_->BindTexture(GL_TEXTURE_2D, palette_texture_.id());
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(looks.size()), 1, 0, GL_RGBA, GL_FLOAT,
@@ -119,10 +119,10 @@ void VolumeSlicer::use(const Program& program, const space::Camera& camera, cons
     program.set("to_light", to_light(camera));
     program.set("brick", 0);
     program.set("transfer", 1);
-    if (row_of(colour_).takes_looks) {
+    if (row_of(colour_).uses_palette) {
         program.set("looks", looks_unit);
         gl.ActiveTexture(GL_TEXTURE0 + looks_unit);
-        gl.BindTexture(GL_TEXTURE_2D, looks_texture_.id());
+        gl.BindTexture(GL_TEXTURE_2D, palette_texture_.id());
     }
     gl.ActiveTexture(GL_TEXTURE1);
     gl.BindTexture(GL_TEXTURE_2D, transfer_texture_.id());

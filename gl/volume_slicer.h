@@ -34,7 +34,7 @@ class VolumeSlicer {
 
     /// What the identities' looks are: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
     /// sources of colour that take looks.
-    void set_looks(std::span<const glm::vec4> looks);
+    void set_palette(std::span<const glm::vec4> looks);
 
     void draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
               const StandingPictures& standing = {});
@@ -62,7 +62,7 @@ class VolumeSlicer {
     std::optional<Program> pixel_data_program_;  ///< made when it is first used
     scene::TransferFunction transfer_;
     GlTexture transfer_texture_;
-    GlTexture looks_texture_;
+    GlTexture palette_texture_;
     GlVertexArray vertex_array_;
     GlBuffer vertices_;
     GlBuffer indices_;

@@ -12,11 +12,11 @@ namespace vvr::app {
 namespace {
 
 /// Where the events are mostly pieces of one part of the scene.
-std::optional<std::string> advice_on_scraps(const RenderJob& job, const RenderReport& report) {
+std::optional<std::string> advice_on_clutter(const RenderJob& job, const RenderReport& report) {
     // Who names a region knows the option; what was extracted takes none.
     if (!report.events || !job.fields.roi.empty() || store::is_data_folder(job.input.names.front()))
         return std::nullopt;
-    const std::optional<events::Scraps> scraps = events::find_scraps(*report.events, report.field_size);
+    const std::optional<events::Clutter> scraps = events::find_clutter(*report.events, report.field_size);
     if (!scraps) return std::nullopt;
     const double x = static_cast<double>(report.info.size.width) / report.field_size.width;
     const double y = static_cast<double>(report.info.size.height) / report.field_size.height;
@@ -33,7 +33,7 @@ std::optional<std::string> advice_on_scraps(const RenderJob& job, const RenderRe
 
 std::vector<std::string> advice_on(const RenderJob& job, const RenderReport& report) {
     std::vector<std::string> advice;
-    if (auto text = advice_on_scraps(job, report)) advice.push_back(std::move(*text));
+    if (auto text = advice_on_clutter(job, report)) advice.push_back(std::move(*text));
     return advice;
 }
 

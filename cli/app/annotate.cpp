@@ -43,7 +43,7 @@ std::vector<image::Rgba> transfer_gradient(const scene::TransferFunction& transf
     std::vector<image::Rgba> colours;
     for (int value = low; value < 256; ++value) {
         const glm::dvec4 at = transfer.at(value);
-        const auto opacity = static_cast<float>(1 - std::exp(-at.w * scene::opacity_length * 2));
+        const auto opacity = static_cast<float>(1 - std::exp(-at.w * scene::opacity_unit_distance * 2));
         const glm::vec4 colour = glm::vec4(glm::vec3(at) * opacity, opacity) + background * (1 - opacity);
         colours.push_back({colour.x, colour.y, colour.z, colour.w});
     }
@@ -93,7 +93,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
             colours.push_back(rgba(scene::direction_colour({std::cos(angle), -std::sin(angle)})));
         }
         return {{std::move(colours), "which way it moves in the view of the camera", "direction", true},
-                {{rgba(job.look.theme.nobody)}, "at rest", "at rest"}};
+                {{rgba(job.look.theme.unowned)}, "at rest", "at rest"}};
     }
     if (row.needs_flow) {
         return {
@@ -128,7 +128,7 @@ std::vector<labels::LegendEntry> legend_of(const RenderJob& job) {
     if (job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::object) {
         entries.push_back(
             {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
-        entries.push_back({{rgba(job.look.theme.nobody)}, "other changes", "other"});
+        entries.push_back({{rgba(job.look.theme.unowned)}, "other changes", "other"});
     }
     const bool of_another = job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::time;
     if (job.look.show.has(Part::volume) && of_another) entries = legend_of_colour(job);
@@ -151,7 +151,7 @@ std::string span_of(const Caption& caption, const bricks::Volume& volume) {
     std::string text = fmt::format("{}, {}", counted(caption.frames, "frame"),
                                    labels::format_span(caption.begin, caption.end, caption.clock));
     double idle = 0;
-    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) idle += stretch.seconds;
+    for (const bricks::CompressedIdle& stretch : bricks::compressed_stretches(volume)) idle += stretch.seconds;
     if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_length(idle));
     return text;
 }
@@ -173,7 +173,7 @@ std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const 
 }
 
 /// In the middle of the volume: an empty picture would look like a mistake.
-void letter_stillness(const Framing& framing, const image::Rgba& colour, labels::Lettering& lettering) {
+void label_stillness(const Framing& framing, const image::Rgba& colour, labels::Lettering& lettering) {
     const PixelBox& box = framing.sheet.volume;
     lettering.add(labels::make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
                                             (box.top + box.bottom) / 2.0, colour),
@@ -189,7 +189,7 @@ const std::array<std::string, 3> explanations{
     "Time runs along the arc, from left to right."};
 
 /// \param squeezed whether time is given room where something moves
-void letter_explanation(const std::string& layout, bool squeezed, const labels::Sheet& sheet, const image::Rgba& colour,
+void label_explanation(const std::string& layout, bool squeezed, const labels::Sheet& sheet, const image::Rgba& colour,
                         labels::Lettering& lettering) {
     std::array<std::string, 3> texts = explanations;
     if (squeezed) {
@@ -202,15 +202,15 @@ void letter_explanation(const std::string& layout, bool squeezed, const labels::
         for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
     }
     labels::add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
-                                sheet.explanation.grown(0, sheet.small / 4), colour, lettering);
+                                sheet.explanation.inflated(0, sheet.small / 4), colour, lettering);
 }
 
 /// A frame at the end of the volume, with what it is and when above it.
-void letter_end(const std::string& what, const Plane<Bgr>& picture, double seconds, const PixelBox& box, bool right,
+void label_end(const std::string& what, const Plane<Bgr>& picture, double seconds, const PixelBox& box, bool right,
                 const Caption& caption, const labels::Sheet& sheet, const image::Rgba& colour,
                 const image::Rgba& border, labels::Lettering& lettering) {
     if (picture.empty() || box.empty()) return;
-    lettering.pictures.push_back({box.grown(-1, -1), picture, border, 1});
+    lettering.pictures.push_back({box.inflated(-1, -1), picture, border, 1});
     const std::string text = fmt::format("{}, {}", what, labels::format_moment(seconds, caption.clock));
     labels::Label label = labels::make_label(text, sheet.small, box.left, box.top - sheet.small / 2, colour);
     if (right)
@@ -219,7 +219,7 @@ void letter_end(const std::string& what, const Plane<Bgr>& picture, double secon
 }
 
 /// Portraits, map, strip and frames beside the volume.
-void letter_glance(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
+void label_glance(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
                    const space::Layout& layout, const Framing& framing, const Glance& glance,
                    labels::Lettering& lettering) {
     const Parts& show = job.look.show;
@@ -228,11 +228,11 @@ void letter_glance(const RenderJob& job, const Caption& caption, const bricks::V
     const image::Rgba pale = rgba(job.look.theme.pale_ink);
     const image::Rgba lines = rgba(job.look.theme.lines);
     if (show.has(Part::explanation))
-        letter_explanation(job.layout, !bricks::squeezed_stretches(volume).empty(), sheet, pale, lettering);
+        label_explanation(job.layout, !bricks::compressed_stretches(volume).empty(), sheet, pale, lettering);
     if (show.has(Part::ends)) {
-        letter_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
+        label_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
                    lettering);
-        letter_end("last frame", glance.last, caption.end, sheet.last, true, caption, sheet, pale, lines, lettering);
+        label_end("last frame", glance.last, caption.end, sheet.last, true, caption, sheet, pale, lines, lettering);
     }
     const glance::Trails trails(volume, layout, framing.camera, sheet.picture);
     if (show.has(Part::map) && !glance.scene.empty()) {
@@ -242,14 +242,14 @@ void letter_glance(const RenderJob& job, const Caption& caption, const bricks::V
                          image::Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::portraits) && glance.crops != nullptr) {
-        glance::letter_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
+        glance::label_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
     }
     if (show.has(Part::numbers)) {
-        glance::letter_numbers(glance.objects, trails, sheet, lettering);
-        glance::letter_stays(glance.objects, trails, sheet, image::Rgba(background_of(job.look)), lettering);
+        glance::label_numbers(glance.objects, trails, sheet, lettering);
+        glance::label_stays(glance.objects, trails, sheet, image::Rgba(background_of(job.look)), lettering);
     }
     if (show.has(Part::strip)) {
-        glance::letter_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
+        glance::label_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
                              {ink, pale, lines, image::Rgba(background_of(job.look))}, lettering);
     }
 }
@@ -302,7 +302,7 @@ Framing frame_volume(const RenderJob& job, const space::Layout& layout, double a
                                           aspect);
     const PixelBox& part = framing.sheet.volume;
     std::vector<glm::dvec3> points = scene::outline_points(layout);
-    if (job.look.show.any(&PartRow::around_volume)) points = scene::corners(scene::layout_box(layout));
+    if (job.look.show.any(&PartRow::around_volume)) points = scene::corners(scene::layout_bounds(layout));
     space::View view = job.picture.view;
     if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
     space::Camera camera = space::fit_camera(view, points, part.size());
@@ -320,7 +320,7 @@ std::vector<labels::TimeTick> ticks_of(const RenderJob& job, const Framing& fram
                                        const WallClock& clock) {
     if (!job.look.show.has(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
     const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
-    if (volume.is_unequal()) return labels::spread_ticks(volume, most, clock);
+    if (volume.is_nonuniform()) return labels::spread_ticks(volume, most, clock);
     return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, clock);
 }
 
@@ -336,21 +336,21 @@ labels::Lettering letter(const RenderJob& job, const Caption& caption, const bri
         job.look.show.has(Part::legend) ? legend_of(job) : std::vector<labels::LegendEntry>{};
     const bool in_one_band = !legend.empty() && sheet.legend == sheet.title;
     const int right = sheet.title.right - (in_one_band ? labels::brief_width(legend, sheet) : 0);
-    labels::letter_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
-    labels::letter_legend(legend, sheet, pale, lettering);
+    labels::label_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
+    labels::label_legend(legend, sheet, pale, lettering);
     const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
     if (ruler) {
-        labels::letter_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera,
+        labels::label_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera,
                             framing.sheet, rgba(job.look.theme.fast), lettering);
     }
     // Before the ticks: who reads a clock should know first where it leaps.
     if (ruler) {
-        labels::letter_breaks(labels::time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera,
+        labels::label_breaks(labels::time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera,
                               framing.sheet, pale, lettering);
     }
-    labels::letter_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
-    if (caption.still && framing.sheet.text > 0) letter_stillness(framing, pale, lettering);
-    if (framing.sheet.text > 0) letter_glance(job, caption, volume, layout, framing, glance, lettering);
+    labels::label_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
+    if (caption.still && framing.sheet.text > 0) label_stillness(framing, pale, lettering);
+    if (framing.sheet.text > 0) label_glance(job, caption, volume, layout, framing, glance, lettering);
     return lettering;
 }
 

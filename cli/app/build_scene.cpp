@@ -27,7 +27,7 @@ fields::FieldNeeds needs_of(const RenderJob& job, const fields::FieldSource& sou
     needs.seeds = job.look.show.any(&PartRow::needs_seeds);
     // Objects are told apart by their colours where these are there.
     const ColourRow& colour = find_colour(job.look.colour);
-    needs.flow_of_each = colour.needs_flow;
+    needs.flow_of_every_frame = colour.needs_flow;
     const bool stand = job.look.show.has(Part::frames) && job.look.keyframes > 0;
     needs.colour = colour.needs_pictures || (stand && source.has_pictures()) ||
                    (job.picture.colour == gl::VolumeColour::object && source.has_pictures());
@@ -45,11 +45,11 @@ std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume) {
     return key.number / volume.step();
 }
 
-std::vector<bricks::Brick> pieces_of(std::span<const bricks::Brick> bricks, std::span<const KeyFrame> between,
+std::vector<bricks::Brick> sub_bricks_of(std::span<const bricks::Brick> bricks, std::span<const KeyFrame> between,
                                      const bricks::Volume& volume) {
     std::vector<std::int64_t> layers;
     for (const KeyFrame& key : between) layers.push_back(layer_of(key, volume));
-    return bricks::cut_into_pieces(bricks::cut_at(bricks, layers));
+    return bricks::cut_into_sub_bricks(bricks::cut_at(bricks, layers));
 }
 
 scene::Scene build_scene(const RenderJob& job, const bricks::Volume& volume, const WindowFrames& frames,
@@ -120,9 +120,9 @@ void add_overlays(const RenderJob& job, const Drawing& drawing, std::span<const 
             if (t > 0) add(scene::cross_section(layout, t, glm::vec4(job.look.theme.lines, 0.5)));
         }
     }
-    const scene::AxisBox rendered = scene::visible_box(drawing.window->cells(), layout, drawn_transfer_of(job.look));
+    const scene::BoundingBox rendered = scene::visible_bounds(drawing.window->cells(), layout, drawn_transfer_of(job.look));
     if (job.look.show.has(Part::boxes)) {
-        add(scene::box_edges(scene::layout_box(layout), {0.13F, 0.35F, 0.85F, 1}));
+        add(scene::box_edges(scene::layout_bounds(layout), {0.13F, 0.35F, 0.85F, 1}));
         add(scene::box_edges(rendered, {0.88F, 0.68F, 0.05F, 1}));
     }
     if (job.look.show.has(Part::slices)) {

@@ -35,7 +35,7 @@ struct WindowFrames {
 std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume);
 
 /// The pieces that bricks are drawn in: they end where a key frame stands.
-std::vector<bricks::Brick> pieces_of(std::span<const bricks::Brick> bricks, std::span<const KeyFrame> between,
+std::vector<bricks::Brick> sub_bricks_of(std::span<const bricks::Brick> bricks, std::span<const KeyFrame> between,
                                      const bricks::Volume& volume);
 
 /// Reports the source and the context.
@@ -52,7 +52,7 @@ std::unique_ptr<space::Layout> layout_of(const RenderJob& job, Size field_size);
 scene::Scene build_scene(const RenderJob& job, const bricks::Volume& volume, const WindowFrames& frames,
                          const space::Layout& layout, const Framing& framing,
                          const std::vector<labels::TimeTick>& ticks, const glance::Objects& objects,
-                         const bricks::Identify& identify = bricks::nobodys);
+                         const bricks::Identify& identify = bricks::no_identities);
 
 /// Fig. 5: what the renderer makes of the bricks.
 /// \param drawing its window shows them

@@ -22,14 +22,14 @@ std::vector<video::Segment> list_clips(const InputOptions& options) {
         return std::move(recording->segments);
     std::error_code none;
     if (!std::filesystem::is_regular_file(options.names.front(), none)) return {};
-    return {video::look_at_name(options.names.front(), layouts)};
+    return {video::segment_from_name(options.names.front(), layouts)};
 }
 
 std::string text_of(const video::Segment& clip) {
     const std::string camera = clip.camera.empty() ? "camera not known" : "camera " + shown_text(clip.camera);
-    const std::string_view by = row_of(clip.begin_by).words;
+    const std::string_view by = row_of(clip.begin_source).words;
     if (!clip.begin) return fmt::format("{}, {}", camera, by);
-    const bool named = clip.begin_by == ClockSource::file_name;
+    const bool named = clip.begin_source == ClockSource::file_name;
     return fmt::format("{}, {} UTC {}{}", camera, labels::format_clock(*clip.begin), by,
                        named ? fmt::format(" ({})", clip.layout) : "");
 }

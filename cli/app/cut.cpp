@@ -107,7 +107,7 @@ video::VideoInfo info_of(const Footage& footage, const video::Segment& file, dou
     info.name = footage.recording.name;
     info.duration = begin + header.length;
     if (file.begin) info.began = *file.begin - before;
-    info.began_by = file.begin_by;
+    info.began_source = file.begin_source;
     if (header.created) info.created = *header.created - before;
     return info;
 }
@@ -117,7 +117,7 @@ CutJob in_seconds(CutJob job, const Footage& footage, Observer& observer) {
     if (!job.asked.start && !job.asked.end) return job;
     const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
     const WallClock known = clock_of(job.search.look.start_time, info);
-    const auto seconds = [&](const video::AskedTime& asked, std::string_view setting, double from) {
+    const auto seconds = [&](const video::RequestedTime& asked, std::string_view setting, double from) {
         return Time{video::seconds_of(asked, video::require_clock(known, info, setting, asked.text), from),
                     Time::Unit::seconds};
     };
@@ -189,7 +189,7 @@ bool is_open(const fs::path& path) {
 fs::path named(const CutJob& job, const Selection& selection, const FootagePart& first) {
     if (!is_open(job.path)) return job.path;
     const video::Input input = video::open_input(first.file.path);
-    const std::string_view ending = job.exact ? ending_of_exact() : video::ending_for(input, job.search.input.rate);
+    const std::string_view ending = job.exact ? exact_extension() : video::extension_for(input, job.search.input.rate);
     if (ending.empty()) {
         throw Error(ErrorKind::usage,
                     fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
@@ -220,7 +220,7 @@ void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPl
     const video::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
     const StartTime& start = job.search.look.start_time;
     piece.clock = clock_of(start, info);
-    if (start.from != StartTime::From::nobody) piece.created = info.created;
+    if (start.from != StartTime::From::none) piece.created = info.created;
 }
 
 /// Gaps are kept, and said.

@@ -17,7 +17,7 @@ namespace {
 constexpr Size rehearsed_size{6, 6};
 constexpr int rehearsed_frames = 5;
 
-bricks::Volume rehearsed_volume(gl::VolumeColour colour) {
+bricks::Volume warm_up_volume(gl::VolumeColour colour) {
     bricks::Volume volume(rehearsed_size, rehearsed_frames);
     if (colour == gl::VolumeColour::object) volume.keep_owners();
     const Plane<Bgr> picture = colour == gl::VolumeColour::own ? Plane<Bgr>(rehearsed_size) : Plane<Bgr>();
@@ -48,8 +48,8 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
     options.tile_samples = tile_samples;
     drawing.renderer = std::make_unique<gl::Renderer>(*drawing.context, *drawing.layout, options);
     drawing.renderer->set_transfer(drawn_transfer_of(job.look));
-    if (job.picture.colour == gl::VolumeColour::object) drawing.renderer->set_looks(scene::looks_of(job.look.theme));
-    if (job.picture.colour == gl::VolumeColour::time) drawing.renderer->set_looks(scene::time_colours());
+    if (job.picture.colour == gl::VolumeColour::object) drawing.renderer->set_palette(scene::object_palette(job.look.theme));
+    if (job.picture.colour == gl::VolumeColour::time) drawing.renderer->set_palette(scene::time_colours());
 }
 
 double half_pixel(const RenderJob& job, const Drawing& drawing) {
@@ -59,14 +59,14 @@ double half_pixel(const RenderJob& job, const Drawing& drawing) {
     return side * std::numbers::sqrt2 / 2;
 }
 
-void rehearse(const RenderJob& job, const Drawing& drawing) {
-    const bricks::Volume volume = rehearsed_volume(job.picture.colour);
+void warm_up(const RenderJob& job, const Drawing& drawing) {
+    const bricks::Volume volume = warm_up_volume(job.picture.colour);
     const video::Frame frame{0, 0, Plane<std::uint8_t>(rehearsed_size), {}};
     gl::BrickWindow window(drawing.context->gl(), *drawing.layout, rehearsed_frames, 1);
     if (job.look.show.has(Part::volume)) window.show(volume, bricks::cut_into(rehearsed_frames, 1));
     gl::Renderer& renderer = *drawing.renderer;
     renderer.set_scene(build_scene(job, volume, {frame, frame}, *drawing.layout, drawing.framing, {}, {}));
-    renderer.rehearse(window);
+    renderer.warm_up(window);
 }
 
 }  // namespace vvr::app

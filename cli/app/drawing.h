@@ -34,6 +34,6 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
 double half_pixel(const RenderJob& job, const Drawing& drawing);
 
 /// Draws something small, so that the first real picture finds its shaders compiled. The drawing has a renderer.
-void rehearse(const RenderJob& job, const Drawing& drawing);
+void warm_up(const RenderJob& job, const Drawing& drawing);
 
 }  // namespace vvr::app

@@ -39,7 +39,7 @@ void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     job.fields.span.first = begin(part - 1);
     const std::int64_t first = job.fields.span.first;
     put(job.settings, setting::start.name,
-        first == 0 ? std::string(setting::start.otherwise) : fmt::format("{}f", first));
+        first == 0 ? std::string(setting::start.default_text) : fmt::format("{}f", first));
     if (part == count) return;
     job.fields.span.stop = begin(part);
     put(job.settings, setting::end.name, fmt::format("{}f", *job.fields.span.stop));
@@ -92,7 +92,7 @@ void extract(ExtractJob job, Observer& observer) {
         const auto held = observer.guard();
         folder->close(std::move(manifest), summary.reference);
     }
-    tell_problems(warnings, summary.problems, observer);
+    report_warnings(warnings, summary.problems, observer);
     if (summary.damaged > 0) {
         observer.warn(
             fmt::format("'{}': {} of what was read", clip->info().name, counted(summary.damaged, "damaged packet")));

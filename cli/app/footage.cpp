@@ -85,7 +85,7 @@ Footage find_footage(const InputOptions& options) {
         return {std::move(*recording), false};
     const std::string& name = options.names.front();
     check_single(name);
-    const video::Segment file = video::look_at_name(name, layouts);
+    const video::Segment file = video::segment_from_name(name, layouts);
     return {{name, file.camera, {file}}, true};
 }
 
@@ -110,7 +110,7 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
         }
     }
     if (places.empty()) throw Error(ErrorKind::not_video, problems.front());
-    tell_problems(footage.recording.warnings, problems, observer);
+    report_warnings(footage.recording.warnings, problems, observer);
     return places;
 }
 

@@ -59,7 +59,7 @@ std::string settings_that_differ(const image::Metadata& before, const image::Met
 }
 
 /// Another renderer, another font and another setting are the first things to suspect.
-void show_what_else_differs(const fs::path& golden, const image::Metadata& golden_settings,
+void show_other_differences(const fs::path& golden, const image::Metadata& golden_settings,
                             const image::Metadata& metadata, Observer& observer) {
     constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
                                                                           {"font", "lettered in"}};
@@ -86,7 +86,7 @@ void check_golden_picture(const GoldenOptions& options) {
     static_cast<void>(image::read_samples(options.path));
 }
 
-void meet_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
+void compare_with_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
                  Observer& observer) {
     const fs::path& golden = options.path;
     const ComparisonOptions& how = options.comparison;
@@ -105,7 +105,7 @@ void meet_golden(const GoldenOptions& options, const image::Picture& picture, co
     const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
     if (comparison.has_numbers() && !how.diff.empty())
         image::write_picture(how.diff, image::difference_picture(expected, comparison));
-    show_what_else_differs(golden, used_settings(image::settings_of(expected)), metadata, observer);
+    show_other_differences(golden, used_settings(image::settings_of(expected)), metadata, observer);
     if (comparison.verdict == image::Verdict::same) {
         remove_candidate(golden);
         observer.info(fmt::format("'{}': the same, {:.4f} % of the pixels off, the worst patch by {:.4f}",

@@ -18,7 +18,7 @@ void check_golden_picture(const GoldenOptions& options);
 /// Compares a picture, as a file would hold it, with the golden one, or blesses it. Afterwards there is a candidate
 /// beside the golden picture only if they differ.
 /// \throws Error differs when they do, or when there is no golden picture; io
-void meet_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
+void compare_with_golden(const GoldenOptions& options, const image::Picture& picture, const image::Metadata& metadata,
                  Observer& observer);
 
 }  // namespace vvr::app

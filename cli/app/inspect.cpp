@@ -65,7 +65,7 @@ void write_region_editor(const InspectJob& job, Observer& observer) {
     content.mask = polygons_of(setting::mask.name, job.fields.mask, observer);
     std::vector<std::string> warnings;
     const auto clip = open_clip(options, true, job.fields.threads, warnings);
-    tell_problems(warnings, {}, observer);
+    report_warnings(warnings, {}, observer);
     const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
     content.name = shown_name(clip->info().name);
     content.moment = labels::format_moment(found.seconds);
@@ -95,7 +95,7 @@ void inspect(const InspectJob& job, Observer& observer) {
         fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, const fields::Field& field) {
             if (field.index == found.frame) inspection = inspect(*frame, field);
         });
-    tell_problems(warnings, summary.problems, observer);
+    report_warnings(warnings, summary.problems, observer);
     const std::string name = job.path.string();
     if (!inspection.captions) {
         observer.warn(

@@ -192,8 +192,8 @@ gl::GlyphStyle glyph_style_of(const RenderJob& job) {
 WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
-    if (start.from == From::nobody) return std::nullopt;
-    const bool told = info.began && tells_recording(info.began_by);
+    if (start.from == From::none) return std::nullopt;
+    const bool told = info.began && is_recording_time(info.began_source);
     struct Row {
         From from;
         std::optional<std::int64_t> begin;
@@ -202,14 +202,14 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
         std::string_view missing;
     };
     const auto told_by = [&](ClockSource source) {
-        return info.began_by == source ? info.began : std::optional<std::int64_t>();
+        return info.began_source == source ? info.began : std::optional<std::int64_t>();
     };
     const auto or_else = [](std::optional<std::int64_t> first, std::optional<std::int64_t> second) {
         return first ? first : second;
     };
     const Row rows[] = {
-        {From::automatic, told ? info.began : std::nullopt, info.began_by, "", ""},
-        {From::recorded, told ? info.began : std::nullopt, info.began_by, "recorded",
+        {From::automatic, told ? info.began : std::nullopt, info.began_source, "", ""},
+        {From::recorded, told ? info.began : std::nullopt, info.began_source, "recorded",
          "the name of '{}' does not say when it was recorded; give the date and time, or say with --names how it does"},
         {From::container, or_else(told_by(ClockSource::container), info.created), ClockSource::container, "container",
          "the container of '{}' does not say when it was written; give the date and time"},

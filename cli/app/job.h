@@ -50,7 +50,7 @@ struct StartTime {
         container,  ///< when the container says it was written
         modified,   ///< when the file was last written, less its length
         given,
-        nobody,
+        none,
     };
     From from = From::automatic;
     WallClock clock{};  ///< that was given

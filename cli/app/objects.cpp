@@ -51,10 +51,10 @@ bricks::Identify objects_of(std::span<const events::Event> events, const bricks:
         if (!is_in(object.seen)) return bricks::Identity{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
-        const scene::Posture posture = !stays ? scene::Posture::moving
-                                       : dark ? scene::Posture::marked
-                                              : scene::Posture::still;
-        return bricks::Identity{scene::look_of(object.colour, posture), object.number};
+        const scene::ObjectState posture = !stays ? scene::ObjectState::moving
+                                       : dark ? scene::ObjectState::marked
+                                              : scene::ObjectState::still;
+        return bricks::Identity{scene::palette_index(object.colour, posture), object.number};
     };
 }
 
@@ -96,7 +96,7 @@ bricks::Identify LiveObjects::identify() const {
         if (!seen.decided || layer.last_frame < seen.undecided) return bricks::Identity{};
         const auto number = numbers_.find(track);
         const bool fits = number != numbers_.end() && number->second <= most_numbers;
-        return bricks::Identity{scene::look_of(seen.colour, scene::Posture::moving),
+        return bricks::Identity{scene::palette_index(seen.colour, scene::ObjectState::moving),
                                 fits ? static_cast<std::uint16_t>(number->second) : std::uint16_t{0}};
     };
 }

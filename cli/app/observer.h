@@ -20,7 +20,7 @@ class Observer {
     virtual void info(const std::string& /*text*/) {}
 
     /// \param about the settings that the advice in the text is about
-    virtual void warn(const std::string& /*text*/, const About& /*about*/ = {}) {}
+    virtual void warn(const std::string& /*text*/, const RelatedSettings& /*about*/ = {}) {}
 
     /// While the lock is held a file is being written, and the process should not end.
     [[nodiscard]] virtual std::unique_lock<std::mutex> guard() { return {}; }

@@ -68,7 +68,7 @@ OpenedFields open_extracted(const RenderJob& job) {
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
-    if (job.fields.span.asked != video::AskedSpan{}) {
+    if (job.fields.span.asked != video::RequestedSpan{}) {
         throw Error(ErrorKind::usage,
                     fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
                                 folders.front()),

@@ -16,7 +16,7 @@ bool is_series(const OutputOptions& options) {
 }
 
 bool is_page(const std::filesystem::path& path) {
-    const std::string ending = ending_of(path);
+    const std::string ending = extension_of(path);
     return ending == ".html" || ending == ".htm";
 }
 

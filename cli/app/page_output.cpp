@@ -28,7 +28,7 @@ page::PageIndex index_of(const fs::path& page, const fs::path& index) {
 std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
     if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
-    return video::look_at_name(job.input.names.front(), video::RecorderNames(job.input.layouts)).camera;
+    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.layouts)).camera;
 }
 
 /// What the page calls its clip in small letters: nothing that stands over it already.
@@ -39,11 +39,11 @@ std::string file_name_of(const RenderJob& job, const page::PageContent& content)
 }
 
 /// The ending of a file that can hold pieces of a clip; empty where that is not known.
-std::string ending_of_pieces(const std::string& file, double rate) {
+std::string cut_extension(const std::string& file, double rate) {
     std::error_code none;
     if (!fs::is_regular_file(file, none)) return {};
     try {
-        return std::string(video::ending_for(video::open_input(file), rate));
+        return std::string(video::extension_for(video::open_input(file), rate));
     } catch (const Error&) {
         return {};
     }
@@ -69,7 +69,7 @@ std::string page_text(const RenderJob& job, const RenderReport& report, image::P
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
     if (is_file) content.clip_url = page::relative_url(path, input);
     const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
-    if (!live) content.cut_ending = ending_of_pieces(first_file, job.input.rate);
+    if (!live) content.piece_extension = cut_extension(first_file, job.input.rate);
     content.names = job.input.layouts;
     content.shown = report.info.size;
     content.field = report.field_size;

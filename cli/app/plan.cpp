@@ -35,7 +35,7 @@ std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan
     // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
     const std::int64_t voxel_bytes =
         job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::object ? 4 : 1;
-    const auto pieces = static_cast<int>((plan.layers + bricks::piece_layers - 1) / bricks::piece_layers);
+    const auto pieces = static_cast<int>((plan.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
     const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
     // Unequal layers are half as many again while they are read, and `auto` holds even ones beside them. Where room is
     // given to motion, most of them hold little.

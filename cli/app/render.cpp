@@ -60,7 +60,7 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
     for (const std::string& advice : report.advice) observer.warn(advice);
     if (!report.squeezed.empty()) {
         double idle = 0;
-        for (const bricks::Squeezed& stretch : report.squeezed) idle += stretch.seconds;
+        for (const bricks::CompressedIdle& stretch : report.squeezed) idle += stretch.seconds;
         observer.info(
             fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
                         labels::format_length(idle), counted(std::ssize(report.squeezed), "place")));
@@ -82,7 +82,7 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
 /// Sees the fields on their way, to keep what a page and a still show of them.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
-    const auto film = page_of(output).empty() ? page::WatchedFields::Film::none : page::WatchedFields::Film::preview;
+    const auto film = page_of(output).empty() ? page::WatchedFields::EncodedVideo::none : page::WatchedFields::EncodedVideo::preview;
     auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), film);
     page::WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);
@@ -123,7 +123,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
         if (!moments.problem.empty()) {
             observer.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
         }
-        pictures.add_still(page::telling_still(moments.stills, events_of(report), report.field_size));
+        pictures.add_still(page::best_still(moments.stills, events_of(report), report.field_size));
         if (page.empty()) {
             pictures.add(number, std::move(picture), record);
             return;
@@ -138,7 +138,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
                     fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
                                 fields.source->info().name));
     }
-    tell_problems(fields.warnings, report.problems, observer);
+    report_warnings(fields.warnings, report.problems, observer);
     report.problems.insert(report.problems.begin(), fields.warnings.begin(), fields.warnings.end());
     show_warnings(job, report, observer);
     pictures.close();
@@ -156,7 +156,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
         }
     }
     if (!job.output.golden.path.empty()) {
-        meet_golden(job.output.golden, drawn, record_of(job, report, products.series), observer);
+        compare_with_golden(job.output.golden, drawn, record_of(job, report, products.series), observer);
     }
     return report;
 }

@@ -57,7 +57,7 @@ class Scales {
         if (time_ != TimeScale::busy) even_.emplace(empty);
         if (time_ == TimeScale::even) return;
         busy_.emplace(empty);
-        busy_->give_room_to_motion();
+        busy_->use_nonuniform_layers();
     }
 
     std::int64_t frames() const { return (even_ ? *even_ : *busy_).frames(); }
@@ -88,7 +88,7 @@ class Scales {
         if (!even_ || !busy_ || length_ <= 0) return;
         if (moving_ > length_ / 2) busy_.reset();
         if (idle_ > length_ / 2 && moving_ > 0) even_.reset();
-        if (!even_ || !busy_) give_back_freed();
+        if (!even_ || !busy_) trim_heap();
     }
 
     /// Numbers skip the frames of a gap in a recording.
@@ -103,7 +103,7 @@ class Scales {
     TimeScale time_ = TimeScale::even;
     std::optional<bricks::Volume> even_;
     std::optional<bricks::Volume> busy_;
-    fields::Motion motion_;
+    fields::MotionDetector motion_;
     std::optional<Moment> last_;
     double length_ = 0;  ///< seconds, by the header; 0 = unknown
     double moving_ = 0;  ///< seconds
@@ -163,12 +163,12 @@ std::vector<bricks::Brick> cut(const BrickOptions& bricks, const Fields& fields,
     const bricks::Volume& volume = fields.volume;
     if (!bricks.length) return bricks::cut_into(volume.layers(), bricks.window);
     double brick_frames = bricks.length->value;
-    if (volume.is_unequal() && bricks.length->unit == Time::Unit::frames) {
+    if (volume.is_nonuniform() && bricks.length->unit == Time::Unit::frames) {
         return bricks::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
     }
     if (bricks.length->unit == Time::Unit::seconds) {
         // Where layers are of unequal length, only the clock says how long a brick is.
-        if (volume.is_unequal()) {
+        if (volume.is_nonuniform()) {
             return bricks::cut_by_clock(volume, bricks.length->value, clock ? clock->at(0) : 0);
         }
         const double seconds = fields.last->pts - fields.first->pts;
@@ -180,11 +180,11 @@ std::vector<bricks::Brick> cut(const BrickOptions& bricks, const Fields& fields,
 }
 
 /// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
-void set_ghosts_right(std::span<const events::Event> events, bricks::Volume& volume) {
+void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volume) {
     for (const events::Event& event : events) {
         if (!event.in_scene || event.tracks.empty()) continue;
-        for (const std::size_t track : event.tracks) volume.take_out(track);
-        volume.put_in(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
+        for (const std::size_t track : event.tracks) volume.remove_track(track);
+        volume.insert_track(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
                       event.last.seconds);
     }
 }
@@ -210,13 +210,13 @@ Plane<Bgr> scene_of(const Fields& fields) {
 /// OpenGL's memory is given back before the libraries that encode pictures take as much.
 void close(Drawing& drawing) {
     { const Drawing closed = std::move(drawing); }
-    give_back_freed();
+    trim_heap();
 }
 
 /// All after the fields: draws each picture and gives it to the sink.
 void draw_pictures(const RenderJob& job, const Products& products, Fields& fields, Drawing& drawing,
                    RenderReport& report, const PictureSink& sink) {
-    if (fields.events && fields.volume.keeps_owners()) set_ghosts_right(*fields.events, fields.volume);
+    if (fields.events && fields.volume.keeps_owners()) correct_ghosts(*fields.events, fields.volume);
     const bricks::Volume& volume = fields.volume;
     const space::Layout& layout = *drawing.layout;
     const WallClock clock = clock_of(job.look.start_time, report.info);
@@ -240,7 +240,7 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.last_pts = caption.end;
     report.layers = volume.layers();
     report.step = volume.step();
-    report.squeezed = bricks::squeezed_stretches(volume);
+    report.squeezed = bricks::compressed_stretches(volume);
     report.bricks = bricks;
     report.still = caption.still;
 
@@ -261,16 +261,16 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.stages.end("scene");
 
     const std::vector<bricks::Brick> pieces =
-        job.look.show.has(Part::volume) ? pieces_of(bricks, fields.keyframes, volume) : std::vector<bricks::Brick>{};
+        job.look.show.has(Part::volume) ? sub_bricks_of(bricks, fields.keyframes, volume) : std::vector<bricks::Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<gl::BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures,
                                                        half_pixel(job, drawing));
     drawing.window->show(volume, pieces, 0, identify);
     if (volume.keeps_owners() && fields.events->empty()) {
         // Where there is no object, what changed is all that there is to be seen.
-        std::vector<glm::vec4> looks = scene::looks_of(job.look.theme);
+        std::vector<glm::vec4> looks = scene::object_palette(job.look.theme);
         looks.front().a = 1;
-        drawing.renderer->set_looks(looks);
+        drawing.renderer->set_palette(looks);
     }
     add_overlays(job, drawing, bricks, volume.layers(), scene);
     drawing.renderer->set_scene(std::move(scene));
@@ -302,14 +302,14 @@ RenderReport render_clip(const RenderJob& job, const Products& products, fields:
     if (expected <= long_read) {
         thread.start([&job, field_size](Drawing& drawing) {
             make_renderer(job, field_size, gl::RenderOptions{}.tile_samples, drawing);
-            rehearse(job, drawing);
+            warm_up(job, drawing);
         });
     }
     if (expected == 0 || expected > soon_read) opened.get();
     std::int64_t step = planned_step(job.bricks, expected);
     Fields fields = read_fields(job, products, source, step, observer);
     // A header that promised far more than there was has wasted the window: read again, now knowing the length.
-    if (job.bricks.step == 0 && step > 1 && !fields.volume.is_unequal() &&
+    if (job.bricks.step == 0 && step > 1 && !fields.volume.is_nonuniform() &&
         fields.volume.layers() < job.bricks.max_layers / 2 && fields.volume.frames() > 1) {
         step = planned_step(job.bricks, fields.volume.frames());
         fields = read_fields(job, products, source, step, observer);

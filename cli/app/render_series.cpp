@@ -37,7 +37,7 @@ class Series {
           volume_(source.field_size(), std::max<std::int64_t>(2, window_.layers()), window_.step,
                   needs_of(job, source, window_.frames()).every),
           thread_(thread),
-          pieces_of_brick_(std::ssize(bricks::cut_into_pieces(
+          pieces_of_brick_(std::ssize(bricks::cut_into_sub_bricks(
               bricks::cut_at(std::array{bricks::Brick{0, window_.brick_layers}}, key_layers())))),
           transfer_(drawn_transfer_of(job.look)),
           paint_(job),
@@ -194,13 +194,13 @@ class Series {
     std::int64_t oldest() const { return newest_ - std::ssize(bricks_) + 1; }
 
     /// Pieces of bricks are numbered from the clip's first on, so only what is new is uploaded.
-    void show_pieces(gl::BrickWindow& window) const {
-        window.show(volume_, pieces_of(bricks_, keyframes_, volume_), oldest() * pieces_of_brick_, identify_);
+    void show_sub_bricks(gl::BrickWindow& window) const {
+        window.show(volume_, sub_bricks_of(bricks_, keyframes_, volume_), oldest() * pieces_of_brick_, identify_);
     }
 
     void draw(Drawing& drawing) {
         const Glance glance = glance_now();
-        if (job_.look.show.has(Part::volume)) show_pieces(*drawing.window);
+        if (job_.look.show.has(Part::volume)) show_sub_bricks(*drawing.window);
         report_.stages.end("draw");
         const std::vector<labels::TimeTick> ticks = ticks_of(job_, drawing.framing, volume_, caption_.clock);
         const bool shows_frames = job_.look.show.has(Part::frames);

@@ -30,7 +30,7 @@ struct RenderReport {
     std::int64_t layers = 0;
     std::int64_t step = 1;                   ///< frames per layer
     std::vector<bricks::Brick> bricks;       ///< in layers
-    std::vector<bricks::Squeezed> squeezed;  ///< where time has less room than in the mean
+    std::vector<bricks::CompressedIdle> squeezed;  ///< where time has less room than in the mean
     std::int64_t pictures = 1;               ///< so far
     std::size_t arrows = 0;
     bool still = false;           ///< nothing in the volume is visible

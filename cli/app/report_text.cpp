@@ -83,9 +83,9 @@ Json json_of(const Moment& moment, const Place& place) {
     return json;
 }
 
-Json json_of(const std::vector<bricks::Squeezed>& squeezed) {
+Json json_of(const std::vector<bricks::CompressedIdle>& squeezed) {
     Json json = Json::array();
-    for (const bricks::Squeezed& stretch : squeezed) {
+    for (const bricks::CompressedIdle& stretch : squeezed) {
         json.push_back({{"first", rounded(stretch.begin)},
                         {"seconds", rounded(stretch.seconds)},
                         {"room", rounded(stretch.t_end - stretch.t_begin)}});
@@ -186,7 +186,7 @@ double length_of(const events::Event& event) {
 /// chose.
 std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderReport& report) {
     const video::VideoInfo& info = report.info;
-    if (info.began && tells_recording(info.began_by)) return {info.began, info.began_by};
+    if (info.began && is_recording_time(info.began_source)) return {info.began, info.began_source};
     const WallClock& clock = report.clock;
     if (clock && clock->ahead) return {clock->begin - *clock->ahead, clock->source};
     return {std::nullopt, ClockSource::none};
@@ -271,7 +271,7 @@ std::string summary_of(const std::vector<events::Event>& events, const WallClock
     std::string text = fmt::format(
         "{}; the longest from {}", counted(std::ssize(events), "event"),
         clock ? labels::format_stretch(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
-    const double still = events::still_seconds(*longest);
+    const double still = events::stationary_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
     return text;
 }

@@ -24,12 +24,12 @@ inline constexpr Setting window{"window",
 inline constexpr Setting time{.name = "time",
                               .unit = "NAME",
                               .help = "how the room along the arc is given to time",
-                              .not_live = "the pictures of a stream share one scale of time"};
+                              .not_live_reason = "the pictures of a stream share one scale of time"};
 inline constexpr Setting skip_idle{.name = "skip-idle",
                                    .unit = "TIME",
                                    .help = "another way to say --time busy; 0 is --time even",
                                    .range = {0, 86'400},
-                                   .not_live = "the pictures of a stream share one scale of time"};
+                                   .not_live_reason = "the pictures of a stream share one scale of time"};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
@@ -68,21 +68,21 @@ inline constexpr Setting start_time{.name = "start-time",
                                         "as its name says, in this machine's time zone; 'container' = when its "
                                         "container says it was written; 'modified' = when the file was last written, "
                                         "less its length; 'none' = times run from 0:00",
-                                    .otherwise = "recorded where its name tells it, else none",
+                                    .default_text = "recorded where its name tells it, else none",
                                     .alias = "clock",
-                                    .not_live = "a stream is not recorded; give the date and time"};
+                                    .not_live_reason = "a stream is not recorded; give the date and time"};
 /// Of a live stream.
 inline constexpr Setting stream_clock{.name = "start-time",
                                       .unit = "DATETIME",
                                       .help =
                                           "what a clock shows when the stream begins: 2026-11-21 08:00:00; 'none' = "
                                           "times run from 0:00",
-                                      .otherwise = "now, by this machine's clock",
+                                      .default_text = "now, by this machine's clock",
                                       .alias = "clock"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",
-                                  .otherwise = "the theme's",
+                                  .default_text = "the theme's",
                                   .may_be_file = true,
                                   .alias = "colormap"};
 inline constexpr Setting colour{"color", "NAME", "colour of the volume"};

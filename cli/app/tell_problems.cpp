@@ -10,7 +10,7 @@
 
 namespace vvr::app {
 
-void tell_problems(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
+void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                    Observer& observer) {
     constexpr std::size_t told = 5;  // files; a disk that fails may spoil thousands
     for (const std::string& warning : warnings) observer.warn(warning);

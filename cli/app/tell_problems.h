@@ -9,7 +9,7 @@
 namespace vvr::app {
 
 /// Warns of what was wrong with an input: all warnings, and some of the files' problems.
-void tell_problems(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
+void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                    Observer& observer);
 
 /// \throws Error partial when some files of a recording were left out whole: all else is done by then

@@ -67,7 +67,7 @@ image::Metadata used_settings(const image::Metadata& settings) {
     image::Metadata used;
     for (const auto& [name, value] : settings) {
         const auto row = std::ranges::find(decided, name, [](const Decided& one) { return one.setting.name; });
-        const bool is_open = row != decided.end() && value == row->setting.otherwise;
+        const bool is_open = row != decided.end() && value == row->setting.default_text;
         std::string text = is_open ? row->value(settings) : value;
         if (!text.empty()) used.emplace_back(name, std::move(text));
     }

@@ -75,8 +75,8 @@ Bgr VolumePaint::colour_of_flow(float u, float v) const {
     const float speed = std::hypot(u, v);
     if (row_.name == by_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
-        if (share == 0) return bgr_of(theme.nobody);
-        return bgr_of(glm::mix(theme.nobody, scene::direction_colour({u, v}), share));
+        if (share == 0) return bgr_of(theme.unowned);
+        return bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));
     }
     const glm::vec2 range = job_.picture.glyphs.speed_range;
     return bgr_of(glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));

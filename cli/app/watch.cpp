@@ -42,10 +42,10 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 }
 
 /// A file was recorded before it is read, so its time is not that of this machine.
-StartTime told_by_name(const RenderJob& job, const std::string& file) {
-    const video::Segment told = video::look_at_name(file, video::RecorderNames(job.input.layouts));
-    if (!told.begin) return {StartTime::From::nobody};
-    return starts_at(*told.begin, told.begin_by);
+StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
+    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.layouts));
+    if (!told.begin) return {StartTime::From::none};
+    return starts_at(*told.begin, told.begin_source);
 }
 
 /// Whether a file was written to in the last seconds.
@@ -159,7 +159,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     const bool is_file = fs::is_regular_file(info.name, none);
     if (job_.look.start_time.from == StartTime::From::automatic) {
         job_.look.start_time =
-            is_file ? told_by_name(job, info.name) : starts_at(std::time(nullptr), ClockSource::live);
+            is_file ? start_time_from_name(job, info.name) : starts_at(std::time(nullptr), ClockSource::live);
     }
     if (is_file && !grows(info.name)) {
         observer.warn(

@@ -138,7 +138,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
                         {"exact"});
         }
         video::Input input = video::open_input(part.file.path);
-        const video::Piece piece = video::find_piece(input, job.input.rate, part.span);
+        const video::PacketRange piece = video::find_packets(input, job.input.rate, part.span);
         if (piece.frames == 0) over = piece.over;
         if (piece.frames > 0) copied.push_back({std::move(input), piece, part.file.begin});
     }
@@ -148,7 +148,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
 
 }  // namespace
 
-std::string_view ending_of_exact() {
+std::string_view exact_extension() {
     const auto installed = std::ranges::find_if(encodings, [](const auto& e) { return image::has_encoder(e.encoder); });
     const auto& found = installed == encodings.end() ? encodings.front() : *installed;
     return std::ranges::find(video::containers(), found.muxer, &video::ContainerRow::muxer)->name;
@@ -165,7 +165,7 @@ bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& 
     const double begin = first.begin + first.piece.begin;
     const double end = last.begin + last.piece.end;
     const video::Tags tags = tags_of(job, begin, end);
-    video::Copied copied;
+    video::CopyResult copied;
     try {
         const auto held = observer.guard();
         const auto write = [&](const WriteAt& write_at) {
@@ -284,7 +284,7 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
     const video::SegmentPlace& last = job.parts.back().file;
     const double end = std::min(job.span.end.value_or(last.end), last.end);
     const video::Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
-    image::FilmEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags},
+    image::VideoEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags},
                             job.path.string(), frames.info().size, ticks, rate, 2 * rate, write_at);
     video::Scaler scale(frames.size(), true);
     Encoded encoded{0, 0, frame->pts, frame->pts};

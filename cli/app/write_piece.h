@@ -28,7 +28,7 @@ struct PieceJob {
 };
 
 /// The ending that an exact piece has if nobody says which.
-std::string_view ending_of_exact();
+std::string_view exact_extension();
 
 /// \throws Error usage where no exact piece can be written under that name
 void check_exact(const std::filesystem::path& path);

@@ -48,13 +48,13 @@ bool looks_like_input(const std::string& text) {
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
     const std::unique_ptr<Command> command = row.make();
-    options::TalkOptions talk;
+    options::LogOptions talk;
     options::CommandLine line(std::string(row.name), std::string(row.help));
-    line.knows_commands(names_of_commands);
+    line.set_commands(names_of_commands);
     command->add_options(line);
-    options::add_talk_options(line, talk);
+    options::add_log_options(line, talk);
     if (!line.parse(arguments)) return cli::ExitStatus::done;
-    options::check_inputs_stay(line);
+    options::check_no_input_overwritten(line);
     options::apply(talk, environment.log);
     return command->run(line, {environment.log, environment.signals, talk.quiet});
 }
@@ -65,10 +65,10 @@ std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : table) {
         const std::unique_ptr<Command> command = row.make();
-        options::TalkOptions talk;
+        options::LogOptions talk;
         options::CommandLine line(std::string(row.name), std::string(row.help));
         command->add_options(line);
-        options::add_talk_options(line, talk);
+        options::add_log_options(line, talk);
         names.push_back({std::string(row.name), line.configurable()});
     }
     return names;

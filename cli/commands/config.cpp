@@ -14,11 +14,11 @@ namespace vvr::commands {
 namespace {
 
 /// A command's options as a config file has them, without anything on the command line.
-void read(options::CommandLine& line, Command& command, options::TalkOptions& talk, const options::ConfigChoice& choice,
+void read(options::CommandLine& line, Command& command, options::LogOptions& talk, const options::ConfigChoice& choice,
           const std::string& preset = {}) {
-    line.knows_commands(names_of_commands);
+    line.set_commands(names_of_commands);
     command.add_options(line);
-    options::add_talk_options(line, talk);
+    options::add_log_options(line, talk);
     std::vector<std::string> arguments;
     // What was not named on the command line is found again, so that errors say who named it.
     if (choice.file.empty()) arguments.emplace_back("--no-config");
@@ -42,7 +42,7 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : commands()) {
         const std::unique_ptr<Command> command = row.make();
-        options::TalkOptions talk;
+        options::LogOptions talk;
         options::CommandLine line(std::string(row.name), std::string(row.help));
         try {
             read(line, *command, talk, choice);
@@ -63,7 +63,7 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
 /// Every option of one command: its value, and who sets it.
 std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
     const std::unique_ptr<Command> command = row.make();
-    options::TalkOptions talk;
+    options::LogOptions talk;
     options::CommandLine line(std::string(row.name), std::string(row.help));
     read(line, *command, talk, choice, preset);
     std::string text;

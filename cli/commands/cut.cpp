@@ -89,21 +89,21 @@ class Cut final : public Command {
         }
         cli::Console console(environment);
         const std::stop_source stop;
-        environment.signals.before_end([stop]() mutable { stop.request_stop(); });
+        environment.signals.set_exit_hook([stop]() mutable { stop.request_stop(); });
         if (!app::cut(job_, console, stop.get_token())) {
             // What stopped it was a signal, and that ends the program now.
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
         }
-        environment.signals.before_end({});
+        environment.signals.set_exit_hook({});
         return cli::ExitStatus::done;
     }
 
   private:
     /// A time of the clip, or one by the clock on the wall.
-    static void set(const std::string& given, std::optional<app::Time>& time, std::optional<video::AskedTime>& asked) {
+    static void set(const std::string& given, std::optional<app::Time>& time, std::optional<video::RequestedTime>& asked) {
         const auto place = options::parse_place(given);
         time = std::holds_alternative<app::Time>(place) ? std::optional(std::get<app::Time>(place)) : std::nullopt;
-        asked = time ? std::nullopt : std::optional(std::get<video::AskedTime>(place));
+        asked = time ? std::nullopt : std::optional(std::get<video::RequestedTime>(place));
     }
 
     app::CutJob job_;

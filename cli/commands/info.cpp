@@ -26,13 +26,13 @@ std::string or_unknown(double value, const std::string& text) {
 }
 
 bool recorded_is_known(const video::VideoInfo& info) {
-    return info.began && tells_recording(info.began_by);
+    return info.began && is_recording_time(info.began_source);
 }
 
 std::string as_text(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
                     const std::vector<std::string>& warnings) {
     const video::VideoInfo& info = source.info();
-    std::string text = shown_text(without_secrets(info.name)) + "\n";
+    std::string text = shown_text(redact_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
         text += fmt::format("  {:<8} {}\n", name, value);
     };
@@ -42,7 +42,7 @@ std::string as_text(const fields::FieldSource& source, const app::Plan& plan, co
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
     if (recorded_is_known(info)) {
-        line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_by).words));
+        line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));
     }
     if (info.created) {
         line("written", fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
@@ -68,7 +68,7 @@ nlohmann::ordered_json json_of(const video::Segment& clip) {
     return {{"file", clip.path},
             {"camera", clip.camera.empty() ? Json() : Json(clip.camera)},
             {"begin", clip.begin ? Json(labels::format_clock(*clip.begin)) : Json()},
-            {"told_by", row_of(clip.begin_by).name},
+            {"told_by", row_of(clip.begin_source).name},
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
@@ -92,7 +92,7 @@ std::string as_json(const fields::FieldSource& source, const app::Plan& plan, co
         {"seconds", known(info.duration)},
         {"recorded", recorded_is_known(info) ? time(info.began) : time(std::nullopt)},
         {"recorded_by",
-         recorded_is_known(info) ? nlohmann::ordered_json(row_of(info.began_by).name) : nlohmann::ordered_json()},
+         recorded_is_known(info) ? nlohmann::ordered_json(row_of(info.began_source).name) : nlohmann::ordered_json()},
         {"written", time(info.created)},
         {"warnings", warnings},
         {"render",

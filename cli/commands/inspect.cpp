@@ -27,7 +27,7 @@ class Inspect final : public Command {
         line.path(options::Group::output, job_.path, text::output,
                   {.letter = 'o',
                    .help = fmt::format(": {}; or a page to draw --roi and --mask on: .html",
-                                       fmt::join(image::picture_endings(), " ")),
+                                       fmt::join(image::picture_file_extensions(), " ")),
                    .use = options::FileUse::written});
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
         options::add_layout_options(line, job_.input);

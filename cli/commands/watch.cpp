@@ -23,7 +23,7 @@ class Watch final : public Command {
     }
 
     void add_options(options::CommandLine& line) override {
-        line.is_for_streams();
+        line.set_for_streams();
         options::add_stream_output(line, job_.output);
         options::add_stream_options(line, options_);
         options::add_input_options(
@@ -45,7 +45,7 @@ class Watch final : public Command {
         options::finish(line, job_, true);
         cli::Console console(environment, false);
         app::StreamWatch watch(job_, options_, console);
-        const cli::PoliteStop stop(environment.signals, [&watch] { watch.stop(); });
+        const cli::GracefulShutdown stop(environment.signals, [&watch] { watch.stop(); });
         if (watch.run() == 0 && !stop.asked()) {
             const fields::ReferenceRow* const reference = fields::find_reference(job_.fields.reference);
             const bool learns = reference != nullptr && reference->adapts;

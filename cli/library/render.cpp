@@ -21,7 +21,7 @@ namespace {
 /// Keeps what a person should know.
 class Warnings final : public app::Observer {
   public:
-    void warn(const std::string& text, const About& /*about*/) override {
+    void warn(const std::string& text, const RelatedSettings& /*about*/) override {
         const std::lock_guard lock(mutex_);
         texts_.push_back(text);
     }

@@ -43,7 +43,7 @@ void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
     constexpr Group workers = Group::workers;
     line.path(archive, options.out, text::output,
               {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", archive::index_name)});
-    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video::video_endings(), " "))});
+    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
     line.list(archive, options.exclude, text::exclude);
     line.choice(archive, workers::groupings, workers::groupings.front().name, text::per,
                 [&options](const workers::GroupingRow& row) { options.per = row.grouping; });
@@ -64,7 +64,7 @@ void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
     line.number(workers, options.jobs, text::jobs);
     line.value(workers, text::timeout, "2h",
                [&options](const std::string& given) { options.timeout = parse_whole_seconds(given); });
-    line.value(workers, text::max_memory, std::string(text::max_memory.otherwise),
+    line.value(workers, text::max_memory, std::string(text::max_memory.default_text),
                [&options](const std::string& given) {
                    constexpr std::int64_t least = 200'000'000;  // of a worker with the smallest clip
                    options.max_memory = parse_bytes(given);

@@ -144,8 +144,8 @@ struct CommandLine::Impl {
 };
 
 std::string OptionValue::shown() const {
-    if (!may_be_file) return without_secrets(value);
-    const std::filesystem::path path(without_secrets(value));
+    if (!may_be_file) return redact_secrets(value);
+    const std::filesystem::path path(redact_secrets(value));
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
@@ -177,7 +177,7 @@ void CommandLine::examples(std::initializer_list<Example> examples) {
 
 void CommandLine::value(Group group, const Setting& setting, const std::string& shown,
                         const std::function<void(const std::string&)>& set, const OptionExtra& extra) {
-    if (for_streams_ && !setting.not_live.empty()) {
+    if (for_streams_ && !setting.not_live_reason.empty()) {
         impl_->absent.push_back(setting);
         return;
     }
@@ -194,7 +194,7 @@ void CommandLine::value(Group group, const Setting& setting, const std::string& 
 template <class Number>
 void CommandLine::number(Group group, Number& target, const Setting& setting, const OptionExtra& extra) {
     using Value = typename Unwrapped<Number>::Type;
-    std::string shown(setting.otherwise);
+    std::string shown(setting.default_text);
     if constexpr (std::is_same_v<Number, Value>) {
         if (shown.empty()) shown = fmt::format("{}", target);
     }
@@ -269,7 +269,7 @@ void CommandLine::exclude(const Setting& a, const Setting& b) {
     impl_->option(a)->excludes(impl_->option(b));
 }
 
-void CommandLine::knows_commands(NamesOfCommands names) {
+void CommandLine::set_commands(NamesOfCommands names) {
     impl_->names_of_commands = std::move(names);
 }
 
@@ -360,7 +360,7 @@ void CommandLine::refuse_leftovers() const {
     const std::string name = option->substr(0, option->find('='));
     for (const Setting& setting : impl_->absent) {
         if (name != fmt::format("--{}", setting.name) && name != fmt::format("--{}", setting.alias)) continue;
-        throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live));
+        throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live_reason));
     }
     const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
     if (elsewhere != std::end(options_elsewhere)) {

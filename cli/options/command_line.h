@@ -103,7 +103,7 @@ class CommandLine {
     CommandLine& operator=(const CommandLine&) = delete;
 
     /// From now on, settings and rows that a live stream does not have are left out, and refused with the reason.
-    void is_for_streams() { for_streams_ = true; }
+    void set_for_streams() { for_streams_ = true; }
 
     /// What is not an option.
     /// \param name as the usage shows it: "INPUT..."
@@ -172,7 +172,7 @@ class CommandLine {
     void exclude(const Setting& a, const Setting& b);
 
     /// What config files may hold for other commands. Without it a config file is for this command alone.
-    void knows_commands(NamesOfCommands names);
+    void set_commands(NamesOfCommands names);
 
     /// The options that a config file can set.
     std::vector<std::string> configurable() const;

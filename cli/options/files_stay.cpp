@@ -92,7 +92,7 @@ class Outputs {
 
 }  // namespace
 
-void check_inputs_stay(const CommandLine& line) {
+void check_no_input_overwritten(const CommandLine& line) {
     Outputs outputs;
     const std::vector<OptionValue> given = line.given(all_groups);
     const bool blessed = std::ranges::find(given, "bless", &OptionValue::name) != given.end();

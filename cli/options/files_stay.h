@@ -8,6 +8,6 @@ namespace vvr::options {
 /// all that the arguments, the options and the config file name for reading, down to each file of a recording, against
 /// all that are named for writing, the log too. To be called before anything is opened for writing.
 /// \throws Error usage
-void check_inputs_stay(const CommandLine& line);
+void check_no_input_overwritten(const CommandLine& line);
 
 }  // namespace vvr::options

@@ -78,9 +78,9 @@ void add_join_option(CommandLine& line, app::InputOptions& options) {
 }
 
 void add_span_options(CommandLine& line, video::FrameSpan& span) {
-    line.value(Group::input, setting::start, std::string(setting::start.otherwise), [&span](const std::string& given) {
+    line.value(Group::input, setting::start, std::string(setting::start.default_text), [&span](const std::string& given) {
         const auto place = parse_place(given);
-        const auto* const asked = std::get_if<video::AskedTime>(&place);
+        const auto* const asked = std::get_if<video::RequestedTime>(&place);
         span.asked.start = asked ? std::optional(*asked) : std::nullopt;
         set_start(span, asked ? app::Time{0, app::Time::Unit::seconds} : std::get<app::Time>(place));
     });
@@ -89,7 +89,7 @@ void add_span_options(CommandLine& line, video::FrameSpan& span) {
         span.end.reset();
         span.stop.reset();
         span.asked.end.reset();
-        if (const auto* const asked = std::get_if<video::AskedTime>(&place)) {
+        if (const auto* const asked = std::get_if<video::RequestedTime>(&place)) {
             span.asked.end = *asked;
         } else {
             set_end(span, std::get<app::Time>(place));
@@ -161,7 +161,7 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
     line.number(Group::input, job.bricks.step, setting::step);
     add_field_options(line, job.fields);
     line.text(Group::fields, job.seeds, setting::seeds);
-    line.value(Group::fields, setting::seed_flags, std::string(setting::seed_flags.otherwise),
+    line.value(Group::fields, setting::seed_flags, std::string(setting::seed_flags.default_text),
                [&job](const std::string& given) {
                    job.seed_flags = fields::SeedFlags::parse(given);
                    if (job.seed_flags) return;

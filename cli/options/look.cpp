@@ -57,7 +57,7 @@ app::StartTime parse_start_time(const std::string& text) {
     constexpr std::pair<std::string_view, From> words[] = {{"recorded", From::recorded},
                                                            {"container", From::container},
                                                            {"modified", From::modified},
-                                                           {"none", From::nobody}};
+                                                           {"none", From::none}};
     for (const auto& [word, from] : words) {
         if (text == word) return {from};
     }
@@ -71,7 +71,7 @@ app::StartTime parse_start_time(const std::string& text) {
 void add_start_time_option(CommandLine& line, app::StartTime& start) {
     line.value(Group::look, setting::start_time, "",
                [&start](const std::string& given) { start = parse_start_time(given); },
-               {.defaults = std::string(setting::start_time.otherwise)});
+               {.defaults = std::string(setting::start_time.default_text)});
 }
 
 void add_look_options(CommandLine& line, app::RenderJob& job) {
@@ -89,7 +89,7 @@ void add_look_options(CommandLine& line, app::RenderJob& job) {
     line.path(group, look.font, setting::font);
     add_start_time_option(line, look.start_time);
     line.value(
-        group, setting::transfer, std::string(setting::transfer.otherwise),
+        group, setting::transfer, std::string(setting::transfer.default_text),
         [&look](const std::string& given) { look.transfer = scene::find_transfer(given); },
         {.help = list_of(scene::transfer_functions()) + ", or a file of points", .defaults = default_transfers()});
     line.choice(group, app::colour_rows(), look.colour, setting::colour);

@@ -113,13 +113,13 @@ void check_standard_output(const app::OutputOptions& options) {
 }
 
 /// Names every kind of file that there is, which the codec of pictures can't.
-void check_ending(const std::filesystem::path& path) {
+void check_extension(const std::filesystem::path& path) {
     if (is_standard_output(path) || app::is_page(path) || image::is_animation(path)) return;
-    std::vector<std::string> known = image::picture_endings();
-    const std::string ending = ending_of(path);
+    std::vector<std::string> known = image::picture_file_extensions();
+    const std::string ending = extension_of(path);
     if (std::ranges::find(known, ending) != known.end()) return;
     known.emplace_back(".html");
-    std::ranges::copy(image::animation_endings(), std::back_inserter(known));
+    std::ranges::copy(image::animation_extensions(), std::back_inserter(known));
     throw Error(ErrorKind::usage,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
@@ -147,8 +147,8 @@ void check_companions(const app::OutputOptions& options) {
         }
         image::check_file_path(path);
     }
-    if (!options.thumbnail.empty()) image::check_picture_ending(options.thumbnail);
-    if (!options.still.empty()) image::check_picture_ending(options.still);
+    if (!options.thumbnail.empty()) image::check_picture_extension(options.thumbnail);
+    if (!options.still.empty()) image::check_picture_extension(options.still);
     if (!options.page_camera.empty() && app::page_of(options).empty()) {
         throw Error(ErrorKind::usage, "--page-camera is for a page; name one with --page FILE, or as -o FILE.html");
     }
@@ -164,7 +164,7 @@ void check_golden(const app::GoldenOptions& options) {
     check(options.comparison);
     if (!options.path.empty()) {
         // A folder that can only be read is good enough to compare with.
-        return options.bless ? image::check_picture_path(options.path) : image::check_picture_ending(options.path);
+        return options.bless ? image::check_picture_path(options.path) : image::check_picture_extension(options.path);
     }
     if (options.bless) throw Error(ErrorKind::usage, "--bless: add --golden FILE to say which picture is blessed");
     if (!options.comparison.diff.empty()) {
@@ -196,7 +196,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
          .help = fmt::format(
              ": {}; a page to watch the clip from: .html; or animated: {}; - = a PNG file to "
              "standard output; a series, one picture per brick, has a field in its name: {{brick:4}}, #### or %04d",
-             fmt::join(image::picture_endings(), " "), fmt::join(image::animation_endings(), " ")),
+             fmt::join(image::picture_file_extensions(), " "), fmt::join(image::animation_extensions(), " ")),
          .standard_output = true,
          .use = FileUse::written});
     line.flag(output, options.plain_name, text::plain_name);
@@ -204,7 +204,7 @@ void add_output_options(CommandLine& line, app::OutputOptions& options) {
                 {.help = fmt::format("; FILE is animated ({} if not given) or has a field: {{frame:4}}, #### or %04d",
                                      app::default_animation)});
     line.number(output, options.slide, setting::slide,
-                {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_endings(), " "))});
+                {.help = fmt::format("; FILE is animated: {}", fmt::join(image::animation_extensions(), " "))});
     line.path(output, options.page, text::page, {.use = FileUse::written});
     line.text(output, options.page_camera, text::page_camera);
     line.path(output, options.page_index, text::page_index);
@@ -238,7 +238,7 @@ void check(const app::OutputOptions& options) {
     }
     if (options.slide && !image::is_animation(options.path)) {
         throw Error(ErrorKind::usage, fmt::format("--slide makes a film, but '{}' is none; name one: {}",
-                                                  options.path.string(), fmt::join(image::animation_endings(), " ")));
+                                                  options.path.string(), fmt::join(image::animation_extensions(), " ")));
     }
     if (!options.golden.path.empty() && options.slide) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --slide makes a film; leave one of them out");
@@ -250,7 +250,7 @@ void check(const app::OutputOptions& options) {
         throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
     }
     if (options.path.empty()) return;
-    check_ending(options.path);
+    check_extension(options.path);
     const image::NamePattern name = app::name_of(options);
     const std::string text = options.path.string();
     if (app::is_page(options.path)) {
@@ -280,7 +280,7 @@ void check(const app::OutputOptions& options) {
             ErrorKind::usage,
             fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
                         "or an animated file: {}",
-                        *options.animate, text, fmt::join(image::animation_endings(), " ")));
+                        *options.animate, text, fmt::join(image::animation_extensions(), " ")));
     }
 }
 

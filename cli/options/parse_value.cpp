@@ -212,14 +212,14 @@ std::optional<std::int64_t> parse_date_time(std::string_view text) {
     return midnight.time_since_epoch().count() + *clock;
 }
 
-std::variant<app::Time, video::AskedTime> parse_place(std::string_view text) {
+std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text) {
     constexpr std::string_view forms = "a date and time like 2026-11-22 02:00, or a time of day like @02:00";
     if (text.starts_with('@')) {
         const auto clock = time_of_day(text.substr(1));
         if (!clock) refuse(text, forms);
-        return video::AskedTime{*clock, false, std::string(text)};
+        return video::RequestedTime{*clock, false, std::string(text)};
     }
-    if (const auto seconds = parse_date_time(text)) return video::AskedTime{*seconds, true, std::string(text)};
+    if (const auto seconds = parse_date_time(text)) return video::RequestedTime{*seconds, true, std::string(text)};
     // Dates that are none, and dates alone.
     if (text.size() > 4 && text[4] == '-') refuse(text, forms);
     return parse_time(text);

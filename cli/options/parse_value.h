@@ -47,7 +47,7 @@ std::optional<std::int64_t> parse_date_time(std::string_view text);
 /// A place in a clip: a time as above, or one by the clock on the wall, which `seconds_of` (core/video/asked_time.h)
 /// turns into seconds of the clip: `2026-11-22 02:00`, or `@02:00` for the next time that the clock shows that.
 /// Without the @, 02:00 is two minutes from the beginning.
-std::variant<app::Time, video::AskedTime> parse_place(std::string_view text);
+std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text);
 
 /// `02:00-05:00`, a part of each day.
 video::DayPart parse_day_part(std::string_view text);

@@ -59,7 +59,7 @@ std::vector<std::pair<std::string, std::string>> settings_of_preset(std::string_
     return settings;
 }
 
-std::string preset_among(std::span<const std::string> arguments) {
+std::string find_preset(std::span<const std::string> arguments) {
     std::string name;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
@@ -74,7 +74,7 @@ std::string preset_among(std::span<const std::string> arguments) {
 std::vector<std::string> with_preset(std::span<const std::string> arguments,
                                      const std::function<bool(const std::string& name)>& has) {
     std::vector<std::string> all;
-    for (const auto& [name, value] : settings_of_preset(preset_among(arguments))) {
+    for (const auto& [name, value] : settings_of_preset(find_preset(arguments))) {
         if (has(name)) all.push_back("--" + name + "=" + value);
     }
     all.insert(all.end(), arguments.begin(), arguments.end());

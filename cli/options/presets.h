@@ -29,7 +29,7 @@ std::span<const Preset> presets();
 std::vector<std::pair<std::string, std::string>> settings_of_preset(std::string_view name);
 
 /// The preset that `--preset` names among the arguments; empty where there is none.
-std::string preset_among(std::span<const std::string> arguments);
+std::string find_preset(std::span<const std::string> arguments);
 
 /// Puts the options of the preset that `--preset` names before all others, so that those win. The same arguments where
 /// there is none, or none of that name.

@@ -15,7 +15,7 @@ constexpr Setting log_format{"log-format", "NAME", "lines for people, or one JSO
 
 }  // namespace
 
-void add_talk_options(CommandLine& line, TalkOptions& options) {
+void add_log_options(CommandLine& line, LogOptions& options) {
     line.flag(Group::run, options.quiet, text::quiet, {.letter = 'q'});
     line.flag(Group::run, options.verbose, text::verbose, {.letter = 'v'});
     line.exclude(text::verbose, text::quiet);
@@ -23,9 +23,9 @@ void add_talk_options(CommandLine& line, TalkOptions& options) {
     line.name(Group::run, options.log_format, names_of(cli::log_formats()), text::log_format);
 }
 
-void apply(const TalkOptions& options, spdlog::logger& log) {
-    if (options.quiet) cli::set_talk(log, cli::Talk::quiet);
-    if (options.verbose) cli::set_talk(log, cli::Talk::verbose);
+void apply(const LogOptions& options, spdlog::logger& log) {
+    if (options.quiet) cli::set_verbosity(log, cli::Verbosity::quiet);
+    if (options.verbose) cli::set_verbosity(log, cli::Verbosity::verbose);
     cli::set_format(log, options.log_format);
     if (!options.log_file.empty()) cli::add_file(log, options.log_file, options.log_format);
 }

@@ -9,16 +9,16 @@
 namespace vvr::options {
 
 /// What the program says, and where: the same in every command.
-struct TalkOptions {
+struct LogOptions {
     bool quiet = false;
     bool verbose = false;
     std::string log_file;             ///< empty = none
     std::string log_format = "text";  ///< "text" or "json"
 };
 
-void add_talk_options(CommandLine& line, TalkOptions& options);
+void add_log_options(CommandLine& line, LogOptions& options);
 
 /// Makes the log as talkative as asked for.
-void apply(const TalkOptions& options, spdlog::logger& log);
+void apply(const LogOptions& options, spdlog::logger& log);
 
 }  // namespace vvr::options

@@ -36,7 +36,7 @@ void add_view_options(CommandLine& line, app::RenderJob& job) {
         set_direction(*look.slice_view, given);
     });
     line.number(view, picture.view.fov, setting::fov);
-    line.value(view, setting::slices, std::string(setting::slices.otherwise), [&picture](const std::string& given) {
+    line.value(view, setting::slices, std::string(setting::slices.default_text), [&picture](const std::string& given) {
         const auto [low, high] = setting::slices.range;
         picture.slices = given == "auto" ? 0
                                          : static_cast<int>(parse_integer(given, static_cast<std::int64_t>(low),

@@ -48,10 +48,10 @@ void add_stream_clock(CommandLine& line, app::StartTime& start) {
     line.value(Group::look, setting::stream_clock, "",
                [&start](const std::string& given) {
                    start = parse_start_time(given);
-                   if (start.from == app::StartTime::From::given || start.from == app::StartTime::From::nobody) return;
-                   throw Error(ErrorKind::usage, std::string(setting::start_time.not_live));
+                   if (start.from == app::StartTime::From::given || start.from == app::StartTime::From::none) return;
+                   throw Error(ErrorKind::usage, std::string(setting::start_time.not_live_reason));
                },
-               {.defaults = std::string(setting::stream_clock.otherwise)});
+               {.defaults = std::string(setting::stream_clock.default_text)});
 }
 
 void add_stream_output(CommandLine& line, app::OutputOptions& options) {
@@ -59,7 +59,7 @@ void add_stream_output(CommandLine& line, app::OutputOptions& options) {
               {.letter = 'o',
                .help = fmt::format(": {}; a page that reloads itself: .html; a series, one file per brick, has a field "
                                    "in its name: {{brick:4}}, #### or %04d",
-                                   fmt::join(image::picture_endings(), " ")),
+                                   fmt::join(image::picture_file_extensions(), " ")),
                .use = FileUse::written});
 }
 

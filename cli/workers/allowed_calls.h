@@ -161,7 +161,7 @@ inline constexpr std::array allowed{Names(memory), Names(files), Names(process),
 inline constexpr std::array for_gpu{"memfd_create"};
 
 // What no library has a reason to call: who does is ended there and then.
-inline constexpr std::array deadly{"ptrace",
+inline constexpr std::array fatal{"ptrace",
                                    "process_vm_readv",
                                    "process_vm_writev",
                                    "bpf",

@@ -37,7 +37,7 @@ struct Shares {
     std::int64_t memory;
 };
 
-Shares share_out(const ArchiveOptions& options, std::size_t clips) {
+Shares split_for_threads(const ArchiveOptions& options, std::size_t clips) {
     const int threads = options.threads;
     constexpr std::int64_t usual_need = 1'000'000'000;
     constexpr std::int64_t least_limit = 2 * usual_need;
@@ -76,7 +76,7 @@ void make_folder(const fs::path& out) {
     }
     // Permissions do not say everything, so a file is tried. What stands in the index's place is no reason to draw
     // nothing.
-    if (!archive::strange_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
+    if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
 }
 
 void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, const video::RecorderNames& names) {
@@ -86,11 +86,11 @@ void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, 
         const auto day = job.days.find(clip.path);
         cli::print(fmt::format("{:<15} {}{}{}\n", archive::name_of(need), shown_text(archive::text_of_path(clip.path)),
                                failed ? ": " + reason : "",
-                               day == job.days.end() ? "  " + told_by_name(clip.path, names) : ""));
+                               day == job.days.end() ? "  " + describe_name(clip.path, names) : ""));
         if (day == job.days.end()) continue;
         for (const std::string& file : day->second.files) {
             cli::print(fmt::format("{:<15}   {}  {}\n", "", shown_text(archive::text_of_path(file)),
-                                   told_by_name(file, names)));
+                                   describe_name(file, names)));
         }
     }
 }
@@ -130,7 +130,7 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
 }
 
 /// Says which clips have a time of the future. They are drawn like others.
-void tell_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive::Settling& settling,
+void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive::Settling& settling,
                           const ArchiveJob& job, spdlog::logger& log) {
     const auto is_ahead = [&](const archive::Clip& clip) { return settling.is_ahead(clip); };
     const auto first = std::ranges::find_if(clips, is_ahead);
@@ -159,12 +159,12 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, co
     Survey survey;
     survey.clips = scan.clips.size();
     const archive::Settling settling{std::chrono::system_clock::now(), options.settle};
-    tell_of_wrong_clocks(scan.clips, settling, job, log);
+    warn_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
     if (options.per != Grouping::clip) {
         archive::CameraDays grouped = archive::group_by_day(scan.clips, names, settling);
         for (archive::CameraDay& day : grouped.days) {
-            if (!options.shard.holds(day.clip.path)) continue;
+            if (!options.shard.contains(day.clip.path)) continue;
             std::string path = day.clip.path;
             job.days.emplace(std::move(path), std::move(day));
         }
@@ -177,7 +177,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, co
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
     survey.unreadable = scan.problems.size();
-    std::erase_if(scan.clips, [&](const archive::Clip& clip) { return !options.shard.holds(clip.path); });
+    std::erase_if(scan.clips, [&](const archive::Clip& clip) { return !options.shard.contains(clip.path); });
     if (options.per != Grouping::day) survey.planned = plan_archive(scan.clips, job);
     survey.planned.insert(survey.planned.end(), days.begin(), days.end());
     return survey;
@@ -223,7 +223,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
     std::erase_if(work, [](const PlannedClip& planned) { return !archive::wants_work(planned.need); });
     ArchiveOutcome outcome;
     if (!work.empty()) {
-        const Shares shares = share_out(options, work.size());
+        const Shares shares = split_for_threads(options, work.size());
         job.threads = shares.threads;
         job.limits = {options.timeout, shares.memory, largest_file, most_written};
         job.sandbox = std::make_shared<const Sandbox>(options.sandbox, options.needs);

@@ -33,8 +33,8 @@ namespace fs = std::filesystem;
 
 constexpr int killed = 128;  // and the signal's number, as a shell shows it
 
-std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
-    const std::string words = last_words(end.said);
+std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
+    const std::string words = last_message(end.said);
     if (end.timed_out) {
         return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
     }
@@ -58,7 +58,7 @@ std::string reason_of(const WorkerEnd& end, const WorkerLimits& limits) {
 constexpr std::int64_t least_room = 16'000'000;
 
 /// Why a folder takes no files, as in errno; 0 = it does. A file without a name leaves nothing behind.
-int why_no_room(const fs::path& folder) {
+int disk_full_reason(const fs::path& folder) {
     const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
     if (file >= 0) {
         const int error = ::posix_fallocate(file, 0, least_room);
@@ -73,15 +73,15 @@ int why_no_room(const fs::path& folder) {
 }
 
 /// A worker may say what it likes, and it may be a clip that speaks: this rests on what was seen from outside alone.
-void throw_if_not_the_clips_fault(const std::string& clip, const fs::path& folder, const WorkerEnd& end) {
+void throw_if_system_fault(const std::string& clip, const fs::path& folder, const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
-        const std::string words = last_words(end.said);
+        const std::string words = last_message(end.said);
         throw Error(ErrorKind::limit, fmt::format("the worker for '{}' could not be started{}", clip,
                                                   words.empty() ? "; is vvr's own file still there?" : ": " + words));
     }
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
-    const int error = why_no_room(folder);
+    const int error = disk_full_reason(folder);
     if (error != ENOSPC && error != EDQUOT && error != EFBIG) return;
     throw Error(ErrorKind::io, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
                                            folder.string(), std::generic_category().message(error)));
@@ -101,21 +101,21 @@ void take_report_of_worker(archive::Sidecar& sidecar, const fs::path& report) {
         throw Error(ErrorKind::io,
                     fmt::format("the report '{}' has more than {} MB", report.string(), most_of_a_report / 1'000'000));
     }
-    archive::take_report(sidecar, report);
+    archive::apply_report(sidecar, report);
 }
 
 /// Drawn, but without some of its files.
-bool is_not_whole(const WorkerEnd& end) {
+bool is_not_whole(const WorkerResult& end) {
     return end.status == static_cast<int>(cli::ExitStatus::partial);
 }
 
-bool failed(const WorkerEnd& end) {
+bool failed(const WorkerResult& end) {
     return (end.status != 0 && !is_not_whole(end)) || end.timed_out || end.wrote_too_much;
 }
 
 /// What a failed clip's sidecar says: that of a worker that was ended for a limit, or had nothing to complain of but a
 /// report that is none, is ours.
-int status_of(const WorkerEnd& end) {
+int status_of(const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return static_cast<int>(cli::ExitStatus::limit);
     return end.status == 0 || is_not_whole(end) ? static_cast<int>(cli::ExitStatus::io) : end.status;
 }
@@ -130,7 +130,7 @@ void remove_files(const fs::path& out, const std::string& clip, const std::vecto
 
 }  // namespace
 
-bool could_not_draw(const WorkerEnd& end) {
+bool could_not_draw(const WorkerResult& end) {
     return end.status == static_cast<int>(cli::ExitStatus::backend);
 }
 
@@ -143,7 +143,7 @@ std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
 }
 
 // What vvr said last, an error of several lines as one; where it said nothing, what was said at all.
-std::string last_words(const std::string& said) {
+std::string last_message(const std::string& said) {
     constexpr std::string_view own = "vvr: ";
     std::size_t begin = said.starts_with(own) ? 0 : std::string::npos;
     if (const auto later = said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
@@ -164,43 +164,43 @@ bool is_disk_full(const std::string& text) {
     });
 }
 
-ClipTurn::ClipTurn(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
-                   archive::Claim claim)
-    : job_(&job), clip_(std::move(clip)), before_(std::move(before)), claim_(std::move(claim)) {}
+ClipTask::ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
+                   archive::LockFile claim)
+    : job_(&job), clip_(std::move(clip)), before_(std::move(before)), lock_(std::move(claim)) {}
 
-ClipTurn::~ClipTurn() {
-    if (finished_ || claim_.descriptor() < 0) return;
+ClipTask::~ClipTask() {
+    if (finished_ || lock_.descriptor() < 0) return;
     image::remove_leftovers(folder(), archive::written_names(file_name()));
     archive::remove_staging(staging());
 }
 
-fs::path ClipTurn::folder() const {
+fs::path ClipTask::folder() const {
     return archive::sidecar_path(job_->out, clip_.path).parent_path();
 }
 
-fs::path ClipTurn::staging() const {
+fs::path ClipTask::staging() const {
     return archive::staging_of(job_->out, clip_.path);
 }
 
-fs::path ClipTurn::staged(archive::OutputKind kind) const {
+fs::path ClipTask::staged(archive::OutputKind kind) const {
     return archive::output_path(staging(), file_name(), kind);
 }
 
-std::string ClipTurn::file_name() const {
+std::string ClipTask::file_name() const {
     return fs::path(clip_.path).filename().string();
 }
 
-const archive::CameraDay* ClipTurn::day() const {
+const archive::CameraDay* ClipTask::day() const {
     const auto found = job_->days.find(clip_.path);
     return found == job_->days.end() ? nullptr : &found->second;
 }
 
 /// As the index has it; empty at the top of the archive.
-std::string ClipTurn::camera() const {
+std::string ClipTask::camera() const {
     return archive::text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
 }
 
-std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string& path) {
+std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string& path) {
     const fs::path folder = archive::sidecar_path(job.out, path).parent_path();
     const std::string name = fs::path(path).filename().string();
     archive::check_own_folder(job.out, folder);
@@ -211,14 +211,14 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
                                                "the way",
                                                folder.string(), error.message()));
     }
-    std::optional<archive::Claim> claim = archive::Claim::try_take(folder, name);
+    std::optional<archive::LockFile> claim = archive::LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
-    if (claim->was_left_behind()) image::remove_leftovers(folder, archive::written_names(name));
+    if (claim->is_stale()) image::remove_leftovers(folder, archive::written_names(name));
     archive::remove_staging(archive::staging_of(job.out, path));
     // It may have changed, or been done, since it was found.
     const auto day = job.days.find(path);
     const bool is_day = day != job.days.end();
-    std::optional<archive::Clip> clip = is_day ? day->second.clip : archive::look_at_clip(job.in, path);
+    std::optional<archive::Clip> clip = is_day ? day->second.clip : archive::stat_clip(job.in, path);
     if (!clip) return std::nullopt;
     std::optional<archive::Sidecar> before = archive::read_sidecar(job.out, path);
     const auto now = std::chrono::system_clock::now();
@@ -228,7 +228,7 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     archive::check_own_place(archive::sidecar_path(job.out, path));
     for (const archive::OutputKind kind : job.rules.files)
         archive::check_own_place(archive::output_path(job.out, path, kind));
-    ClipTurn turn(job, std::move(*clip), std::move(before), std::move(*claim));
+    ClipTask turn(job, std::move(*clip), std::move(before), std::move(*claim));
     fs::create_directory(turn.staging(), error);
     if (error) {
         throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in "
@@ -238,7 +238,7 @@ std::optional<ClipTurn> ClipTurn::take(const ArchiveJob& job, const std::string&
     return turn;
 }
 
-std::unique_ptr<Worker> ClipTurn::start() const {
+std::unique_ptr<Worker> ClipTask::start() const {
     static constexpr std::array options{
         std::pair{archive::OutputKind::picture, "--output="}, std::pair{archive::OutputKind::page, "--page="},
         std::pair{archive::OutputKind::thumbnail, "--thumbnail="}, std::pair{archive::OutputKind::report, "--report="},
@@ -267,12 +267,12 @@ std::unique_ptr<Worker> ClipTurn::start() const {
         if (!camera().empty()) arguments.push_back("--page-camera=" + camera());
     }
     arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
-    return std::make_unique<Worker>(arguments, job_->threads, job_->limits, claim_.descriptor(),
+    return std::make_unique<Worker>(arguments, job_->threads, job_->limits, lock_.descriptor(),
                                     job_->sandbox->around(read, folder()));
 }
 
 /// What is known of a clip that has been drawn.
-archive::Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
+archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     archive::Sidecar sidecar;
     sidecar.clip = clip_;
     if (day() != nullptr) {
@@ -283,7 +283,7 @@ archive::Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
     sidecar.took = std::round(end.seconds * 1000) / 1000;
     sidecar.files = job_->rules.files;
     sidecar.status = end.status;
-    if (is_not_whole(end)) sidecar.reason = last_words(end.said);
+    if (is_not_whole(end)) sidecar.reason = last_message(end.said);
     take_report_of_worker(sidecar, staged(archive::OutputKind::report));
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
@@ -295,7 +295,7 @@ archive::Sidecar ClipTurn::read_results(const WorkerEnd& end) const {
 }
 
 /// What is known of a clip that could not be drawn: of its files, if there are any, what was known before.
-archive::Sidecar ClipTurn::failure(int status, const std::string& reason, double seconds) const {
+archive::Sidecar ClipTask::failure(int status, const std::string& reason, double seconds) const {
     archive::Sidecar sidecar;
     if (before_ && !before_->files.empty()) {
         sidecar = *before_;
@@ -330,8 +330,8 @@ archive::Sidecar ClipTurn::failure(int status, const std::string& reason, double
     return sidecar;
 }
 
-archive::Sidecar ClipTurn::finish(const WorkerEnd& end, cli::Signals& signals) {
-    throw_if_not_the_clips_fault(clip_.path, folder(), end);
+archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals) {
+    throw_if_system_fault(clip_.path, folder(), end);
     archive::Sidecar sidecar;
     std::string reason = failed(end) ? reason_of(end, job_->limits) : "";
     if (reason.empty()) {

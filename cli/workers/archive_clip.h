@@ -32,15 +32,15 @@ struct ArchiveJob {
 };
 
 /// One clip's turn: nobody else writes its files as long as this is there.
-class ClipTurn {
+class ClipTask {
   public:
     /// Nothing when another program has the clip, or has done it meanwhile, or it has gone.
     /// \throws Error io
-    static std::optional<ClipTurn> take(const ArchiveJob& job, const std::string& path);
+    static std::optional<ClipTask> take(const ArchiveJob& job, const std::string& path);
 
-    ClipTurn(ClipTurn&&) = default;
-    ClipTurn& operator=(ClipTurn&&) = delete;
-    ~ClipTurn();
+    ClipTask(ClipTask&&) = default;
+    ClipTask& operator=(ClipTask&&) = delete;
+    ~ClipTask();
 
     /// The worker that draws the clip.
     std::unique_ptr<Worker> start() const;
@@ -51,16 +51,16 @@ class ClipTurn {
     /// \throws Error io when that can't be done for this clip
     /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk,
     /// limit when no worker can be started
-    archive::Sidecar finish(const WorkerEnd& end, cli::Signals& signals);
+    archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
   private:
-    ClipTurn(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, archive::Claim claim);
+    ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, archive::LockFile claim);
 
     std::filesystem::path folder() const;
     std::filesystem::path staging() const;
     std::filesystem::path staged(archive::OutputKind kind) const;
     std::string file_name() const;
-    archive::Sidecar read_results(const WorkerEnd& end) const;
+    archive::Sidecar read_results(const WorkerResult& end) const;
     archive::Sidecar failure(int status, const std::string& reason, double seconds) const;
     const archive::CameraDay* day() const;
     std::string camera() const;
@@ -68,18 +68,18 @@ class ClipTurn {
     const ArchiveJob* job_;
     archive::Clip clip_;
     std::optional<archive::Sidecar> before_;
-    archive::Claim claim_;
+    archive::LockFile lock_;
     bool finished_ = false;
 };
 
 /// Whether a worker says that it could not draw, which may be no clip's fault: see start_drawing_test.
-bool could_not_draw(const WorkerEnd& end);
+bool could_not_draw(const WorkerResult& end);
 
 /// A worker that reads no clip, and ends with 0 where workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
 
 /// What a worker said last, for people.
-std::string last_words(const std::string& said);
+std::string last_message(const std::string& said);
 
 /// Whether an error is that of a full disk, by its text.
 bool is_disk_full(const std::string& text);

@@ -69,9 +69,9 @@ class Account {
 };
 
 /// A clip's turn, unless its place is taken: then the clip has failed, but there is nowhere to write that down.
-std::optional<ClipTurn> take_turn(const ArchiveJob& job, const std::string& clip, Account& account) {
+std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& clip, Account& account) {
     try {
-        auto turn = ClipTurn::take(job, clip);
+        auto turn = ClipTask::take(job, clip);
         if (!turn) account.pass_over(clip);
         return turn;
     } catch (const Error& error) {
@@ -83,7 +83,7 @@ std::optional<ClipTurn> take_turn(const ArchiveJob& job, const std::string& clip
 
 /// What came of a clip, unless that can't be read or written down: then the clip has failed, and the others go on. A
 /// full disk, and what is no matter of this clip's files, is an error still.
-std::optional<archive::Sidecar> finish_turn(ClipTurn& turn, const std::string& clip, const WorkerEnd& end,
+std::optional<archive::Sidecar> finish_task(ClipTask& turn, const std::string& clip, const WorkerResult& end,
                                             Account& account, cli::Signals& signals) {
     try {
         return turn.finish(end, signals);
@@ -170,11 +170,11 @@ class Drawing {
 
     void draw(const std::string& clip) {
         pool_.wait_for_room();
-        std::optional<ClipTurn> turn = take_turn(job_, clip, account_);
+        std::optional<ClipTask> turn = begin_task(job_, clip, account_);
         if (!turn) return;
         std::unique_ptr<Worker> worker = turn->start();
         pool_.add(std::move(worker),
-                  [this, turn = std::make_shared<ClipTurn>(std::move(*turn)), clip](const WorkerEnd& end) {
+                  [this, turn = std::make_shared<ClipTask>(std::move(*turn)), clip](const WorkerResult& end) {
                       take({turn, clip, end});
                   });
     }
@@ -186,9 +186,9 @@ class Drawing {
 
   private:
     struct Drawn {
-        std::shared_ptr<ClipTurn> turn;
+        std::shared_ptr<ClipTask> turn;
         std::string clip;
-        WorkerEnd end;
+        WorkerResult end;
     };
 
     void take(Drawn drawn) {
@@ -198,13 +198,13 @@ class Drawing {
         }
         unsure_.push_back(std::move(drawn));
         if (unsure_.size() > 1) return;
-        pool_.add(start_drawing_test(job_), [this](const WorkerEnd& end) { take_test(end); });
+        pool_.add(start_drawing_test(job_), [this](const WorkerResult& end) { take_test(end); });
     }
 
-    void take_test(const WorkerEnd& end) {
+    void take_test(const WorkerResult& end) {
         const std::vector<Drawn> unsure = std::exchange(unsure_, {});
         if (end.status != 0) {
-            const std::string words = last_words(end.said);
+            const std::string words = last_message(end.said);
             throw Error(ErrorKind::backend, fmt::format("no clip could be drawn, so this run ends here: {}",
                                                         words.empty() ? "OpenGL doesn't start" : words));
         }
@@ -213,7 +213,7 @@ class Drawing {
     }
 
     void finish(const Drawn& drawn) {
-        const auto sidecar = finish_turn(*drawn.turn, drawn.clip, drawn.end, account_, environment_.signals);
+        const auto sidecar = finish_task(*drawn.turn, drawn.clip, drawn.end, account_, environment_.signals);
         if (sidecar) account_.add(*sidecar);
     }
 
@@ -237,8 +237,8 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 void write_index(const ArchiveJob& job, const video::RecorderNames& names, const cli::Environment& environment) {
     // Of two runs that end together, the later one has to read what the other wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
-    const archive::Claim claim = archive::Claim::wait_for(job.out, files.front());
-    if (claim.was_left_behind()) image::remove_leftovers(job.out, files);
+    const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
+    if (claim.is_stale()) image::remove_leftovers(job.out, files);
     const archive::Outputs outputs = archive::list_outputs(job.out, job.in);
     for (const archive::ScanProblem& problem : outputs.problems) {
         environment.log.warn("'{}': {}; it is left alone, and the index has nothing of it",
@@ -262,19 +262,19 @@ void write_index(const ArchiveJob& job, const video::RecorderNames& names, const
 std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const video::RecorderNames& names,
                   const archive::Shard& shard, bool dry_run, const cli::Environment& environment) {
     std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
-    std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.holds(sidecar.clip.path); });
+    std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.contains(sidecar.clip.path); });
     if (sidecars.empty()) return 0;
-    const archive::Present present = archive::look_at_all(job.in, job.out, clips, names);
+    const archive::Present present = archive::find_present(job.in, job.out, clips, names);
     archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;
     std::size_t removed = 0;
     for (const archive::Sidecar& sidecar : sidecars) {
         // Just before its files go: a disk may have been unmounted since the last one.
-        const archive::Whereabouts verdict = archive::fate_of(job.in, sidecar, present, names);
-        if (verdict.fate == archive::Fate::away) away.insert(verdict.folder);
-        if (verdict.fate == archive::Fate::unknown) ++unknown;
-        if (verdict.fate != archive::Fate::gone) continue;
+        const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, names);
+        if (verdict.fate == archive::SourceState::away) away.insert(verdict.folder);
+        if (verdict.fate == archive::SourceState::unknown) ++unknown;
+        if (verdict.fate != archive::SourceState::gone) continue;
         ++removed;
         const std::string name = archive::text_of_path(sidecar.clip.path);
         if (dry_run) {
@@ -284,7 +284,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
         try {
             const fs::path place = archive::sidecar_path(job.out, sidecar.clip.path);
             const auto claim =
-                archive::Claim::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
+                archive::LockFile::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
             if (!claim) continue;  // another run draws it
             const auto held = environment.signals.hold();
             archive::remove_outputs(job.out, sidecar);

@@ -32,7 +32,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
         throw Error(ErrorKind::limit, fmt::format("cannot wait for workers: {}; allow the program more open files",
                                                   std::generic_category().message(errno)));
     }
-    signals_.before_end([this] {
+    signals_.set_exit_hook([this] {
         ending_ = true;
         ::eventfd_write(wake_, 1);
         for (auto waited = std::chrono::milliseconds::zero(); !ended_ && waited < 2 * patience; waited += 10ms)
@@ -43,7 +43,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
 WorkerPool::~WorkerPool() {
     // A signal that came just now waits for the workers, and would wait for this thread in vain.
     if (ending_) end_all();
-    signals_.before_end({});
+    signals_.set_exit_hook({});
     ::close(wake_);
 }
 

@@ -14,7 +14,7 @@ namespace vvr::workers {
 class WorkerPool {
   public:
     /// Told of a worker's end.
-    using Done = std::function<void(const WorkerEnd&)>;
+    using Done = std::function<void(const WorkerResult&)>;
 
     WorkerPool(int most, cli::Signals& signals);
     ~WorkerPool();

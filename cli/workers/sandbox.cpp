@@ -24,11 +24,11 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-std::string why_no_landlock(const Landlock& landlock) {
+std::string landlock_error_text(const Landlock& landlock) {
     return fmt::format("this kernel has no Landlock ({}), by which files are kept from them", reason(landlock.error));
 }
 
-std::string why_no_seccomp(int error) {
+std::string seccomp_error_text(int error) {
     return fmt::format("this kernel has no seccomp filters ({}), by which the network is kept from them",
                        reason(error));
 }
@@ -48,13 +48,13 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
     : mode_(watched && mode == SandboxMode::automatic ? SandboxMode::off : mode) {
     if (mode_ == SandboxMode::off) return;
     landlock_ = find_landlock();
-    no_filter_ = why_no_call_filter();
+    no_filter_ = call_filter_error();
     if (mode == SandboxMode::required && (landlock_.abi == 0 || no_filter_ != 0)) {
         throw Error(ErrorKind::backend,
                     fmt::format("workers can't be shut in, and --sandbox required asks for it: {}; use a kernel that "
                                 "has it (Linux 5.13 or later, and in a container one that lets it through), or "
                                 "--sandbox auto",
-                                landlock_.abi == 0 ? why_no_landlock(landlock_) : why_no_seccomp(no_filter_)));
+                                landlock_.abi == 0 ? landlock_error_text(landlock_) : seccomp_error_text(no_filter_)));
     }
     if (no_filter_ == 0) filter_ = std::make_unique<CallFilter>(needs.gpu);
     if (landlock_.abi == 0) return;
@@ -65,14 +65,14 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
 std::string Sandbox::summary() const {
     if (mode_ == SandboxMode::off) return "no sandbox: workers may do all that you may (--sandbox off)";
     if (landlock_.abi == 0 && no_filter_ != 0) {
-        return fmt::format("no sandbox: {}; {}", why_no_landlock(landlock_), why_no_seccomp(no_filter_));
+        return fmt::format("no sandbox: {}; {}", landlock_error_text(landlock_), seccomp_error_text(no_filter_));
     }
-    if (landlock_.abi == 0) return fmt::format("workers have no network (seccomp); {}", why_no_landlock(landlock_));
+    if (landlock_.abi == 0) return fmt::format("workers have no network (seccomp); {}", landlock_error_text(landlock_));
     const std::string walls = fmt::format(
         "workers read their clips and write beside their pictures alone "
         "(Landlock {})",
         landlock_.abi);
-    if (no_filter_ != 0) return fmt::format("{}; {}", walls, why_no_seccomp(no_filter_));
+    if (no_filter_ != 0) return fmt::format("{}; {}", walls, seccomp_error_text(no_filter_));
     return walls + ", and have no network (seccomp)";
 }
 

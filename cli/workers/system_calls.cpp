@@ -63,7 +63,7 @@ std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
 
 }  // namespace
 
-int why_no_call_filter() {
+int call_filter_error() {
     // A filter that is nowhere: what has filters says so, and what hasn't, that. In both ways in which one is set here.
     if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == -1 && errno != EFAULT) return errno;
     const long set = ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, nullptr);
@@ -94,7 +94,7 @@ CallFilter::CallFilter(bool gpu) {
         for (const char* const name : calls::for_gpu) add(SCMP_ACT_ALLOW, name, 0, nullptr);
         allow_cases(calls::cases_for_gpu);
     }
-    for (const char* const name : calls::deadly) add(SCMP_ACT_KILL_PROCESS, name, 0, nullptr);
+    for (const char* const name : calls::fatal) add(SCMP_ACT_KILL_PROCESS, name, 0, nullptr);
     program_ = compiled(filter.get());
 }
 
@@ -104,7 +104,7 @@ bool CallFilter::enforce() const {
     return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-bool give_up_beginnings() {
+bool block_startup_calls() {
     // Written by hand: a worker has no use for the library. The filter before this one has seen to the architecture.
     constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EPERM;
     const auto own = static_cast<std::uint32_t>(::getpid());

@@ -10,7 +10,7 @@
 
 namespace vvr::workers {
 
-std::string told_by_name(const std::string& clip, const video::RecorderNames& names) {
+std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
     const video::RecorderName name = names.read(clip);
     const std::string camera = names.camera_of(clip);
     std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));

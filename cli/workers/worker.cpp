@@ -91,14 +91,14 @@ struct Pipe {
 };
 
 /// What happens between fork and exec: only calls that may stand there in a program with threads.
-struct Birth {
+struct ChildSetup {
     pid_t parent;
     int output;
     int nothing;
     int ready;
     int inherited;
     const WorkerLimits& limits;
-    const Confinement& walls;
+    const Confinement& confinement;
     char* const* arguments;
     char* const* environment;
 
@@ -127,7 +127,7 @@ struct Birth {
         sigemptyset(&open);
         ::sigprocmask(SIG_SETMASK, &open, nullptr);
         // Now, and not in the worker: libraries start threads before main, and Landlock holds for the one that asks.
-        if (!walls.enter()) {
+        if (!confinement.enter()) {
             [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, no_walls.data(), no_walls.size());
             ::_exit(127);
         }
@@ -139,23 +139,23 @@ struct Birth {
 }  // namespace
 
 Worker::Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
-               const Confinement& walls)
+               const Confinement& confinement)
     : limits_(limits) {
     std::vector<std::string> texts{"vvr"};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     Pipe said;
     Pipe ready;
-    std::vector<std::string> variables = environment_for(threads, worker_value(ready.in.get(), walls.filters_calls()));
+    std::vector<std::string> variables = environment_for(threads, worker_value(ready.in.get(), confinement.filters_calls()));
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
-    const Birth birth{::getpid(),
+    const ChildSetup birth{::getpid(),
                       said.in.get(),
                       nothing.get(),
                       ready.in.get(),
                       inherited,
                       limits,
-                      walls,
+                      confinement,
                       argument_pointers.data(),
                       variable_pointers.data()};
     process_ = ::fork();
@@ -184,12 +184,12 @@ void Worker::kill() const {
 bool Worker::update() {
     read_output();
     reap(false);
-    if (!ended_) hold_to_limits();
+    if (!ended_) enforce_limits();
     if (ended_) read_output();
     return ended_;
 }
 
-void Worker::hold_to_limits() {
+void Worker::enforce_limits() {
     if (end_.timed_out || end_.wrote_too_much) return;
     end_.timed_out = limits_.time.count() > 0 && Clock::now() - began_ > limits_.time;
     end_.wrote_too_much = !end_.timed_out && limits_.written > 0 && written() > limits_.written;

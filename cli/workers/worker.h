@@ -20,7 +20,7 @@ struct WorkerLimits {
 };
 
 /// How a worker ended.
-struct WorkerEnd {
+struct WorkerResult {
     int status = 0;               ///< exit status, or 128 + the signal, as a shell shows it
     bool began = false;           ///< it was a worker: nothing that comes after that undoes it
     bool timed_out = false;       ///< and was killed for it
@@ -37,7 +37,7 @@ class Worker {
     /// \param inherited a descriptor that it keeps open as long as it lives; -1 = none
     /// \throws Error limit when the system can't start a process
     Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
-           const Confinement& walls);
+           const Confinement& confinement);
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -52,7 +52,7 @@ class Worker {
     /// Asks the worker to end.
     void interrupt();
 
-    const WorkerEnd& end() const { return end_; }
+    const WorkerResult& end() const { return end_; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -60,7 +60,7 @@ class Worker {
     void kill() const;
     void read_output();
     void reap(bool wait);
-    void hold_to_limits();
+    void enforce_limits();
     std::int64_t written() const;
 
     pid_t process_ = -1;
@@ -69,7 +69,7 @@ class Worker {
     bool ended_ = false;
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;
-    WorkerEnd end_;
+    WorkerResult end_;
 };
 
 }  // namespace vvr::workers

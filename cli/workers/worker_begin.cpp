@@ -20,8 +20,8 @@ constexpr int not_begun = 127;
 
 }  // namespace
 
-std::string worker_value(int ready, bool shut_in) {
-    return fmt::format("{}{}", ready, shut_in ? shut_mark : open_mark);
+std::string worker_value(int ready, bool confined) {
+    return fmt::format("{}{}", ready, confined ? shut_mark : open_mark);
 }
 
 void begin_worker() {
@@ -33,7 +33,7 @@ void begin_worker() {
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), ready);
     const std::string_view mark(end, static_cast<std::size_t>(value.data() + value.size() - end));
     if (error != std::errc() || ready <= STDERR_FILENO || (mark != open_mark && mark != shut_mark)) return;
-    if (mark == shut_mark && !give_up_beginnings()) {
+    if (mark == shut_mark && !block_startup_calls()) {
         constexpr std::string_view words = "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
         [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, words.data(), words.size());
         ::_exit(not_begun);

@@ -10,8 +10,8 @@ inline constexpr std::string_view worker_variable = "VVR_WORKER";
 
 /// What that variable says.
 /// \param ready a descriptor that the worker inherits, to say that it has begun
-/// \param shut_in whether a CallFilter is around it
-std::string worker_value(int ready, bool shut_in);
+/// \param confined whether a CallFilter is around it
+std::string worker_value(int ready, bool confined);
 
 /// In a worker: gives up what it needed to begin, and tells its parent that it has begun. So whatever comes later, a
 /// worker that never began is known from one that a clip has ended. Elsewhere: nothing.

@@ -56,21 +56,21 @@ std::optional<std::string> name_in(int file, const fs::path& path) {
 
 }  // namespace
 
-Claim::Claim(fs::path path, int file, bool left_behind)
-    : path_(std::move(path)), file_(file), left_behind_(left_behind) {}
+LockFile::LockFile(fs::path path, int file, bool left_behind)
+    : path_(std::move(path)), file_(file), stale_(left_behind) {}
 
-Claim::Claim(Claim&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), left_behind_(other.left_behind_) {}
+LockFile::LockFile(LockFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), stale_(other.stale_) {}
 
-Claim::~Claim() {
+LockFile::~LockFile() {
     if (file_ < 0) return;
     ::unlink(path_.c_str());
     ::close(file_);
 }
 
-std::optional<Claim> Claim::take(const fs::path& path, const std::string& name) {
+std::optional<LockFile> LockFile::take(const fs::path& path, const std::string& name) {
     for (;;) {
-        const int file = open_file_itself(path, O_RDWR | O_CREAT);
+        const int file = open_no_follow(path, O_RDWR | O_CREAT);
         if (file < 0) refuse(path, errno);
         if (const int error = lock_file(file, false); error != 0) {
             ::close(file);
@@ -78,14 +78,14 @@ std::optional<Claim> Claim::take(const fs::path& path, const std::string& name) 
             refuse(path, error);
         }
         // The program that had it removes the file, so the file that is locked now may be deleted.
-        if (!is_still(file, path)) {
+        if (!is_same_file(file, path)) {
             ::close(file);
             continue;
         }
         struct stat status {};
         // A program that takes a claim writes the name into it first.
         const bool left_behind = ::fstat(file, &status) == 0 && status.st_size > 0;
-        Claim claim(path, file, left_behind);
+        LockFile claim(path, file, left_behind);
         if (!left_behind && ::write(file, name.data(), name.size()) != static_cast<ssize_t>(name.size())) {
             refuse(path, errno);
         }
@@ -93,11 +93,11 @@ std::optional<Claim> Claim::take(const fs::path& path, const std::string& name) 
     }
 }
 
-std::optional<Claim> Claim::try_take(const fs::path& folder, const std::string& name) {
+std::optional<LockFile> LockFile::try_take(const fs::path& folder, const std::string& name) {
     return take(file_for(folder, name), name);
 }
 
-Claim Claim::wait_for(const fs::path& folder, const std::string& name, std::chrono::milliseconds patience) {
+LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std::chrono::milliseconds patience) {
     // Whoever has the lock may have stopped, or be nobody of ours: so it is asked for, and not waited for in the
     // kernel.
     constexpr std::chrono::milliseconds pause{20};
@@ -114,22 +114,22 @@ Claim Claim::wait_for(const fs::path& folder, const std::string& name, std::chro
     }
 }
 
-bool Claim::is_claim(const fs::path& file) {
+bool LockFile::is_lock_file(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.size() == prefix.size() + 16 + ending.size() && name.starts_with(prefix) && name.ends_with(ending);
 }
 
-std::optional<std::pair<Claim, std::string>> Claim::take_over(const fs::path& file) {
-    const int open = open_file_itself(file, O_RDWR);
+std::optional<std::pair<LockFile, std::string>> LockFile::take_over(const fs::path& file) {
+    const int open = open_no_follow(file, O_RDWR);
     if (open < 0) return std::nullopt;
     std::optional<std::string> name;
-    if (lock_file(open, false) == 0 && is_still(open, file)) name = name_in(open, file);
+    if (lock_file(open, false) == 0 && is_same_file(open, file)) name = name_in(open, file);
     // A file that is not ours stays as it is, so there must be no claim yet that would remove it.
     if (!name) {
         ::close(open);
         return std::nullopt;
     }
-    return std::pair(Claim(file, open, true), std::move(*name));
+    return std::pair(LockFile(file, open, true), std::move(*name));
 }
 
 }  // namespace vvr::archive

@@ -40,7 +40,7 @@ ClipNames ClipNames::with_all() const {
 
 std::string ClipNames::wanted() const {
     std::string names;
-    if (videos_) names = fmt::format("{}", fmt::join(video::video_endings(), " "));
+    if (videos_) names = fmt::format("{}", fmt::join(video::video_extensions(), " "));
     return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
 }
 

@@ -41,10 +41,10 @@ FoundEvent event_of(const Json& event, double width, double height) {
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
     found.still = tenths_of(still);
-    std::vector<events::WayPoint> way;
+    std::vector<events::Waypoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");
-        way.push_back(events::way_point(point.at("seconds").get<double>(),
+        way.push_back(events::waypoint(point.at("seconds").get<double>(),
                                         {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
     }
     found.path = events::simplified(way);
@@ -72,7 +72,7 @@ std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
 
 Json json_of(const FoundEvent& event) {
     Json json{std::string(1, event.kind), event.number, event.still};
-    for (const events::WayPoint& point : event.path) {
+    for (const events::Waypoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;

@@ -17,7 +17,7 @@ struct FoundEvent {
     char kind = 'm';                     ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
     int number = 0;                      ///< in the picture, the page and the report
     int still = 0;                       ///< tenths of a second for which it kept its place
-    std::vector<events::WayPoint> path;  ///< its way, from its first to its last moment
+    std::vector<events::Waypoint> path;  ///< its way, from its first to its last moment
 
     friend bool operator==(const FoundEvent&, const FoundEvent&) = default;
 };

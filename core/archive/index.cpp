@@ -58,7 +58,7 @@ int files_of(const Sidecar& sidecar) {
 struct Place {
     std::string camera;
     std::int64_t begin = 0;  ///< seconds since 1970
-    ClockSource begin_by = ClockSource::none;
+    ClockSource begin_source = ClockSource::none;
 };
 
 /// What `begin_of` goes by.
@@ -101,8 +101,8 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
              files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
-                 (place.begin_by == ClockSource::container ? container_bit : 0) |
-                 (place.begin_by == ClockSource::modified ? modified_bit : 0),
+                 (place.begin_source == ClockSource::container ? container_bit : 0) |
+                 (place.begin_source == ClockSource::modified ? modified_bit : 0),
              badges_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);

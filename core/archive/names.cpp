@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path with_ending(const fs::path& out, const std::string& clip, std::string_view ending) {
+fs::path with_extension(const fs::path& out, const std::string& clip, std::string_view ending) {
     return out / (clip + std::string(ending));
 }
 
@@ -52,11 +52,11 @@ std::string path_of_text(std::string_view text) {
 }
 
 fs::path output_path(const fs::path& out, const std::string& clip, OutputKind kind) {
-    return with_ending(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->ending);
+    return with_extension(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->ending);
 }
 
 fs::path sidecar_path(const fs::path& out, const std::string& clip) {
-    return with_ending(out, clip, sidecar_ending);
+    return with_extension(out, clip, sidecar_extension);
 }
 
 }  // namespace vvr::archive

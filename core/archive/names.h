@@ -29,7 +29,7 @@ inline constexpr std::array output_rows{
     OutputRow{OutputKind::still, "still", ".still.jpg"},
 };
 
-inline constexpr std::string_view sidecar_ending = ".json";
+inline constexpr std::string_view sidecar_extension = ".json";
 inline constexpr std::string_view index_name = "index.html";
 
 std::filesystem::path output_path(const std::filesystem::path& out, const std::string& clip, OutputKind kind);

@@ -45,7 +45,7 @@ bool read_to_end(int file, std::string& text, std::size_t most) {
 
 }  // namespace
 
-std::optional<std::string_view> strange_at(const fs::path& path) {
+std::optional<std::string_view> irregular_file_at(const fs::path& path) {
     std::error_code none;
     const auto* const found =
         std::ranges::find(strange, fs::symlink_status(path, none).type(), &decltype(strange)::value_type::first);
@@ -53,7 +53,7 @@ std::optional<std::string_view> strange_at(const fs::path& path) {
 }
 
 void check_own_place(const fs::path& file) {
-    if (const auto what = strange_at(file)) {
+    if (const auto what = irregular_file_at(file)) {
         throw Error(ErrorKind::io, fmt::format("cannot write '{}': it is {}; remove it", file.string(), *what));
     }
 }
@@ -63,7 +63,7 @@ void check_own_folder(const fs::path& out, const fs::path& folder) {
     for (const fs::path& name : folder.lexically_relative(out)) {
         if (name == ".") continue;
         place /= name;
-        const auto what = strange_at(place);
+        const auto what = irregular_file_at(place);
         if (!what || *what == "a folder") continue;
         throw Error(ErrorKind::io, fmt::format("cannot write into '{}': it is {}, and no folder of this archive; "
                                                "remove it",
@@ -72,9 +72,9 @@ void check_own_folder(const fs::path& out, const fs::path& folder) {
 }
 
 OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t most) {
-    const int file = open_file_itself(path, O_RDONLY);
+    const int file = open_no_follow(path, O_RDONLY);
     if (file < 0) {
-        const auto what = strange_at(path);
+        const auto what = irregular_file_at(path);
         return {{}, what && *what != "a folder" ? fmt::format("it is {}, and no file", *what) : ""};
     }
     OwnText own;

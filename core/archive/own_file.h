@@ -11,7 +11,7 @@
 namespace vvr::archive {
 
 /// What stands at a path where a file should: "a link", "a pipe"; nothing for a file, and where nothing is.
-std::optional<std::string_view> strange_at(const std::filesystem::path& path);
+std::optional<std::string_view> irregular_file_at(const std::filesystem::path& path);
 
 /// \throws Error io when something else than a file is where one is to be written
 void check_own_place(const std::filesystem::path& file);

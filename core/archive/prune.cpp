@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether a folder's name is that of a time, as recorders make and remove them: most of it are digits.
-bool is_of_a_time(std::string_view folder) {
+bool is_time_folder(std::string_view folder) {
     const auto digits = std::ranges::count_if(folder, [](char c) { return c >= '0' && c <= '9'; });
     const auto others = std::ranges::count_if(folder, [](char c) { return c != '-' && c != '_' && c != '.'; }) - digits;
     return digits > 0 && digits >= 2 * others;
@@ -34,7 +34,7 @@ bool is_of_a_time(std::string_view folder) {
 
 /// The folder of a clip that is not there, if it may be a disk that is not mounted: one that is empty, a link that
 /// leads nowhere, or a camera's own at the top of the archive of which no clip is left.
-std::optional<std::string> what_is_away(const fs::path& in, const std::string& clip, const Present& present,
+std::optional<std::string> missing_folder(const fs::path& in, const std::string& clip, const Present& present,
                                         const video::RecorderNames& recorders) {
     fs::path missing;
     fs::path folder = fs::path(clip).parent_path();
@@ -50,7 +50,7 @@ std::optional<std::string> what_is_away(const fs::path& in, const std::string& c
         return empty || error ? std::optional(folder.string()) : std::nullopt;
     }
     const std::string top = missing.string();
-    if (top.empty() || is_of_a_time(top) || present.cameras.contains(recorders.camera_of(clip))) return std::nullopt;
+    if (top.empty() || is_time_folder(top) || present.cameras.contains(recorders.camera_of(clip))) return std::nullopt;
     return top;
 }
 
@@ -81,9 +81,9 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         const bool hidden = path.filename().string().starts_with('.');
         if (entry->is_directory(none)) {
             if (hidden || fs::equivalent(path, in, none)) entry.disable_recursion_pending();
-        } else if (Claim::is_claim(path)) {
+        } else if (LockFile::is_lock_file(path)) {
             outputs.claims.push_back(path);
-        } else if (!hidden && path.extension() == sidecar_ending) {
+        } else if (!hidden && path.extension() == sidecar_extension) {
             const std::string name = path.lexically_relative(out).string();
             std::string problem;
             auto sidecar = read_sidecar_file(out, name, &problem);
@@ -120,7 +120,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
     if (outputs.claims.empty()) return;
     const std::set<fs::path> owned = files_with_owners(out, outputs);
     for (const fs::path& file : outputs.claims) {
-        const auto left = Claim::take_over(file);
+        const auto left = LockFile::take_over(file);
         if (!left) continue;
         const fs::path folder = file.parent_path();
         const std::string& name = left->second;
@@ -138,7 +138,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
     }
 }
 
-Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& names,
+Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,
                     const video::RecorderNames& recorders) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
     // Without a time to wait for, none is left out.
@@ -149,17 +149,17 @@ Present look_at_all(const fs::path& in, const fs::path& out, const ClipNames& na
     return present;
 }
 
-Whereabouts fate_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
+SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
                     const video::RecorderNames& recorders) {
     if (present.days.contains(sidecar.clip.path)) return {};
-    if (sidecar.day && sidecar.day->files.empty()) return {Fate::unknown, {}};
+    if (sidecar.day && sidecar.day->files.empty()) return {SourceState::unknown, {}};
     std::set<fs::path> looked_at;
     for (const std::string& clip : sidecar.day ? sidecar.day->files : std::vector{sidecar.clip.path}) {
         if (!is_gone(in / clip)) return {};
         if (!looked_at.insert(fs::path(clip).parent_path()).second) continue;
-        if (auto folder = what_is_away(in, clip, present, recorders)) return {Fate::away, std::move(*folder)};
+        if (auto folder = missing_folder(in, clip, present, recorders)) return {SourceState::away, std::move(*folder)};
     }
-    return {Fate::gone, {}};
+    return {SourceState::gone, {}};
 }
 
 void check_can_prune(const fs::path& in, const Present& present) {

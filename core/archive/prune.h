@@ -49,23 +49,23 @@ struct Present {
 
 /// Looks at all clips. That one is still being written, excluded or of a time that can't be makes none of them gone.
 /// \throws Error io when the folder can't be read
-Present look_at_all(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
+Present find_present(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
                     const video::RecorderNames& recorders);
 
 /// Whether a clip, or all clips of a day, have gone for certain.
-enum class Fate {
+enum class SourceState {
     there,    ///< one is there, or nobody can say
     gone,     ///< each has gone, and what held it is there
     away,     ///< what held one is empty, leads nowhere or is not there: it may be a disk that is not mounted
     unknown,  ///< of a day whose sidecar does not tell its clips
 };
 
-struct Whereabouts {
-    Fate fate = Fate::there;
+struct SourceStatus {
+    SourceState fate = SourceState::there;
     std::string folder;  ///< below `in`: what is away
 };
 
-Whereabouts fate_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
+SourceStatus source_state_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
                     const video::RecorderNames& recorders);
 
 /// Refuses to prune where it can't be known what has gone.

@@ -42,7 +42,7 @@ Clip clip_of(const std::string& path, const struct stat& status) {
 
 /// Whether what lies in a folder is made by the kernel when it is looked at, and is no file: /proc, /sys and their
 /// like.
-bool is_of_the_kernel(const fs::path& folder) {
+bool is_kernel_filesystem(const fs::path& folder) {
     constexpr std::array<long, 11> kinds{PROC_SUPER_MAGIC,   SYSFS_MAGIC,         DEBUGFS_MAGIC,      TRACEFS_MAGIC,
                                          CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC, DEVPTS_SUPER_MAGIC, SECURITYFS_MAGIC,
                                          BPF_FS_MAGIC,       PSTOREFS_MAGIC,      EFIVARFS_MAGIC};
@@ -106,7 +106,7 @@ class Walk {
             scan_.problems.push_back({folder, reason_of(errno), true});
         } else if (above_.contains({status.st_dev, status.st_ino})) {
             scan_.problems.push_back({folder, "it is a link to a folder that holds all clips; remove it"});
-        } else if (!is_of_the_kernel(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
+        } else if (!is_kernel_filesystem(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
             list(folder);
         }
     }
@@ -158,7 +158,7 @@ class Walk {
 
 /// Drops clips for which the name of an output file would be too long. All kinds of output files count, asked for or
 /// not, so that the options do not change which clips there are.
-void take_out_long_names(Scan& scan) {
+void drop_long_names(Scan& scan) {
     std::erase_if(scan.clips, [&](const Clip& clip) {
         std::string longest = sidecar_path("", clip.path).filename().string();
         for (const OutputRow& row : output_rows) {
@@ -174,7 +174,7 @@ void take_out_long_names(Scan& scan) {
 }
 
 /// Drops clips whose output files would replace those of others.
-void take_out_clashes(Scan& scan) {
+void drop_conflicts(Scan& scan) {
     std::unordered_set<std::string> taken{std::string(index_name)};
     std::unordered_set<std::string> folders;
     for (const Clip& clip : scan.clips) {
@@ -201,13 +201,13 @@ void take_out_clashes(Scan& scan) {
 
 Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& names) {
     Scan scan = Walk(in, out, names).run();
-    take_out_long_names(scan);
-    take_out_clashes(scan);
+    drop_long_names(scan);
+    drop_conflicts(scan);
     std::ranges::sort(scan.problems, {}, &ScanProblem::path);
     return scan;
 }
 
-std::optional<Clip> look_at_clip(const fs::path& in, const std::string& path) {
+std::optional<Clip> stat_clip(const fs::path& in, const std::string& path) {
     struct stat status {};
     if (::stat((in / path).c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
     return clip_of(path, status);

@@ -50,6 +50,6 @@ struct Scan {
 Scan scan_archive(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names);
 
 /// The file's size and time now; nothing when it no longer exists.
-std::optional<Clip> look_at_clip(const std::filesystem::path& in, const std::string& path);
+std::optional<Clip> stat_clip(const std::filesystem::path& in, const std::string& path);
 
 }  // namespace vvr::archive

@@ -4,7 +4,7 @@
 
 namespace vvr::archive {
 
-bool Shard::holds(std::string_view clip) const {
+bool Shard::contains(std::string_view clip) const {
     return fnv1a(clip) % count == index;
 }
 

@@ -10,7 +10,7 @@ struct Shard {
     std::uint64_t index = 0;  ///< from 0
     std::uint64_t count = 1;
 
-    bool holds(std::string_view clip) const;
+    bool contains(std::string_view clip) const;
 };
 
 }  // namespace vvr::archive

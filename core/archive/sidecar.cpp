@@ -34,23 +34,23 @@ std::string file_name(const std::string& clip) {
 }
 
 /// A number that can't be where it stands.
-class Unfit : public std::exception {
+class InvalidSidecar : public std::exception {
   public:
     const char* what() const noexcept override { return "a number in it cannot be"; }
 };
 
 std::int64_t whole(const Json& json, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
-    if (!json.is_number_integer()) throw Unfit();
+    if (!json.is_number_integer()) throw InvalidSidecar();
     if (json.is_number_unsigned() ? json.get<std::uint64_t>() > static_cast<std::uint64_t>(most)
                                   : json.get<std::int64_t>() < 0 || json.get<std::int64_t>() > most) {
-        throw Unfit();
+        throw InvalidSidecar();
     }
     return json.get<std::int64_t>();
 }
 
 double number(const Json& json, double most) {
     const auto value = json.get<double>();
-    if (!(value >= 0 && value <= most)) throw Unfit();
+    if (!(value >= 0 && value <= most)) throw InvalidSidecar();
     return value;
 }
 
@@ -88,7 +88,7 @@ std::vector<std::string> files_of(const Json& folders) {
     for (const auto& [folder, names] : folders.items()) {
         for (const Json& name : names) {
             const std::string path = path_of_text((folder.empty() ? "" : folder + "/") + name.get<std::string>());
-            if (!is_plain_path(path)) throw Unfit();
+            if (!is_plain_path(path)) throw InvalidSidecar();
             files.push_back(path);
         }
     }
@@ -227,7 +227,7 @@ std::optional<Sidecar> parse_sidecar(const std::string& text) {
         return sidecar_of(text);
     } catch (const Json::exception&) {
         return std::nullopt;
-    } catch (const Unfit&) {
+    } catch (const InvalidSidecar&) {
         return std::nullopt;
     }
 }
@@ -251,7 +251,7 @@ std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string&
     return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
 }
 
-void take_report(Sidecar& sidecar, const fs::path& report) {
+void apply_report(Sidecar& sidecar, const fs::path& report) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ErrorKind::io,
                     fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(), why));
@@ -273,7 +273,7 @@ void take_report(Sidecar& sidecar, const fs::path& report) {
         }
     } catch (const Json::exception& error) {
         refuse(error.what());
-    } catch (const Unfit& error) {
+    } catch (const InvalidSidecar& error) {
         refuse(error.what());
     }
     if (sidecar.seconds >= 0 && sidecar.seconds <= longest_recording) return;

@@ -75,7 +75,7 @@ std::optional<Sidecar> parse_sidecar(const std::string& text);
 /// Takes frames, length, events and time of recording from a report of `vvr render --report`. A length that no clip has
 /// is left out, and `reason` says so.
 /// \throws Error io when it is no report
-void take_report(Sidecar& sidecar, const std::filesystem::path& report);
+void apply_report(Sidecar& sidecar, const std::filesystem::path& report);
 
 /// What its files show, as `shows` has it: the clip as it is, unless a later try has failed.
 Sidecar::Shown shown_by(const Sidecar& sidecar);

@@ -38,7 +38,7 @@ inline const ClockSourceRow& row_of(ClockSource source) {
 
 /// Whether a picture shows this clock without being asked to: when a file was written is no evidence of when what it
 /// shows happened.
-inline constexpr bool tells_recording(ClockSource source) {
+inline constexpr bool is_recording_time(ClockSource source) {
     return source == ClockSource::file_name || source == ClockSource::user || source == ClockSource::live;
 }
 

@@ -22,10 +22,10 @@ enum class ErrorKind {
 };
 
 /// The names of the settings (core/base/setting.h) that a text is about.
-class About {
+class RelatedSettings {
   public:
-    About() = default;
-    About(std::initializer_list<std::string_view> names)
+    RelatedSettings() = default;
+    RelatedSettings(std::initializer_list<std::string_view> names)
         : names_(std::make_shared<std::vector<std::string>>(names.begin(), names.end())) {}
 
     std::span<const std::string> names() const {
@@ -41,15 +41,15 @@ class About {
 /// given.
 class Error : public std::runtime_error {
   public:
-    Error(ErrorKind kind, const std::string& text, About about = {})
+    Error(ErrorKind kind, const std::string& text, RelatedSettings about = {})
         : std::runtime_error(text), kind_(kind), about_(about) {}
 
     ErrorKind kind() const { return kind_; }
-    const About& about() const { return about_; }
+    const RelatedSettings& about() const { return about_; }
 
   private:
     ErrorKind kind_;
-    About about_;
+    RelatedSettings about_;
 };
 
 }  // namespace vvr

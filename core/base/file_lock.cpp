@@ -9,7 +9,7 @@
 
 namespace vvr {
 
-int open_file_itself(const std::filesystem::path& path, int flags) {
+int open_no_follow(const std::filesystem::path& path, int flags) {
     const int file = ::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (file < 0) return -1;
     struct stat status {};
@@ -26,7 +26,7 @@ int lock_file(int file, bool wait) {
     return result == 0 ? 0 : errno;
 }
 
-bool is_still(int file, const std::filesystem::path& path) {
+bool is_same_file(int file, const std::filesystem::path& path) {
     struct stat ours {
     }, there{};
     return ::fstat(file, &ours) == 0 && ::lstat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&

@@ -8,13 +8,13 @@ namespace vvr {
 /// anybody's, and is not waited for.
 /// \param flags of open(2), `O_CREAT` among them or not
 /// \returns a descriptor, or -1 with `errno`
-int open_file_itself(const std::filesystem::path& path, int flags);
+int open_no_follow(const std::filesystem::path& path, int flags);
 
 /// Locks an open file (`flock`) until its last descriptor is closed.
 /// \returns 0, or the error: `EWOULDBLOCK` when somebody else has it
 int lock_file(int file, bool wait);
 
 /// Whether `path` is still the name of an open file: who had the lock before may have removed or renamed it.
-bool is_still(int file, const std::filesystem::path& path);
+bool is_same_file(int file, const std::filesystem::path& path);
 
 }  // namespace vvr

@@ -10,7 +10,7 @@ std::int64_t machine_memory() {
     return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
 }
 
-bool may_have(std::int64_t bytes) {
+bool is_memory_available(std::int64_t bytes) {
     void* const room = ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (room == MAP_FAILED) return false;
@@ -18,7 +18,7 @@ bool may_have(std::int64_t bytes) {
     return true;
 }
 
-void keep_freed_planes() {
+void tune_malloc() {
     constexpr int larger_than_a_plane = 2 << 20;
     // One heap for all threads: planes are freed by other threads than those that took them, and each heap would keep
     // its own.
@@ -27,7 +27,7 @@ void keep_freed_planes() {
     mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
 }
 
-void give_back_freed() {
+void trim_heap() {
     malloc_trim(0);
 }
 

@@ -18,13 +18,13 @@ struct PixelBox {
     int height() const { return bottom - top; }
     Size size() const { return {width(), height()}; }
 
-    PixelBox moved(int x, int y) const { return {left + x, top + y, right + x, bottom + y}; }
-    PixelBox grown(int x, int y) const { return {left - x, top - y, right + x, bottom + y}; }
+    PixelBox translated(int x, int y) const { return {left + x, top + y, right + x, bottom + y}; }
+    PixelBox inflated(int x, int y) const { return {left - x, top - y, right + x, bottom + y}; }
 
-    bool holds(const PixelBox& other) const {
+    bool contains(const PixelBox& other) const {
         return other.left >= left && other.right <= right && other.top >= top && other.bottom <= bottom;
     }
-    bool meets(const PixelBox& other) const {
+    bool intersects(const PixelBox& other) const {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }
 
@@ -32,14 +32,14 @@ struct PixelBox {
 };
 
 /// The least box that holds both; an empty one adds nothing.
-inline PixelBox hull_of(const PixelBox& a, const PixelBox& b) {
+inline PixelBox bounding_box(const PixelBox& a, const PixelBox& b) {
     if (a.empty()) return b;
     if (b.empty()) return a;
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
 /// What two boxes have in common; empty where they don't meet.
-inline PixelBox common(const PixelBox& a, const PixelBox& b) {
+inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
 }
 

@@ -35,7 +35,7 @@ class Opened {
     int fd_;
 };
 
-bool is_of_a_shell(const std::string& path) {
+bool is_descriptor_path(const std::string& path) {
     return path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
 }
 
@@ -57,7 +57,7 @@ void check_is_file(const std::string& path, std::uintmax_t most) {
     const bool is_strange = type == std::filesystem::file_type::character ||
                             type == std::filesystem::file_type::block || type == std::filesystem::file_type::socket ||
                             type == std::filesystem::file_type::fifo;
-    if (is_strange && !(type == std::filesystem::file_type::fifo && is_of_a_shell(path))) refuse_strange(path);
+    if (is_strange && !(type == std::filesystem::file_type::fifo && is_descriptor_path(path))) refuse_strange(path);
     const std::uintmax_t length = std::filesystem::file_size(path, none);
     if (!none && length > most) refuse_length(path, most);
 }
@@ -72,7 +72,7 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
     if (S_ISDIR(status.st_mode)) {
         throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(EISDIR)));
     }
-    const bool piped = S_ISFIFO(status.st_mode) && is_of_a_shell(path);
+    const bool piped = S_ISFIFO(status.st_mode) && is_descriptor_path(path);
     if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
     if (piped) ::fcntl(file.get(), F_SETFL, 0);  // its writer may take its time
     if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > most) refuse_length(path, most);

@@ -68,7 +68,7 @@ std::string shown_lines(std::string_view text) {
     return shown(text, true);
 }
 
-std::string without_secrets(std::string_view text) {
+std::string redact_secrets(std::string_view text) {
     constexpr std::string_view mark = "://";
     constexpr std::string_view address_ends = " \t\r\n'\"<>";
     std::string result;

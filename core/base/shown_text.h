@@ -15,7 +15,7 @@ std::string shown_lines(std::string_view text);
 
 /// Text without what an address may hold that is nobody's business: user and password, and all from `?` or `#` on, of
 /// every `scheme://...` in it.
-std::string without_secrets(std::string_view text);
+std::string redact_secrets(std::string_view text);
 
 /// Length in bytes of the UTF-8 character at the front of a text that is not empty; 0 if there is none.
 std::size_t character_length(std::string_view text);

@@ -15,7 +15,7 @@ namespace vvr {
 
 double Clock::at(double seconds) const {
     double shown = static_cast<double>(begin) + seconds;
-    for (const Leap& leap : leaps) {
+    for (const ClockChange& leap : leaps) {
         if (seconds >= leap.seconds) shown += static_cast<double>(leap.by);
     }
     return shown;
@@ -24,7 +24,7 @@ double Clock::at(double seconds) const {
 double Clock::when(double shown) const {
     double seconds = shown - static_cast<double>(begin);
     double since = -std::numeric_limits<double>::infinity();
-    for (const Leap& leap : leaps) {
+    for (const ClockChange& leap : leaps) {
         if (seconds < leap.seconds) break;
         seconds -= static_cast<double>(leap.by);
         since = leap.seconds;

@@ -17,13 +17,13 @@ struct Clock {
     Clock(std::int64_t begins) : begin(begins) {}
 
     /// When summer time began or ended.
-    struct Leap {
+    struct ClockChange {
         double seconds = 0;   ///< of the clip
         std::int64_t by = 0;  ///< seconds by which the clock was put forward
     };
 
     std::int64_t begin;
-    std::vector<Leap> leaps{};
+    std::vector<ClockChange> leaps{};
     std::optional<std::int64_t> ahead{};     ///< seconds ahead of UTC at second 0; none = nobody knows
     std::string zone{};                      ///< "CET, UTC+1"; empty = nobody knows
     ClockSource source = ClockSource::user;  ///< who says so

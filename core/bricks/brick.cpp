@@ -35,10 +35,10 @@ std::vector<Brick> cut_at(std::span<const Brick> bricks, std::span<const std::in
     return cut;
 }
 
-std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks) {
+std::vector<Brick> cut_into_sub_bricks(std::span<const Brick> bricks) {
     std::vector<Brick> pieces;
     for (const Brick& brick : bricks) {
-        const std::int64_t count = (brick.count + piece_layers - 1) / piece_layers;
+        const std::int64_t count = (brick.count + sub_brick_layers - 1) / sub_brick_layers;
         for (const Brick& piece : cut_into(brick.count, static_cast<int>(count))) {
             pieces.push_back({brick.first + piece.first, piece.count});
         }

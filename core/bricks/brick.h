@@ -22,11 +22,11 @@ std::vector<Brick> cut_into(std::int64_t layers, int bricks);
 std::vector<Brick> cut_by(std::int64_t layers, std::int64_t length);
 
 /// The most layers of a piece.
-inline constexpr std::int64_t piece_layers = 32;
+inline constexpr std::int64_t sub_brick_layers = 32;
 
 /// Cuts bricks into pieces, which are drawn as bricks of their own: emptier, and small enough to stay in the caches.
 /// Those of one brick differ by at most one layer.
-std::vector<Brick> cut_into_pieces(std::span<const Brick> bricks);
+std::vector<Brick> cut_into_sub_bricks(std::span<const Brick> bricks);
 
 /// Cuts bricks where certain layers begin, ascending.
 std::vector<Brick> cut_at(std::span<const Brick> bricks, std::span<const std::int64_t> layers);

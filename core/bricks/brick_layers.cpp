@@ -15,16 +15,16 @@ PixelBox against_image(const PixelBox& box, Size size) {
 /// Where any of the layers holds something and one pixel around it; the first pixel if none does.
 PixelBox occupied_box(std::span<const Layer* const> layers, Size size) {
     PixelBox box;
-    for (const Layer* layer : layers) box = hull_of(box, layer->scalar.box());
+    for (const Layer* layer : layers) box = bounding_box(box, layer->scalar.box());
     if (box.empty()) return {0, 0, 1, 1};
-    return common(box.grown(1, 1), {0, 0, size.width, size.height});
+    return intersection(box.inflated(1, 1), {0, 0, size.width, size.height});
 }
 
 /// Calls visit(place in the box, values) for what isn't 0 in a layer; the values belong there in reverse.
 template <class T, class Visit>
-void each_run_in(const Sparse<T>& scalar, const PixelBox& box, const Visit& visit) {
+void for_each_run_in(const Sparse<T>& scalar, const PixelBox& box, const Visit& visit) {
     const Size size = scalar.size();
-    scalar.each_run([&](int column, int row, std::span<const T> values) {
+    scalar.for_each_run([&](int column, int row, std::span<const T> values) {
         const int x = size.width - column - static_cast<int>(values.size()) - box.left;
         const int y = size.height - 1 - row - box.top;
         visit(static_cast<std::size_t>(y * box.width() + x), values);
@@ -43,9 +43,9 @@ void copy_reversed(std::span<const std::uint8_t> values, std::uint8_t* to) {
     std::memcpy(to, &eight, sizeof eight);
 }
 
-Beside beside_in(const Volume& volume) {
-    if (volume.coloured()) return Beside::colour;
-    return volume.keeps_owners() ? Beside::identity : Beside::nothing;
+ExtraChannel extra_channel_in(const Volume& volume) {
+    if (volume.coloured()) return ExtraChannel::colour;
+    return volume.keeps_owners() ? ExtraChannel::identity : ExtraChannel::nothing;
 }
 
 /// Whose the voxels of a box in one layer are, with room for a voxel around it.
@@ -88,7 +88,7 @@ class OwnersAround {
     /// Puts the owners of a layer `away` places from where they are.
     void put(const OwnerPlane& from, std::ptrdiff_t away) {
         const Size size = from.size();
-        from.each_run([&](int column, int row, std::span<const std::uint16_t> values) {
+        from.for_each_run([&](int column, int row, std::span<const std::uint16_t> values) {
             const int x = size.width - column - static_cast<int>(values.size()) - box_.left;
             const int y = size.height - 1 - row - box_.top;
             std::uint16_t* const into =
@@ -108,7 +108,7 @@ class OwnersAround {
 }  // namespace
 
 BrickLayers::BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify)
-    : brick_(brick), size_(volume.size()), beside_(beside_in(volume)), volume_(&volume), identify_(&identify) {
+    : brick_(brick), size_(volume.size()), extra_channel_(extra_channel_in(volume)), volume_(&volume), identify_(&identify) {
     for (std::int64_t i = 0; i < count(); ++i) {
         layers_.push_back(&volume.layer(std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1)));
     }
@@ -119,25 +119,25 @@ std::size_t BrickLayers::area() const {
     return static_cast<std::size_t>(box_.width()) * static_cast<std::size_t>(box_.height());
 }
 
-void BrickLayers::lay_out(std::int64_t first, std::span<std::uint8_t> texels) const {
+void BrickLayers::fill_texels(std::int64_t first, std::span<std::uint8_t> texels) const {
     std::ranges::fill(texels, std::uint8_t{0});
     for (auto layer = layers_.begin() + first; !texels.empty(); ++layer, texels = texels.subspan(area())) {
-        each_run_in((*layer)->scalar, box_,
+        for_each_run_in((*layer)->scalar, box_,
                     [&](std::size_t at, std::span<const std::uint8_t> values) { copy_reversed(values, &texels[at]); });
     }
 }
 
-void BrickLayers::lay_out(std::int64_t first, std::span<ColouredTexel> texels) const {
-    if (beside_ == Beside::identity) lay_out_identities(first, texels);
+void BrickLayers::fill_texels(std::int64_t first, std::span<ColouredTexel> texels) const {
+    if (extra_channel_ == ExtraChannel::identity) fill_identities(first, texels);
     for (auto layer = layers_.begin() + first; !texels.empty(); ++layer, texels = texels.subspan(area())) {
-        if (beside_ == Beside::colour) lay_out_colours(**layer, texels.first(area()));
-        each_run_in((*layer)->scalar, box_, [&](std::size_t at, std::span<const std::uint8_t> values) {
+        if (extra_channel_ == ExtraChannel::colour) fill_colours(**layer, texels.first(area()));
+        for_each_run_in((*layer)->scalar, box_, [&](std::size_t at, std::span<const std::uint8_t> values) {
             for (std::size_t i = values.size(); i-- > 0;) texels[at++][3] = values[i];
         });
     }
 }
 
-void BrickLayers::lay_out_colours(const Layer& layer, std::span<ColouredTexel> texels) const {
+void BrickLayers::fill_colours(const Layer& layer, std::span<ColouredTexel> texels) const {
     auto into = texels.begin();
     for (int y = box_.top; y < box_.bottom; ++y) {
         const auto row =
@@ -149,7 +149,7 @@ void BrickLayers::lay_out_colours(const Layer& layer, std::span<ColouredTexel> t
     }
 }
 
-void BrickLayers::lay_out_identities(std::int64_t first, std::span<ColouredTexel> texels) const {
+void BrickLayers::fill_identities(std::int64_t first, std::span<ColouredTexel> texels) const {
     std::ranges::fill(texels, ColouredTexel{});
     OwnersAround owners(box_);
     for (std::int64_t number = first; !texels.empty(); ++number, texels = texels.subspan(area())) {

@@ -14,7 +14,7 @@
 namespace vvr::bricks {
 
 /// What a voxel tells beside its scalar.
-enum class Beside { nothing, colour, identity };
+enum class ExtraChannel { nothing, colour, identity };
 
 /// Red, green, blue and the scalar of a voxel; or its identity and its scalar: the look, the low and the high byte of
 /// the event's number.
@@ -29,13 +29,13 @@ class BrickLayers {
   public:
     /// \param volume outlives this, and doesn't change
     /// \param identify outlives this; of a volume that keeps owners
-    BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = nobodys);
+    BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify = no_identities);
 
     const Brick& brick() const { return brick_; }
     std::int64_t count() const { return brick_.count + 2; }  ///< of layers
     Size size() const { return size_; }                      ///< of a whole layer
-    Beside beside() const { return beside_; }
-    bool coloured() const { return beside_ != Beside::nothing; }  ///< texels are ColouredTexels
+    ExtraChannel extra_channel() const { return extra_channel_; }
+    bool coloured() const { return extra_channel_ != ExtraChannel::nothing; }  ///< texels are ColouredTexels
 
     /// Whether there is something between two texels; else the nearest one is meant.
     bool interpolated() const { return fields::interpolates(volume_->values()); }
@@ -46,19 +46,19 @@ class BrickLayers {
 
     /// Lays out the texels of layers from `first` on, as many as `texels` has room for: x_C fastest, then y_C, then
     /// time. Columns and rows run against the image's, as x_C = 1 - (i + 0.5) / W and y_C = 1 - (j + 0.5) / H.
-    void lay_out(std::int64_t first, std::span<std::uint8_t> texels) const;
+    void fill_texels(std::int64_t first, std::span<std::uint8_t> texels) const;
 
     /// The same with the video's colours, or with identities, of a volume that has them. A voxel without an owner that
     /// is next to others has the identity of one of these: interpolation makes their values reach into it.
-    void lay_out(std::int64_t first, std::span<ColouredTexel> texels) const;
+    void fill_texels(std::int64_t first, std::span<ColouredTexel> texels) const;
 
   private:
-    void lay_out_colours(const Layer& layer, std::span<ColouredTexel> texels) const;
-    void lay_out_identities(std::int64_t first, std::span<ColouredTexel> texels) const;
+    void fill_colours(const Layer& layer, std::span<ColouredTexel> texels) const;
+    void fill_identities(std::int64_t first, std::span<ColouredTexel> texels) const;
 
     Brick brick_;
     Size size_;
-    Beside beside_;
+    ExtraChannel extra_channel_;
     const Volume* volume_;
     const Identify* identify_;
     std::vector<const Layer*> layers_;

@@ -48,7 +48,7 @@ Reach layers_reach(int i, int cells, const BrickLayers& layers, double apron) {
     return {std::max<std::int64_t>(low, 0), std::min(high, layers.count() - 1)};
 }
 
-Reach common(Reach a, Reach b) {
+Reach intersection(Reach a, Reach b) {
     return {std::max(a.first, b.first), std::min(a.last, b.last)};
 }
 
@@ -62,14 +62,14 @@ class Strip {
           box_rows_{layers.box().top, layers.box().bottom - 1},
           width_(static_cast<std::size_t>(layers.box().width())) {}
 
-    void lay_out(Reach layers) {
+    void fill_texels(Reach layers) {
         texels_.resize(static_cast<std::size_t>(layers.last - layers.first + 1) * layers_->area());
-        layers_->lay_out(layers.first, texels_);
+        layers_->fill_texels(layers.first, texels_);
     }
 
     /// Of the layers that are laid out.
     void join(Reach rows) {
-        rows_ = common(rows, box_rows_);
+        rows_ = intersection(rows, box_rows_);
         whole_rows_ = rows_.first == rows.first && rows_.last == rows.last;
         if (rows_.first > rows_.last) return;
         const auto first = static_cast<std::size_t>(rows_.first - box_rows_.first) * width_;
@@ -86,7 +86,7 @@ class Strip {
     }
 
     ValueRange range(Reach columns) const {
-        const Reach held = common(columns, box_columns_);
+        const Reach held = intersection(columns, box_columns_);
         ValueRange range;
         if (!whole_rows_ || held.first != columns.first || held.last != columns.last) range = {0, 0};
         each(held, [&](std::int64_t, std::int64_t, std::size_t at) {
@@ -100,7 +100,7 @@ class Strip {
     std::array<Reach, 2> occupied(Reach columns) const {
         std::array<Reach, 2> found = {Reach{columns.last + 1, columns.first - 1},
                                       Reach{rows_.last + 1, rows_.first - 1}};
-        each(common(columns, box_columns_), [&](std::int64_t column, std::int64_t row, std::size_t at) {
+        each(intersection(columns, box_columns_), [&](std::int64_t column, std::int64_t row, std::size_t at) {
             if (high_[at] == 0) return;
             found[0] = {std::min(found[0].first, column), std::max(found[0].last, column)};
             found[1] = {std::min(found[1].first, row), std::max(found[1].last, row)};
@@ -164,7 +164,7 @@ BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::La
     const double more_layers = around.z / t_span * static_cast<double>(layers.brick().count);
     Strip strip(layers);
     for (int t = 0; t < nt; ++t) {
-        strip.lay_out(layers_reach(t, nt, layers, more_layers));
+        strip.fill_texels(layers_reach(t, nt, layers, more_layers));
         for (int j = 0; j < ny; ++j) {
             strip.join(reach(j, ny, size.height, around.y * size.height));
             const auto row = static_cast<std::size_t>(j);

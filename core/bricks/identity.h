@@ -21,6 +21,6 @@ struct Identity {
 using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
 
 /// All is nobody's.
-inline const Identify nobodys;
+inline const Identify no_identities;
 
 }  // namespace vvr::bricks

@@ -11,10 +11,10 @@ namespace vvr::bricks {
 /// Pixels times frames in which a layer shows something that was not there, more than its two halves do: what is lost
 /// when neighbours become one layer. A layer of n frames in which u pixels are ever occupied shows n·u. Nothing is lost
 /// where nothing moves.
-double loss_of_joining(const Layer& a, const Layer& b);
+double merge_loss(const Layer& a, const Layer& b);
 
 /// Decides which neighbours among layers of unequal length are joined, so that the layers go where something moves.
-class Joins {
+class LayerMerger {
   public:
     /// What the layers' values are, which says how two join.
     void set_values(fields::Values values) { values_ = values; }
@@ -25,14 +25,14 @@ class Joins {
     /// Joins the two neighbours whose joining loses least. Of those that lose nothing it is the shortest two; and where
     /// only few layers are left for the time in which nothing moves, they stay.
     /// \param idle layers without motion that are to stay, if possible
-    void join_least(std::vector<Layer>& layers, std::size_t idle);
+    void merge_cheapest(std::vector<Layer>& layers, std::size_t idle);
 
     /// Joins the shortest two neighbours in which nothing moves.
     /// \returns false when there are none
-    bool join_idle(std::vector<Layer>& layers);
+    bool merge_idle(std::vector<Layer>& layers);
 
   private:
-    void join_at(std::vector<Layer>& layers, std::size_t i);
+    void merge_at(std::vector<Layer>& layers, std::size_t i);
 
     fields::Values values_ = fields::Values::strength;
 

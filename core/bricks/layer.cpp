@@ -7,10 +7,10 @@ namespace vvr::bricks {
 namespace {
 
 /// Pixel by pixel, where either has something.
-SparsePlane joined_planes(fields::Values values, const SparsePlane& before, const SparsePlane& after) {
+SparsePlane merged_planes(fields::Values values, const SparsePlane& before, const SparsePlane& after) {
     SparsePlane result(before.size());
     const auto visit = [&](const SparsePlane& plane) {
-        plane.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
+        plane.for_each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (std::size_t i = 0; i < run.size(); ++i, ++column) {
                 result.set(column, row, fields::joined(values, before.at(column, row), after.at(column, row)));
             }
@@ -25,7 +25,7 @@ SparsePlane joined_planes(fields::Values values, const SparsePlane& before, cons
 
 void join(Layer& layer, const Layer& next, fields::Values values) {
     if (!next.colour.empty() || !next.owner.empty()) {
-        next.scalar.each_run([&](int column, int row, std::span<const std::uint8_t> run) {
+        next.scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> run) {
             for (const std::uint8_t value : run) {
                 if (value > layer.scalar.at(column, row)) {
                     if (!next.colour.empty()) layer.colour.at(column, row) = next.colour.at(column, row);
@@ -36,9 +36,9 @@ void join(Layer& layer, const Layer& next, fields::Values values) {
         });
     }
     if (values == fields::Values::strength) {
-        layer.scalar.keep_greater(next.scalar);
+        layer.scalar.keep_maximum(next.scalar);
     } else {
-        layer.scalar = joined_planes(values, layer.scalar, next.scalar);
+        layer.scalar = merged_planes(values, layer.scalar, next.scalar);
     }
     layer.frames += next.frames;
     layer.missing += next.missing;

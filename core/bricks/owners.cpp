@@ -59,7 +59,7 @@ OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const Spars
     std::vector<Found> found;
     for (int round = 0; round < reach; ++round) {
         found.clear();
-        scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
+        scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
                 if (value != 0 && whole_.at(column, row) == 0) {
                     const int left = std::max(column - 1, 0);
@@ -76,7 +76,7 @@ OwnerPlane Owners::pixels_of(std::span<const fields::LabelRun> runs, const Spars
         for (const Found& pixel : found) whole_.at(pixel.column, pixel.row) = pixel.number;
         if (found.empty()) break;
     }
-    scalar.each_run([&](int column, int row, std::span<const std::uint8_t> values) {
+    scalar.for_each_run([&](int column, int row, std::span<const std::uint8_t> values) {
         for (const std::uint8_t value : values) {
             if (value != 0) pixels.set(column, row, whole_.at(column, row));
             whole_.at(column, row) = 0;

@@ -38,7 +38,7 @@ PixelBox Sparse<T>::box_of(std::size_t place) const {
 
 template <class T>
 void Sparse<T>::set(int i, int j, T value) {
-    std::int32_t& held = held_[place_of(i, j)];
+    std::int32_t& held = held_[tile_index(i, j)];
     if (held == none) {
         if (value == T{}) return;
         held = static_cast<std::int32_t>(tiles_.size());
@@ -62,7 +62,7 @@ std::int64_t Sparse<T>::count() const {
 }
 
 template <class T>
-std::int64_t count_of_either(const Sparse<T>& a, const Sparse<T>& b) {
+std::int64_t count_union(const Sparse<T>& a, const Sparse<T>& b) {
     std::int64_t count = a.count() + b.count();
     for (std::size_t place = 0; place < a.held_.size(); ++place) {
         const auto* const in_a = a.tile_at(place);
@@ -77,13 +77,13 @@ template <class T>
 PixelBox Sparse<T>::box() const {
     PixelBox box;
     for (std::size_t place = 0; place < held_.size(); ++place) {
-        if (held_[place] != none) box = hull_of(box, box_of(place));
+        if (held_[place] != none) box = bounding_box(box, box_of(place));
     }
     return box;
 }
 
 template <class T>
-void Sparse<T>::keep_greater(const Sparse& other) {
+void Sparse<T>::keep_maximum(const Sparse& other) {
     // Room for what is added and no more: in a long clip it is added to most layers a last time.
     std::size_t added_tiles = 0;
     for (std::size_t place = 0; place < held_.size(); ++place) {
@@ -116,7 +116,7 @@ bool operator==(const Sparse<T>& a, const Sparse<T>& b) {
 
 template class Sparse<std::uint8_t>;
 template class Sparse<std::uint16_t>;
-template std::int64_t count_of_either(const SparsePlane& a, const SparsePlane& b);
+template std::int64_t count_union(const SparsePlane& a, const SparsePlane& b);
 template bool operator==(const SparsePlane& a, const SparsePlane& b);
 template bool operator==(const OwnerPlane& a, const OwnerPlane& b);
 

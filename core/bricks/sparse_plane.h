@@ -25,7 +25,7 @@ class Sparse {
     bool empty() const { return size_ == Size{}; }  ///< it has no pixels; not: all of them are 0
 
     T at(int i, int j) const {
-        const Tile* const tile = tile_at(place_of(i, j));
+        const Tile* const tile = tile_at(tile_index(i, j));
         return tile == nullptr ? T{} : (*tile)[within(i, j)];
     }
 
@@ -41,11 +41,11 @@ class Sparse {
     std::int64_t count() const;
 
     /// Takes on the pixels of a picture of the same size that are greater than its own.
-    void keep_greater(const Sparse& other);
+    void keep_maximum(const Sparse& other);
 
     /// Calls visit(column, row, values) for each row of each tile that is held: what isn't visited is 0.
     template <class Visit>
-    void each_run(const Visit& visit) const {
+    void for_each_run(const Visit& visit) const {
         for (std::size_t place = 0; place < held_.size(); ++place) {
             const Tile* const tile = tile_at(place);
             if (tile == nullptr) continue;
@@ -59,7 +59,7 @@ class Sparse {
 
     /// How many pixels aren't 0 in one of two pictures of the same size.
     template <class U>
-    friend std::int64_t count_of_either(const Sparse<U>& a, const Sparse<U>& b);
+    friend std::int64_t count_union(const Sparse<U>& a, const Sparse<U>& b);
 
     /// The same pixels.
     template <class U>
@@ -69,7 +69,7 @@ class Sparse {
     static constexpr std::int32_t none = -1;
     using Tile = std::array<T, fields::tile_side * fields::tile_side>;
 
-    std::size_t place_of(int i, int j) const {
+    std::size_t tile_index(int i, int j) const {
         return static_cast<std::size_t>(j / fields::tile_side * across_ + i / fields::tile_side);
     }
     static std::size_t within(int i, int j) {
@@ -87,7 +87,7 @@ class Sparse {
 };
 
 template <class U>
-std::int64_t count_of_either(const Sparse<U>& a, const Sparse<U>& b);
+std::int64_t count_union(const Sparse<U>& a, const Sparse<U>& b);
 
 using SparsePlane = Sparse<std::uint8_t>;
 

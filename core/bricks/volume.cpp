@@ -28,10 +28,10 @@ Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t
 }
 
 Layer& Volume::add_layer(Layer layer) {
-    if (!unequal_) return layers_.emplace_back(std::move(layer));
-    if (layers() >= room()) joins_.join_least(layers_, static_cast<std::size_t>(room()) / idle_share_read);
+    if (!nonuniform_) return layers_.emplace_back(std::move(layer));
+    if (layers() >= room()) merger_.merge_cheapest(layers_, static_cast<std::size_t>(room()) / idle_share_read);
     layers_.push_back(std::move(layer));
-    joins_.add(layers_);
+    merger_.add(layers_);
     return layers_.back();
 }
 
@@ -53,8 +53,8 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
     OwnerPlane owner = owners_in(owners, scalar);
     Layer layer{field.index,   field.index,       1,      field.pts,       field.pts, 0,
                 moves ? 1 : 0, std::move(scalar), colour, std::move(owner)};
-    if (!unequal_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) join_pairs();
-    if (!unequal_ && !layers_.empty() && layers_.back().frames < step_) {
+    if (!nonuniform_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) merge_pairs();
+    if (!nonuniform_ && !layers_.empty() && layers_.back().frames < step_) {
         join(layers_.back(), layer, values_);
     } else {
         add_layer(std::move(layer));
@@ -65,18 +65,18 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
         if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
-    if (unequal_ && frames_ == next_thinning_) {
+    if (nonuniform_ && frames_ == next_thinning_) {
         next_thinning_ *= 2;
         thin_seeds();
     }
 }
 
-void Volume::take_out(std::size_t track) {
+void Volume::remove_track(std::size_t track) {
     const std::uint16_t number = owners_.number_of(track);
     if (number == 0) return;
     for (Layer& layer : layers_) {
         const OwnerPlane owners = layer.owner;
-        owners.each_run([&](int column, int row, std::span<const std::uint16_t> run) {
+        owners.for_each_run([&](int column, int row, std::span<const std::uint16_t> run) {
             for (std::size_t i = 0; i < run.size(); ++i) {
                 if (run[i] != number) continue;
                 layer.owner.set(column + static_cast<int>(i), row, 0);
@@ -86,7 +86,7 @@ void Volume::take_out(std::size_t track) {
     }
 }
 
-void Volume::put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
+void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
                     double last) {
     const std::uint16_t number = owners_.number_of(track);
     if (number == 0) return;
@@ -105,10 +105,10 @@ void Volume::put_in(std::size_t track, const PixelBox& box, const Plane<std::uin
 
 void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double apart) {
     while (count > 0) {
-        if (!unequal_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) join_pairs();
-        const bool goes_on = !unequal_ && !layers_.empty() && layers_.back().frames < step_;
+        if (!nonuniform_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) merge_pairs();
+        const bool goes_on = !nonuniform_ && !layers_.empty() && layers_.back().frames < step_;
         const std::int64_t room = goes_on ? step_ - layers_.back().frames : step_;
-        const std::int64_t taken = unequal_ ? count : std::min(count, room);
+        const std::int64_t taken = nonuniform_ ? count : std::min(count, room);
         const double last_pts = pts + static_cast<double>(taken - 1) * apart;
         if (goes_on) {
             Layer& layer = layers_.back();
@@ -128,16 +128,16 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
 }
 
 void Volume::settle() {
-    if (!unequal_) return;
-    while (layers() > capacity_) joins_.join_least(layers_, static_cast<std::size_t>(capacity_) / idle_share);
+    if (!nonuniform_) return;
+    while (layers() > capacity_) merger_.merge_cheapest(layers_, static_cast<std::size_t>(capacity_) / idle_share);
     for (;;) {
         const auto idle = static_cast<std::size_t>(std::ranges::count_if(layers_, is_idle));
-        if (idle == layers_.size() || idle * idle_share <= layers_.size() || !joins_.join_idle(layers_)) return;
+        if (idle == layers_.size() || idle * idle_share <= layers_.size() || !merger_.merge_idle(layers_)) return;
     }
 }
 
 std::int64_t Volume::step() const {
-    if (!unequal_) return step_;
+    if (!nonuniform_) return step_;
     return std::max<std::int64_t>(
         1, std::llround(static_cast<double>(frames_) / std::max<double>(1, static_cast<double>(layers()))));
 }
@@ -148,7 +148,7 @@ OwnerPlane Volume::owners_in(std::span<const fields::LabelRun> runs, const Spars
     if (owners_.room() < runs.size()) {
         std::vector<bool> used(std::size_t{1} << 16U);
         for (const Layer& layer : layers_) {
-            layer.owner.each_run([&](int, int, std::span<const std::uint16_t> numbers) {
+            layer.owner.for_each_run([&](int, int, std::span<const std::uint16_t> numbers) {
                 for (const std::uint16_t number : numbers) used[number] = true;
             });
         }
@@ -165,7 +165,7 @@ std::int64_t Volume::missing() const {
 
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
-    if (!unequal_) return (frame + 0.5) / static_cast<double>(span() * step_);
+    if (!nonuniform_) return (frame + 0.5) / static_cast<double>(span() * step_);
     double before = frame + 0.5;
     std::int64_t at = 0;
     while (at + 1 < layers() && before >= static_cast<double>(layer(at).frames)) {
@@ -198,7 +198,7 @@ glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
 
 glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
     return {-vector.x / size_.width, -vector.y / size_.height,
-            vector.z / static_cast<double>(unequal_ ? frames_ : span() * step_)};
+            vector.z / static_cast<double>(nonuniform_ ? frames_ : span() * step_)};
 }
 
 bool Volume::seeded(std::int64_t frame) const {
@@ -218,7 +218,7 @@ void Volume::drop_front(std::int64_t layers) {
     flow_.drop_front(frames);
 }
 
-void Volume::join_pairs() {
+void Volume::merge_pairs() {
     std::vector<Layer> joined;
     joined.reserve(layers_.size());
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
@@ -239,11 +239,11 @@ void Volume::thin_seeds() {
     flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
 }
 
-std::vector<Squeezed> squeezed_stretches(const Volume& volume) {
-    if (!volume.is_unequal()) return {};
+std::vector<CompressedIdle> compressed_stretches(const Volume& volume) {
+    if (!volume.is_nonuniform()) return {};
     const double all = volume.layer(volume.layers() - 1).last_pts - volume.layer(0).pts;
     const double share = volume.t_end() / static_cast<double>(volume.layers());
-    std::vector<Squeezed> stretches;
+    std::vector<CompressedIdle> stretches;
     for (std::int64_t i = 0; i < volume.layers();) {
         std::int64_t end = i;
         // A long idle time may have taken in the last frames of what moved before.

@@ -52,14 +52,14 @@ class Volume {
     /// What the values of the fields are, which says how frames share a layer. Before the first frame.
     void set_values(fields::Values values) {
         values_ = values;
-        joins_.set_values(values);
+        merger_.set_values(values);
     }
 
     /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
     void set_span(std::int64_t layers) { span_ = layers; }
 
     /// From now on layers are of unequal length. Before the first frame.
-    void give_room_to_motion() { unequal_ = true; }
+    void use_nonuniform_layers() { nonuniform_ = true; }
 
     /// After the last frame, of layers of unequal length: joins them until they are no more than the capacity, and
     /// those in which nothing moves no more than a quarter of them, where others are.
@@ -82,16 +82,16 @@ class Volume {
     void add_gap(std::int64_t index, std::int64_t count, double pts, double apart);
 
     /// Takes out all that belongs to a track, of a volume that keeps owners.
-    void take_out(std::size_t track);
+    void remove_track(std::size_t track);
 
     /// Puts the same pixels into each layer from `first` to `last`, as those of a track; they don't replace stronger
     /// ones. Of a volume that keeps owners.
     /// \param box of the values, in field pixels
     /// \param first, last seconds of the clip
-    void put_in(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
+    void insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
 
     Size size() const { return size_; }
-    bool is_unequal() const { return unequal_; }
+    bool is_nonuniform() const { return nonuniform_; }
 
     /// Frames per layer now; of layers of unequal length, in the mean.
     std::int64_t step() const;
@@ -140,9 +140,9 @@ class Volume {
     std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
     std::int64_t layer_of(double seconds) const;
     Layer& add_layer(Layer layer);
-    void join_pairs();
+    void merge_pairs();
     void thin_seeds();
-    std::int64_t room() const { return unequal_ ? capacity_ + capacity_ / 2 : capacity_; }
+    std::int64_t room() const { return nonuniform_ ? capacity_ + capacity_ / 2 : capacity_; }
     OwnerPlane owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
 
     Size size_;
@@ -153,8 +153,8 @@ class Volume {
     std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
     fields::Values values_ = fields::Values::strength;
-    bool unequal_ = false;
-    Joins joins_;
+    bool nonuniform_ = false;
+    LayerMerger merger_;
     std::int64_t next_thinning_ = 0;  ///< frames, of layers of unequal length
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
@@ -166,7 +166,7 @@ class Volume {
 };
 
 /// A stretch of a volume whose layers are of unequal length, in which nothing moves and time is pressed together.
-struct Squeezed {
+struct CompressedIdle {
     double t_begin = 0;  ///< t_C
     double t_end = 0;
     double begin = 0;  ///< seconds of the clip
@@ -174,7 +174,7 @@ struct Squeezed {
 };
 
 /// Those that have less than half the room that time has in the mean, in order.
-std::vector<Squeezed> squeezed_stretches(const Volume& volume);
+std::vector<CompressedIdle> compressed_stretches(const Volume& volume);
 
 /// Cuts a volume where multiples of `length` seconds pass on a clock that shows `clock` at second 0 of the clip: by the
 /// hour, say.

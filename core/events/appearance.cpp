@@ -35,7 +35,7 @@ constexpr auto chroma_places = places_of_values<-255, 255, 8>(-chroma_reach, chr
 
 }  // namespace
 
-Appearance::Appearance(const Patch& patch, const Sight& sight) : looks_(1) {
+Appearance::Appearance(const Patch& patch, const FrameView& sight) : looks_(1) {
     static_assert(bins == 8);
     std::array<float, parts> count{};
     const int height = std::max(1, patch.box.height());
@@ -53,29 +53,29 @@ Appearance::Appearance(const Patch& patch, const Sight& sight) : looks_(1) {
         for (int k = 0; k < channels; ++k) {
             const Place& place = *places[static_cast<std::size_t>(k)];
             const auto base = static_cast<std::size_t>((part * channels + k) * bins + place.bin);
-            shares_[base] += 1 - place.rest;
-            shares_[base + 1] += place.rest;
+            histogram_[base] += 1 - place.rest;
+            histogram_[base + 1] += place.rest;
         }
         count[static_cast<std::size_t>(part)] += 1;
     });
-    for (std::size_t k = 0; k < shares_.size(); ++k) {
+    for (std::size_t k = 0; k < histogram_.size(); ++k) {
         const float all = count[k / static_cast<std::size_t>(channels * bins)];
-        if (all > 0) shares_[k] /= all;
+        if (all > 0) histogram_[k] /= all;
     }
 }
 
 void Appearance::learn(const Appearance& look) {
     if (look.looks_ == 0) return;
     looks_ = std::min(looks_ + 1, most_looks);
-    for (std::size_t k = 0; k < shares_.size(); ++k) {
-        shares_[k] += (look.shares_[k] - shares_[k]) / static_cast<float>(looks_);
+    for (std::size_t k = 0; k < histogram_.size(); ++k) {
+        histogram_[k] += (look.histogram_[k] - histogram_[k]) / static_cast<float>(looks_);
     }
 }
 
 double distance(const Appearance& a, const Appearance& b) {
     if (!a.known() || !b.known()) return 0.5;
     double alike = 0;
-    for (std::size_t k = 0; k < a.shares_.size(); ++k) alike += std::sqrt(a.shares_[k] * b.shares_[k]);
+    for (std::size_t k = 0; k < a.histogram_.size(); ++k) alike += std::sqrt(a.histogram_[k] * b.histogram_[k]);
     alike /= Appearance::parts * Appearance::channels;
     return std::sqrt(std::max(0.0, 1 - alike));
 }

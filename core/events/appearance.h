@@ -12,7 +12,7 @@ namespace vvr::events {
 class Appearance {
   public:
     Appearance() = default;
-    Appearance(const Patch& patch, const Sight& sight);
+    Appearance(const Patch& patch, const FrameView& sight);
 
     /// Takes in another look at the same object. Early looks count more, late ones still follow the light.
     void learn(const Appearance& look);
@@ -27,7 +27,7 @@ class Appearance {
     static constexpr int channels = 3;
     static constexpr int bins = 8;
 
-    std::array<float, static_cast<std::size_t>(parts* channels* bins)> shares_{};
+    std::array<float, static_cast<std::size_t>(parts* channels* bins)> histogram_{};
     int looks_ = 0;
 };
 

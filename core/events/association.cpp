@@ -18,7 +18,7 @@ double ratio(double a, double b) {
     return std::max(a, b) / std::max(1.0, std::min(a, b));
 }
 
-double cost_of(const Expected& track, int overlap, const Patch& blob, const Appearance& look,
+double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look,
                const EventOptions& options) {
     const Patch& patch = *track.patch;
     const double looks = distance(*track.appearance, look);
@@ -34,8 +34,8 @@ double cost_of(const Expected& track, int overlap, const Patch& blob, const Appe
 }
 
 /// Whether a blob belongs to a track that goes on in `rest`: together they are no larger than it has been.
-bool is_piece(const Patch& piece, const Patch& rest, const Expected& track) {
-    const PixelBox whole = hull_of(piece.box, rest.box);
+bool is_fragment(const Patch& piece, const Patch& rest, const PredictedTrack& track) {
+    const PixelBox whole = bounding_box(piece.box, rest.box);
     return whole.width() <= wider * track.usual_size.x + 2 && whole.height() <= wider * track.usual_size.y + 2;
 }
 
@@ -52,7 +52,7 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
     return counts;
 }
 
-Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::span<const Appearance> looks,
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks,
                      const EventOptions& options) {
     const std::size_t count = blobs.patches.size();
     Assignment result{std::vector<std::vector<std::size_t>>(count), std::vector<std::optional<std::size_t>>(count),
@@ -91,18 +91,18 @@ Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::
         for (std::size_t k = 0; k < tracks.size(); ++k) {
             if (overlap[k][b] > most) {
                 most = overlap[k][b];
-                result.out_of[b] = k;
+                result.split_from[b] = k;
             }
         }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < tracks.size(); ++k) {
-            if (!home[k] || !is_piece(blobs.patches[b], blobs.patches[*home[k]], tracks[k])) continue;
+            if (!home[k] || !is_fragment(blobs.patches[b], blobs.patches[*home[k]], tracks[k])) continue;
             const double away = glm::distance(blobs.patches[b].centre, blobs.patches[*home[k]].centre);
             if (away >= nearest) continue;
             nearest = away;
-            result.piece_of[b] = k;
+            result.fragment_of[b] = k;
         }
-        if (result.piece_of[b]) result.out_of[b].reset();
+        if (result.fragment_of[b]) result.split_from[b].reset();
     }
     return result;
 }

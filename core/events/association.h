@@ -11,7 +11,7 @@
 namespace vvr::events {
 
 /// A track, where it should be by now.
-struct Expected {
+struct PredictedTrack {
     const Patch* patch = nullptr;  ///< as it was last seen
     glm::ivec2 shift{};            ///< to where motion leads
     const Appearance* appearance = nullptr;
@@ -22,8 +22,8 @@ struct Expected {
 /// Which tracks go on in which blobs.
 struct Assignment {
     std::vector<std::vector<std::size_t>> tracks;      ///< of each blob; two or more have merged there
-    std::vector<std::optional<std::size_t>> piece_of;  ///< of each blob without tracks: whose piece it is
-    std::vector<std::optional<std::size_t>> out_of;    ///< of each other blob without tracks: out of whom it came
+    std::vector<std::optional<std::size_t>> fragment_of;  ///< of each blob without tracks: whose piece it is
+    std::vector<std::optional<std::size_t>> split_from;    ///< of each other blob without tracks: out of whom it came
 };
 
 /// How many pixels of a shifted patch fall on each blob.
@@ -33,7 +33,7 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
 /// Who gets none shares the blob that it falls on. A blob that nobody took is a piece of the track that it lies in, or
 /// something new.
 /// \param looks of the blobs
-Assignment associate(std::span<const Expected> tracks, const Blobs& blobs, std::span<const Appearance> looks,
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks,
                      const EventOptions& options);
 
 }  // namespace vvr::events

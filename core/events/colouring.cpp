@@ -84,7 +84,7 @@ class Scale {
         PixelBox all;
         double end = begin_;
         for (const Event& event : events) {
-            all = hull_of(all, event.box);
+            all = bounding_box(all, event.box);
             begin_ = std::min(begin_, event.first.seconds);
             end = std::max(end, event.last.seconds);
         }

@@ -27,7 +27,7 @@ struct Candidate {
 };
 
 /// What a standing thing is, by its edges.
-enum class Thing { there, gone, light };
+enum class Evidence { there, gone, light };
 
 class Conclusion {
   public:
@@ -39,9 +39,9 @@ class Conclusion {
         join();
         look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
-        absorb_pieces();
+        absorb_fragments();
         for (std::size_t k = 0; k < candidates_.size(); ++k) {
-            find_bearer(k);
+            find_carrier(k);
             if (was_never_alone(k)) candidates_[k].wanted = false;
         }
         return listed();
@@ -81,7 +81,7 @@ class Conclusion {
         whole.length = mean(whole.length, later.length);
         whole.size = glm::max(whole.size, later.size);
         whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
-        whole.box = hull_of(whole.box, later.box);
+        whole.box = bounding_box(whole.box, later.box);
         while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {
             whole.path.pop_back();
             whole.areas.pop_back();
@@ -167,9 +167,9 @@ class Conclusion {
         return true;
     }
 
-    Thing thing_of(const Candidate& candidate) const {
+    Evidence evidence_of(const Candidate& candidate) const {
         const Tracklet& own = candidate.whole;
-        if (scene_.empty()) return Thing::there;
+        if (scene_.empty()) return Evidence::there;
         const Settled& settled = *own.settled;
         const double empty = edge_strength(settled.patch, span_.field, [&](int i, int j) -> int {
             if (scene_.colour.empty()) return scene_.grey.at(i, j);
@@ -177,10 +177,10 @@ class Conclusion {
             return (c[0] + 2 * c[1] + c[2]) / 4;
         });
         // Of a camera that shakes the empty scene is not sharp everywhere.
-        if (options_.scene_is_learnt && was_always_there(candidate)) return Thing::light;
-        if (settled.edges > ghost_ratio * empty && settled.edges >= least_edges) return Thing::there;
-        if (empty > ghost_ratio * settled.edges && empty >= least_edges) return Thing::gone;
-        return settled.edges >= 2 * least_edges ? Thing::there : Thing::light;
+        if (options_.scene_is_learnt && was_always_there(candidate)) return Evidence::light;
+        if (settled.edges > ghost_ratio * empty && settled.edges >= least_edges) return Evidence::there;
+        if (empty > ghost_ratio * settled.edges && empty >= least_edges) return Evidence::gone;
+        return settled.edges >= 2 * least_edges ? Evidence::there : Evidence::light;
     }
 
     void judge(Candidate& candidate) {
@@ -190,23 +190,23 @@ class Conclusion {
         const bool went = own.moved >= needed && own.seen >= options_.seen_part;
         const bool stands_only = own.settled && own.stood_from_start;
         const bool jumps =
-            own.continuous < options_.continuous || (!own.settled && steadiness_of(own.path) < options_.steady_way);
+            own.continuous < options_.continuous || (!own.settled && straightness_of(own.path) < options_.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = !inside ? options_.least : own.from ? options_.least_piece : options_.least_inside;
+        const double least = !inside ? options_.least : own.from ? options_.least_fragment : options_.least_inside;
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
             candidate.kind = own.stays.empty() ? EventKind::moved : EventKind::stood;
             return;
         }
-        switch (thing_of(candidate)) {
-            case Thing::there:
+        switch (evidence_of(candidate)) {
+            case Evidence::there:
                 candidate.kind = EventKind::left;
                 break;
-            case Thing::gone:
+            case Evidence::gone:
                 judge_ghost(candidate);
                 break;
-            case Thing::light:
+            case Evidence::light:
                 candidate.wanted = false;
                 break;
         }
@@ -248,7 +248,7 @@ class Conclusion {
     }
 
     /// Whether one is a part of another: that is about it for most of its time.
-    static bool is_piece_of(const Tracklet& piece, const Tracklet& whole) {
+    static bool is_fragment_of(const Tracklet& piece, const Tracklet& whole) {
         constexpr int samples = 12;
         int inside = 0;
         for (int n = 0; n < samples; ++n) {
@@ -259,8 +259,8 @@ class Conclusion {
             const std::optional<PixelBox> own = box_at(piece, seconds, frame);
             const std::optional<PixelBox> other = box_at(whole, seconds, frame);
             if (!own || !other) continue;
-            const PixelBox near = other->grown(1 + other->width() / 8, 1 + other->height() / 8);
-            const PixelBox both = common(near, *own);
+            const PixelBox near = other->inflated(1 + other->width() / 8, 1 + other->height() / 8);
+            const PixelBox both = intersection(near, *own);
             if (both.empty()) continue;
             const double all = std::max(1.0, static_cast<double>(own->width()) * own->height());
             if (both.width() * both.height() >= piece_inside * all) ++inside;
@@ -268,7 +268,7 @@ class Conclusion {
         return inside >= piece_shared * samples;
     }
 
-    void absorb_pieces() {
+    void absorb_fragments() {
         std::vector<std::size_t> order(candidates_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         const auto size_of = [&](std::size_t k) {
@@ -286,7 +286,7 @@ class Conclusion {
                 if (apart) continue;
                 const bool small = 2 * size_of(order[b]) <= size_of(order[a]);
                 if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
-                if (is_piece_of(piece.whole, whole.whole)) piece.wanted = false;
+                if (is_fragment_of(piece.whole, whole.whole)) piece.wanted = false;
             }
         }
     }
@@ -299,7 +299,7 @@ class Conclusion {
             const double seconds = thing.begin.at.seconds + just_after - n * (just_after + just_before) / samples;
             const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
             const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
-            if (box && box->grown(1 + box->width(), 1 + box->height() / 2).meets(place)) return true;
+            if (box && box->inflated(1 + box->width(), 1 + box->height() / 2).intersects(place)) return true;
         }
         return false;
     }
@@ -316,7 +316,7 @@ class Conclusion {
 
     /// Nothing is put down by nobody: what appears in the middle of a scene with nobody beside it is a patch of light,
     /// a caption, or what a codec leaves.
-    void find_bearer(std::size_t k) {
+    void find_carrier(std::size_t k) {
         Candidate& candidate = candidates_[k];
         Tracklet& own = candidate.whole;
         const bool is_thing = candidate.kind == EventKind::left || candidate.kind == EventKind::taken;
@@ -400,7 +400,7 @@ class Conclusion {
             event.kind = candidate.kind;
             event.first = own.begin.at;
             event.last = own.end.at;
-            event.box = common(own.box, {0, 0, span_.field.width, span_.field.height});
+            event.box = intersection(own.box, {0, 0, span_.field.width, span_.field.height});
             event.path = thinned(std::move(own.path));
             event.path_length = length_of(event.path);
             event.stays = std::move(own.stays);
@@ -409,7 +409,7 @@ class Conclusion {
             if (event.kind == EventKind::left || event.kind == EventKind::taken) event.by = event.from;
             event.portrait = own.portrait;
             if (own.in_scene && own.settled) {
-                event.in_scene = SceneShare{own.settled->patch.box, own.settled->patch.values};
+                event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
             }
             for (const std::size_t part : candidate.parts) event.tracks.push_back(tracklets_[part].number);
             events.push_back(std::move(event));

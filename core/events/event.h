@@ -36,7 +36,7 @@ struct Portrait {
 
 /// What the empty scene that the fields were compared with holds of an object: where the scene was made of frames with
 /// a bag in it, the fields show a ghost before the bag came, and nothing while it was there.
-struct SceneShare {
+struct ScenePatch {
     PixelBox box;                ///< field pixels
     Plane<std::uint8_t> values;  ///< of the ghost, in the box; 0 = not of the object
 };
@@ -75,11 +75,11 @@ struct Event {
     std::optional<std::size_t> by;      ///< of the event that put it down, or took it
     std::optional<Moment> alone_since;  ///< of what was left: when whoever left it had gone
     std::optional<Portrait> portrait;
-    std::optional<SceneShare> in_scene;  ///< none where the fields show it while it was there
+    std::optional<ScenePatch> in_scene;  ///< none where the fields show it while it was there
     std::vector<std::size_t> tracks;     ///< the numbers that its pixels have in `FrameLabels`
 };
 
 /// Seconds for which it kept its place.
-double still_seconds(const Event& event);
+double stationary_seconds(const Event& event);
 
 }  // namespace vvr::events

@@ -10,7 +10,7 @@ namespace {
 
 /// Whether pixels of `b` lie within `reach` of the box of `a`.
 bool touches(const Patch& a, const Patch& b, int reach) {
-    const PixelBox both = common(a.box.grown(reach, reach), b.box);
+    const PixelBox both = intersection(a.box.inflated(reach, reach), b.box);
     for (int j = both.top; j < both.bottom; ++j) {
         for (int i = both.left; i < both.right; ++i) {
             if (b.at(i, j) != 0) return true;
@@ -31,42 +31,42 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
       min_area_(std::max(4, field.width * field.height / 5000)),
       flicker_(options.flicker_memory) {}
 
-void EventFinder::add(const Sight& sight, const Moment& now) {
+void EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
-    if (stretches_.empty() || comes_after_gap(now)) {
-        begin_anew();
+    if (stretches_.empty() || follows_gap(now)) {
+        restart();
         stretches_.push_back({now, now});
     }
     last_ = stretches_.back().last = now;
     steadiness_.add(sight.field, now);
     flicker_.add(sight.field, now);
-    Blobs blobs = find_blobs(without_standing(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
+    Blobs blobs = find_blobs(without_stationary(sight, now), {std::max(1, reach_ / 2), 2 * reach_}, min_area_);
     std::vector<Appearance> looks;
     for (const Patch& patch : blobs.patches) looks.emplace_back(patch, sight);
     Assignment assignment = associate_movers(blobs, looks, now);
-    join_pieces(blobs, looks, assignment, sight);
-    look_after_hidden(sight, blobs, looks, assignment, now);
-    for (auto& chosen : assignment.tracks) drop_young(chosen);
-    go_on(sight, blobs, looks, assignment, now);
+    merge_fragments(blobs, looks, assignment, sight);
+    track_occluded(sight, blobs, looks, assignment, now);
+    for (auto& chosen : assignment.tracks) drop_unconfirmed(chosen);
+    update_tracks(sight, blobs, looks, assignment, now);
     settle(sight, now);
-    if (label_sink_) give_labels(now);
-    if (portrait_sink_) give_portraits(now);
+    if (label_sink_) emit_labels(now);
+    if (portrait_sink_) emit_portraits(now);
     std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
 }
 
 /// Numbers skip the frames that a recording, or a stream, has lost. Of a slow rate none is skipped.
-bool EventFinder::comes_after_gap(const Moment& now) const {
+bool EventFinder::follows_gap(const Moment& now) const {
     return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= options_.no_signal;
 }
 
-void EventFinder::begin_anew() {
+void EventFinder::restart() {
     for (Track& track : tracks_) end(track, false, last_);
     tracks_.clear();
     steadiness_ = {};
 }
 
 /// Takes out of the field what is known to stand there.
-Plane<std::uint8_t> EventFinder::without_standing(const Sight& sight, const Moment& now) {
+Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, const Moment& now) {
     const Plane<std::uint8_t>& field = sight.field;
     Plane<std::uint8_t> rest = field;
     for (Track& track : tracks_) {
@@ -74,7 +74,7 @@ Plane<std::uint8_t> EventFinder::without_standing(const Sight& sight, const Mome
         const double part = track.visible_part(field);
         if (part < options_.visible) continue;
         const bool alone = part >= options_.undisturbed;
-        track.see_standing(sight, now, alone);
+        track.update_stationary(sight, now, alone);
         // Its rim is never quite still. Where somebody is about it, that rim may be theirs.
         const int rim = alone ? reach_ + 1 : 0;
         for_each_pixel(track.patch(), [&](int i, int j, std::uint8_t value) {
@@ -91,7 +91,7 @@ Plane<std::uint8_t> EventFinder::without_standing(const Sight& sight, const Mome
 Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const Appearance> looks,
                                          const Moment& now) const {
     std::vector<std::size_t> movers;
-    std::vector<Expected> expected;
+    std::vector<PredictedTrack> expected;
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         const Track& track = tracks_[k];
         if (!track.follows_blobs()) continue;
@@ -103,7 +103,7 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
     for (auto& chosen : assignment.tracks) {
         for (std::size_t& k : chosen) k = movers[k];
     }
-    for (auto* places : {&assignment.piece_of, &assignment.out_of}) {
+    for (auto* places : {&assignment.fragment_of, &assignment.split_from}) {
         for (auto& k : *places) {
             if (k) k = movers[*k];
         }
@@ -111,12 +111,12 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
     return assignment;
 }
 
-void EventFinder::join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
-                              const Sight& sight) {
+void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
+                              const FrameView& sight) {
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
-        if (!assignment.piece_of[b]) continue;
+        if (!assignment.fragment_of[b]) continue;
         const auto home = std::ranges::find_if(assignment.tracks, [&](const auto& chosen) {
-            return chosen.size() == 1 && chosen.front() == *assignment.piece_of[b];
+            return chosen.size() == 1 && chosen.front() == *assignment.fragment_of[b];
         });
         const auto place = static_cast<std::size_t>(home - assignment.tracks.begin());
         blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
@@ -125,24 +125,24 @@ void EventFinder::join_pieces(Blobs& blobs, std::vector<Appearance>& looks, cons
 }
 
 /// What stood and is not seen now is behind somebody, was taken, or moves itself.
-void EventFinder::look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks,
+void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks,
                                     Assignment& assignment, const Moment& now) {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         Track& track = tracks_[k];
         if (!track.stands() || track.seen().frame == now.frame) continue;
         if (!track.near()) track.set_near(about(track));
-        if (!track.near() && rises(k, blobs, looks, assignment, sight, now)) continue;
+        if (!track.near() && resumes_motion(k, blobs, looks, assignment, sight, now)) continue;
         int covered = 0;
         for_each_pixel(track.patch(),
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
-        if (uncovered || now.seconds - track.seen().seconds > options_.covered_after) end(track, true, now);
+        if (uncovered || now.seconds - track.seen().seconds > options_.stationary_occluded_after) end(track, true, now);
     }
 }
 
 /// It rises where there is nobody but it, or pieces of it: all of those are it.
-bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                        const Sight& sight, const Moment& now) {
+bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                        const FrameView& sight, const Moment& now) {
     const std::size_t number = tracks_[k].number();
     const auto is_own = [&](std::size_t other) { return tracks_[other].from() == number; };
     const std::vector<int> overlap = overlaps_of(tracks_[k].patch(), {}, blobs);
@@ -150,7 +150,7 @@ bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& lo
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
         const auto& chosen = assignment.tracks[b];
         const bool any = chosen.empty() ? overlap[b] > 0 : std::ranges::all_of(chosen, is_own);
-        if (any && !assignment.piece_of[b]) own.push_back(b);
+        if (any && !assignment.fragment_of[b]) own.push_back(b);
     }
     if (own.empty()) return false;
     const std::size_t place = *std::ranges::max_element(own, {}, [&](std::size_t b) { return blobs.patches[b].area; });
@@ -159,10 +159,10 @@ bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& lo
         assignment.tracks[b].clear();
         if (b == place) continue;
         blobs.patches[place] = joined(blobs.patches[place], blobs.patches[b]);
-        assignment.piece_of[b] = k;
+        assignment.fragment_of[b] = k;
     }
     looks[place] = Appearance(blobs.patches[place], sight);
-    tracks_[k].rise(now);
+    tracks_[k].resume_motion(now);
     assignment.tracks[place] = {k};
     return true;
 }
@@ -170,10 +170,10 @@ bool EventFinder::rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& lo
 /// Who moves beside something that stands.
 std::optional<std::size_t> EventFinder::about(const Track& standing) const {
     const PixelBox& box = standing.patch().box;
-    const PixelBox wide = box.grown(box.width(), box.height());
+    const PixelBox wide = box.inflated(box.width(), box.height());
     for (const Track& track : tracks_) {
         const bool own = track.from() == standing.number();
-        if (!own && track.follows_blobs() && track.is_certain() && wide.meets(track.patch().box)) {
+        if (!own && track.follows_blobs() && track.is_confirmed() && wide.intersects(track.patch().box)) {
             return track.number();
         }
     }
@@ -181,22 +181,22 @@ std::optional<std::size_t> EventFinder::about(const Track& standing) const {
 }
 
 /// Pieces that were never seen for long belong to the rest of what they are part of now.
-void EventFinder::drop_young(std::vector<std::size_t>& chosen) {
+void EventFinder::drop_unconfirmed(std::vector<std::size_t>& chosen) {
     if (chosen.size() < 2) return;
     const auto whole = *std::ranges::max_element(
-        chosen, {}, [&](std::size_t k) { return std::pair(tracks_[k].is_certain(), tracks_[k].patch().area); });
+        chosen, {}, [&](std::size_t k) { return std::pair(tracks_[k].is_confirmed(), tracks_[k].patch().area); });
     std::erase_if(chosen, [&](std::size_t k) {
         Track& piece = tracks_[k];
-        if (k == whole || piece.is_certain()) return false;
+        if (k == whole || piece.is_confirmed()) return false;
         // Who has just come in at the border is somebody, and no piece of whoever is leaving there.
-        if (tracks_[whole].is_certain() && piece.came_in()) return false;
-        if (!tracks_[whole].is_certain()) tracks_[whole].join(piece);
+        if (tracks_[whole].is_confirmed() && piece.entered_at_border()) return false;
+        if (!tracks_[whole].is_confirmed()) tracks_[whole].join(piece);
         piece.drop();
         return true;
     });
 }
 
-void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks,
+void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
                         const Assignment& assignment, const Moment& now) {
     std::vector<bool> went_on(tracks_.size());
     std::vector<Track> begun;
@@ -209,7 +209,7 @@ void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const 
         }
         if (chosen.size() == 1) {
             Track& track = tracks_[chosen.front()];
-            if (track.has_left_to(blobs.patches[b])) {
+            if (track.is_replaced_by(blobs.patches[b])) {
                 end(track, false, now);
                 begin(blobs.patches[b], looks[b], {}, begun, sight, now);
             } else {
@@ -218,8 +218,8 @@ void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const 
             }
             continue;
         }
-        if (assignment.piece_of[b]) continue;
-        begin(blobs.patches[b], looks[b], assignment.out_of[b], begun, sight, now);
+        if (assignment.fragment_of[b]) continue;
+        begin(blobs.patches[b], looks[b], assignment.split_from[b], begun, sight, now);
     }
     for (std::size_t k = 0; k < went_on.size(); ++k) {
         Track& track = tracks_[k];
@@ -234,7 +234,7 @@ void EventFinder::go_on(const Sight& sight, const Blobs& blobs, std::span<const 
 /// Begins a track with a blob.
 /// \param parent place of the track out of which it came
 void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent,
-                        std::vector<Track>& begun, const Sight& sight, const Moment& now) {
+                        std::vector<Track>& begun, const FrameView& sight, const Moment& now) {
     auto from = parent ? std::optional(tracks_[*parent].number()) : std::nullopt;
     for (const Track& track : tracks_) {
         // Pieces of a piece are those of the whole.
@@ -247,46 +247,46 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
 }
 
 /// Finds each of several tracks in the blob that they are.
-void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now) {
+void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now) {
     std::vector<const Template*> templates;
     std::vector<glm::ivec2> expected;
     double together = 0;
     double largest = 0;
     for (const std::size_t k : chosen) {
-        largest = std::max(largest, tracks_[k].area_by_now());
+        largest = std::max(largest, tracks_[k].current_area());
         together += tracks_[k].usual_area();
-        templates.push_back(&tracks_[k].looked_like());
+        templates.push_back(&tracks_[k].appearance_template());
         expected.push_back(tracks_[k].template_shift_at(now));
     }
     const bool has_room = blob.area >= room * together;
-    const std::vector<Share> shares = share_blob(blob, sight, templates, expected);
+    const std::vector<TemplateMatch> shares = split_blob(blob, sight, templates, expected);
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
         // Anything small is like some part of a person.
-        const bool is_small = track.area_by_now() < small_part * largest;
+        const bool is_small = track.current_area() < small_part * largest;
         if (is_small) {
-            track.miss_within(now);
+            track.miss_merged(now);
             if (now.seconds - track.seen().seconds > options_.lost_after) end(track, true, now);
             continue;
         }
-        const bool found = track.see_within(shares[n], blob, has_room, sight, now);
+        const bool found = track.update_merged(shares[n], blob, has_room, sight, now);
         if (track.is_outside() || track.is_leaving()) end(track, false, now);
-        if (!found && now.seconds - track.seen().seconds > options_.hidden_after) end(track, true, now);
+        if (!found && now.seconds - track.seen().seconds > options_.occluded_after) end(track, true, now);
     }
 }
 
-void EventFinder::settle(const Sight& sight, const Moment& now) {
+void EventFinder::settle(const FrameView& sight, const Moment& now) {
     for (Track& track : tracks_) {
         if (track.state() != State::moving || track.seen().frame != now.frame) continue;
         if (!track.has_settled(steadiness_, flicker_, now)) continue;
         track.settle(steadiness_, sight, now);
-        join_standing(track, sight);
+        merge_stationary(track, sight);
     }
 }
 
 /// What came to rest in parts, for some of it was hidden for a while, is one thing: that of which more is known.
-void EventFinder::join_standing(Track& part, const Sight& sight) {
+void EventFinder::merge_stationary(Track& part, const FrameView& sight) {
     for (Track& other : tracks_) {
         if (&other == &part || !other.stands() || !part.belongs_to(other)) continue;
         const bool is_whole = part.first().frame < other.first().frame && part.usual_area() > other.usual_area();
@@ -300,7 +300,7 @@ void EventFinder::join_standing(Track& part, const Sight& sight) {
 
 void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (track.is_over()) return;
-    const bool certain = track.is_certain();
+    const bool certain = track.is_confirmed();
     Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
     tracklet.stretch = stretches_.size() - 1;
     // Rain and leaves would fill the memory of a stream that lasts for days.
@@ -308,7 +308,7 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }
 
-void EventFinder::give_labels(const Moment& now) const {
+void EventFinder::emit_labels(const Moment& now) const {
     FrameLabels labels{now, {}};
     for (const Track& track : tracks_) {
         if (!track.is_over() && track.seen().frame == now.frame) add_runs(track.pixels(), track.number(), labels);
@@ -316,7 +316,7 @@ void EventFinder::give_labels(const Moment& now) const {
     label_sink_(labels);
 }
 
-void EventFinder::give_portraits(const Moment& now) const {
+void EventFinder::emit_portraits(const Moment& now) const {
     for (const Track& track : tracks_) {
         const std::optional<Portrait>& portrait = track.portrait();
         if (portrait && portrait->at.frame == now.frame) portrait_sink_(track.number(), *portrait);

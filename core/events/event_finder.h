@@ -38,7 +38,7 @@ class EventFinder {
     void set_portrait_sink(PortraitSink sink) { portrait_sink_ = std::move(sink); }
 
     /// \param now later than in the call before
-    void add(const Sight& sight, const Moment& now);
+    void add(const FrameView& sight, const Moment& now);
 
     /// Drops what is known of the objects that had gone by then, so that a stream of days needs no more memory than one
     /// of minutes. `finish` tells of the others.
@@ -52,27 +52,27 @@ class EventFinder {
     std::vector<Event> finish(const fields::Planes& scene = {});
 
   private:
-    bool comes_after_gap(const Moment& now) const;
-    void begin_anew();
-    Plane<std::uint8_t> without_standing(const Sight& sight, const Moment& now);
+    bool follows_gap(const Moment& now) const;
+    void restart();
+    Plane<std::uint8_t> without_stationary(const FrameView& sight, const Moment& now);
     Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
-    void join_pieces(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const Sight& sight);
-    void look_after_hidden(const Sight& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+    void merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const FrameView& sight);
+    void track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
                            const Moment& now);
-    bool rises(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment, const Sight& sight,
+    bool resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment, const FrameView& sight,
                const Moment& now);
     std::optional<std::size_t> about(const Track& standing) const;
-    void drop_young(std::vector<std::size_t>& chosen);
-    void go_on(const Sight& sight, const Blobs& blobs, std::span<const Appearance> looks, const Assignment& assignment,
+    void drop_unconfirmed(std::vector<std::size_t>& chosen);
+    void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks, const Assignment& assignment,
                const Moment& now);
     void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
-               const Sight& sight, const Moment& now);
-    void share(const Patch& blob, std::span<const std::size_t> chosen, const Sight& sight, const Moment& now);
-    void settle(const Sight& sight, const Moment& now);
-    void join_standing(Track& part, const Sight& sight);
+               const FrameView& sight, const Moment& now);
+    void share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now);
+    void settle(const FrameView& sight, const Moment& now);
+    void merge_stationary(Track& part, const FrameView& sight);
     void end(Track& track, bool taken, const Moment& now);
-    void give_labels(const Moment& now) const;
-    void give_portraits(const Moment& now) const;
+    void emit_labels(const Moment& now) const;
+    void emit_portraits(const Moment& now) const;
 
     EventOptions options_;
     Size field_;

@@ -23,7 +23,7 @@ std::string_view name_of(EventKind kind) {
     return rows[static_cast<std::size_t>(kind)].name;
 }
 
-double still_seconds(const Event& event) {
+double stationary_seconds(const Event& event) {
     double still = 0;
     for (const Stay& stay : event.stays) still += stay.last.seconds - stay.first.seconds;
     return still;

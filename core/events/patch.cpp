@@ -14,14 +14,14 @@ namespace {
 PixelBox box_of_objects(const Plane<std::uint8_t>& field, const glm::ivec2& reach) {
     const cv::Rect all = cv::boundingRect(cv_view(field));
     if (all.empty()) return {};
-    const PixelBox wide = PixelBox{all.x, all.y, all.x + all.width, all.y + all.height}.grown(reach.x, reach.y);
-    return common(wide, {0, 0, field.width(), field.height()});
+    const PixelBox wide = PixelBox{all.x, all.y, all.x + all.width, all.y + all.height}.inflated(reach.x, reach.y);
+    return intersection(wide, {0, 0, field.width(), field.height()});
 }
 
 }  // namespace
 
 Patch joined(const Patch& a, const Patch& b) {
-    const PixelBox box = hull_of(a.box, b.box);
+    const PixelBox box = bounding_box(a.box, b.box);
     Patch whole{.box = box, .values = Plane<std::uint8_t>({box.width(), box.height()}), .area = 0, .centre = {}};
     for (int j = box.top; j < box.bottom; ++j) {
         for (int i = box.left; i < box.right; ++i) {
@@ -36,8 +36,8 @@ Patch joined(const Patch& a, const Patch& b) {
     return whole;
 }
 
-Patch moved(Patch patch, const glm::ivec2& by) {
-    patch.box = patch.box.moved(by.x, by.y);
+Patch translated(Patch patch, const glm::ivec2& by) {
+    patch.box = patch.box.translated(by.x, by.y);
     patch.centre += by;
     return patch;
 }
@@ -57,7 +57,7 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int 
         for (int i = all.left; i < all.right; ++i) {
             if (field.at(i, j) == 0) continue;
             Patch& patch = found[static_cast<std::size_t>(blobs.labels.at(i, j))];
-            patch.box = hull_of(patch.box, {i, j, i + 1, j + 1});
+            patch.box = bounding_box(patch.box, {i, j, i + 1, j + 1});
             patch.centre += glm::dvec2(i, j);
             ++patch.area;
         }

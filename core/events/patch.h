@@ -55,7 +55,7 @@ struct Blobs {
 Patch joined(const Patch& a, const Patch& b);
 
 /// The same pixels at another place.
-Patch moved(Patch patch, const glm::ivec2& by);
+Patch translated(Patch patch, const glm::ivec2& by);
 
 /// The objects of a field: pixels that are not 0. Those at most 2 `reach` + 1 columns or rows apart belong together,
 /// because a filter often cuts a person in two. It does so across the body, and two people walk side by side: so the

@@ -53,7 +53,7 @@ double length_of(const std::vector<PathPoint>& path) {
     return length;
 }
 
-double steadiness_of(const std::vector<PathPoint>& path) {
+double straightness_of(const std::vector<PathPoint>& path) {
     if (path.size() < 4) return 1;
     double along = 0;
     double all = 0;

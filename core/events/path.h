@@ -36,7 +36,7 @@ double length_of(const std::vector<PathPoint>& path);
 
 /// How well each step goes on in the direction of the one before: 1 on a straight way, 0 or less where it jumps about.
 /// 1 for a path of fewer than four points.
-double steadiness_of(const std::vector<PathPoint>& path);
+double straightness_of(const std::vector<PathPoint>& path);
 
 /// Where it is at that frame, between the points.
 glm::dvec2 place_at(const std::vector<PathPoint>& path, std::int64_t frame);

@@ -50,7 +50,7 @@ std::pair<Corner, std::int64_t> fullest(const std::array<std::int64_t, cells * c
 
 }  // namespace
 
-std::optional<Scraps> find_scraps(std::span<const Event> events, Size field) {
+std::optional<Clutter> find_clutter(std::span<const Event> events, Size field) {
     const int most = std::max(field.width, field.height) / small_part;
     std::array<std::int64_t, cells * cells> counts{};
     std::vector<const Event*> small;
@@ -64,11 +64,11 @@ std::optional<Scraps> find_scraps(std::span<const Event> events, Size field) {
     const std::int64_t count = std::ssize(small);
     if (count < many || 2 * count < std::ssize(events) || 2 * inside < count) return std::nullopt;
 
-    std::optional<Scraps> scraps;
+    std::optional<Clutter> scraps;
     for (const Event* event : small) {
         if (!is_inside(cell_of(event->box, field), corner)) continue;
-        if (!scraps) scraps = Scraps{count, event->box, event->portrait ? event->portrait->at : event->first};
-        scraps->box = hull_of(scraps->box, event->box);
+        if (!scraps) scraps = Clutter{count, event->box, event->portrait ? event->portrait->at : event->first};
+        scraps->box = bounding_box(scraps->box, event->box);
     }
     return scraps;
 }

@@ -10,13 +10,13 @@ namespace vvr::events {
 namespace {
 
 constexpr int search = 3;          // pixels that an object may be off the place where motion leads
-constexpr double astray = 0.004;   // likeness that a squared pixel away from there must make good
+constexpr double astray = 0.004;   // similarity that a squared pixel away from there must make good
 constexpr int most_samples = 100;  // pixels of a template that are compared
 constexpr int unlike = 72;         // levels of a channel at which two colours have nothing in common
-constexpr int own = unlike / 2;    // likeness of a pixel that is taken
+constexpr int own = unlike / 2;    // similarity of a pixel that is taken
 
 /// 0 for two colours with nothing in common, `unlike` for the same.
-int likeness(const Bgr& a, const Bgr& b) {
+int similarity(const Bgr& a, const Bgr& b) {
     int most = 0;
     for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
     return std::max(0, unlike - most);
@@ -41,9 +41,9 @@ std::vector<Sample> samples_of(const Template& object) {
 }
 
 /// The blob's pixels that nobody has taken yet.
-class Free {
+class UnclaimedPixels {
   public:
-    explicit Free(const Patch& blob) : rest_(blob) {}
+    explicit UnclaimedPixels(const Patch& blob) : rest_(blob) {}
 
     bool at(int i, int j) const { return rest_.at(i, j) != 0; }
     void take(int i, int j) {
@@ -57,10 +57,10 @@ class Free {
 struct Place {
     glm::ivec2 shift{};
     double score = -std::numeric_limits<double>::infinity();
-    double likeness = 0;
+    double similarity = 0;
 };
 
-Place place_at(const std::vector<Sample>& samples, const Sight& sight, const Patch& blob, const Free& free,
+Place place_at(const std::vector<Sample>& samples, const FrameView& sight, const Patch& blob, const UnclaimedPixels& free,
                const glm::ivec2& expected, const glm::ivec2& off) {
     int sum = 0;
     int against = 0;
@@ -68,7 +68,7 @@ Place place_at(const std::vector<Sample>& samples, const Sight& sight, const Pat
         const glm::ivec2 p = sample.place + expected + off;
         // A pixel may be hidden behind another object; where there is no object at all, this one is not.
         if (blob.at(p.x, p.y) == 0) against += unlike / 8;
-        if (free.at(p.x, p.y)) sum += likeness(sight.at(p.x, p.y), sample.colour);
+        if (free.at(p.x, p.y)) sum += similarity(sight.at(p.x, p.y), sample.colour);
     }
     const double all = static_cast<double>(unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
     const double part = sum / all;
@@ -76,7 +76,7 @@ Place place_at(const std::vector<Sample>& samples, const Sight& sight, const Pat
 }
 
 /// Looks at every other pixel first, and then about the best of them.
-Place best_place(const std::vector<Sample>& samples, const Sight& sight, const Patch& blob, const Free& free,
+Place best_match(const std::vector<Sample>& samples, const FrameView& sight, const Patch& blob, const UnclaimedPixels& free,
                  const glm::ivec2& expected) {
     Place best;
     glm::ivec2 best_off{};
@@ -96,29 +96,29 @@ Place best_place(const std::vector<Sample>& samples, const Sight& sight, const P
     return best;
 }
 
-void take_own(const Template& object, const glm::ivec2& shift, const Sight& sight, Free& free) {
+void take_own(const Template& object, const glm::ivec2& shift, const FrameView& sight, UnclaimedPixels& free) {
     for_each_pixel(object.patch, [&](int i, int j, std::uint8_t) {
         const glm::ivec2 p(i + shift.x, j + shift.y);
         if (!free.at(p.x, p.y)) return;
         const Bgr& colour = object.colours.at(i - object.patch.box.left, j - object.patch.box.top);
-        if (likeness(sight.at(p.x, p.y), colour) >= own) free.take(p.x, p.y);
+        if (similarity(sight.at(p.x, p.y), colour) >= own) free.take(p.x, p.y);
     });
 }
 
 /// Gives each pixel of the blob to the object that looks most like it there, or else to the nearest.
-void share_pixels(const Patch& blob, const Sight& sight, std::span<const Template* const> templates,
-                  std::vector<Share>& shares) {
-    for (Share& share : shares) share.patch = {.box = blob.box, .values = Plane<std::uint8_t>(blob.values.size())};
+void split_pixels(const Patch& blob, const FrameView& sight, std::span<const Template* const> templates,
+                  std::vector<TemplateMatch>& shares) {
+    for (TemplateMatch& share : shares) share.patch = {.box = blob.box, .values = Plane<std::uint8_t>(blob.values.size())};
     for_each_pixel(blob, [&](int i, int j, std::uint8_t value) {
         const Bgr colour = sight.at(i, j);
         double most = -std::numeric_limits<double>::infinity();
-        Share* owner = nullptr;
+        TemplateMatch* owner = nullptr;
         for (std::size_t k = 0; k < shares.size(); ++k) {
             const Patch& patch = templates[k]->patch;
             const glm::ivec2 p = glm::ivec2(i, j) - shares[k].shift;
             double score = 0;
             if (patch.at(p.x, p.y) != 0) {
-                score = 1 + likeness(colour, templates[k]->colours.at(p.x - patch.box.left, p.y - patch.box.top));
+                score = 1 + similarity(colour, templates[k]->colours.at(p.x - patch.box.left, p.y - patch.box.top));
             } else {
                 const glm::dvec2 half(0.5 * patch.box.width() + 1, 0.5 * patch.box.height() + 1);
                 score = -glm::length((glm::dvec2(p) - patch.centre) / half);
@@ -132,42 +132,42 @@ void share_pixels(const Patch& blob, const Sight& sight, std::span<const Templat
         owner->patch.centre += glm::dvec2(i, j);
         ++owner->patch.area;
     });
-    for (Share& share : shares) share.patch.centre /= std::max(1, share.patch.area);
+    for (TemplateMatch& share : shares) share.patch.centre /= std::max(1, share.patch.area);
 }
 
 }  // namespace
 
-Template::Template(Patch of, const Sight& sight)
+Template::Template(Patch of, const FrameView& sight)
     : patch(std::move(of)), colours(Plane<Bgr>::for_overwrite(patch.values.size())) {
     for (int j = 0; j < colours.height(); ++j) {
         for (int i = 0; i < colours.width(); ++i) colours.at(i, j) = sight.at(patch.box.left + i, patch.box.top + j);
     }
 }
 
-std::vector<Share> share_blob(const Patch& blob, const Sight& sight, std::span<const Template* const> templates,
+std::vector<TemplateMatch> split_blob(const Patch& blob, const FrameView& sight, std::span<const Template* const> templates,
                               std::span<const glm::ivec2> expected) {
     const std::size_t count = templates.size();
-    std::vector<Share> shares(count);
+    std::vector<TemplateMatch> shares(count);
     std::vector<std::vector<Sample>> samples(count);
     for (std::size_t k = 0; k < count; ++k) samples[k] = samples_of(*templates[k]);
     std::vector<bool> placed(count);
-    Free free(blob);
+    UnclaimedPixels free(blob);
     for (std::size_t turn = 0; turn < count; ++turn) {
         Place best;
         std::size_t next = count;
         for (std::size_t k = 0; k < count; ++k) {
             if (placed[k]) continue;
-            const Place place = best_place(samples[k], sight, blob, free, expected[k]);
+            const Place place = best_match(samples[k], sight, blob, free, expected[k]);
             if (next != count && place.score <= best.score) continue;
             best = place;
             next = k;
         }
         placed[next] = true;
         shares[next].shift = best.shift;
-        shares[next].likeness = best.likeness;
+        shares[next].similarity = best.similarity;
         take_own(*templates[next], best.shift, sight, free);
     }
-    share_pixels(blob, sight, templates, shares);
+    split_pixels(blob, sight, templates, shares);
     return shares;
 }
 

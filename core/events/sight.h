@@ -8,7 +8,7 @@ namespace vvr::events {
 
 /// What is seen at one moment: the field, and the frame of which it was made. The planes are of one size; a frame
 /// without colour or without a picture leaves those empty, and then objects are told apart by what is left.
-struct Sight {
+struct FrameView {
     const Plane<std::uint8_t>& field;  ///< 0 = nothing; else part of an object
     const Plane<std::uint8_t>& grey;
     const Plane<Bgr>& colour;

@@ -21,7 +21,7 @@ constexpr double comes_back = 1.6;  // times its least area by which a blob is t
 constexpr double too_much = 1.5;
 constexpr double unlike = 0.3;          // distance of looks of different people
 constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
-constexpr double sure = 0.3;            // likeness within a shared blob that is more than chance
+constexpr double sure = 0.3;            // similarity within a shared blob that is more than chance
 constexpr double part_of_parent = 0.5;  // of whom it came out of: a smaller one was carried
 constexpr double apart = 0.6;           // of the longer side of a thing, by which parts of it may be apart
 constexpr double rolls_out = 1;         // seconds for which something of one colour may look steady before it stops
@@ -51,13 +51,13 @@ Moment nearly_last_of(std::vector<Moment> moments) {
 
 /// Whether one box covers enough of the other for both to be of one thing.
 bool goes_over(const PixelBox& a, const PixelBox& b) {
-    const PixelBox both = common(a, b);
+    const PixelBox both = intersection(a, b);
     if (both.empty()) return false;
     const int smaller = std::min(a.width() * a.height(), b.width() * b.height());
     return both.width() * both.height() >= no_jump * smaller;
 }
 
-double mean_gradient(const Patch& patch, const Sight& sight) {
+double mean_gradient(const Patch& patch, const FrameView& sight) {
     double sum = 0;
     int count = 0;
     for (int j = patch.box.top + 1; j < patch.box.bottom; j += 2) {
@@ -93,10 +93,10 @@ glm::ivec2 Track::template_shift_at(const Moment& now) const {
 
 PixelBox Track::moved_box_at(const Moment& now) const {
     const glm::ivec2 shift = shift_at(now);
-    return patch_.box.moved(shift.x, shift.y);
+    return patch_.box.translated(shift.x, shift.y);
 }
 
-void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area) {
+void Track::record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area) {
     if (sightings_ == 0) {
         first_ = now;
         low_ = place;
@@ -104,7 +104,7 @@ void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& pl
         begin_ = {now, place, {}, touches_border(box)};
     }
     seen_ = now;
-    box_ = hull_of(box_, box);
+    box_ = bounding_box(box_, box);
     low_ = glm::min(low_, place);
     high_ = glm::max(high_, place);
     ++sightings_;
@@ -112,11 +112,11 @@ void Track::went_on(const Moment& now, const PixelBox& box, const glm::dvec2& pl
     if (!stands()) stays_.add(now, place, box, std::max(2.0, 0.15 * std::sqrt(static_cast<double>(area))));
 }
 
-bool Track::has_left_to(const Patch& blob) const {
+bool Track::is_replaced_by(const Patch& blob) const {
     return is_leaving() && blob.area > comes_back * least_at_border_ + 10 && touches_border(blob.box);
 }
 
-void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker,
+void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
                 const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
     if (state_ == State::merged || growth > abrupt || growth < 1 / abrupt) recent_.clear();
@@ -156,20 +156,20 @@ void Track::see(const Patch& patch, const Appearance& look, const Sight& sight, 
     ++alone_;
     flicker_sum_ += flicker.of(patch);
     ++flicker_count_;
-    went_on(now, patch.box, patch.centre, patch.area);
+    record_position(now, patch.box, patch.centre, patch.area);
     take_portrait(sight, patch, now);
 }
 
 void Track::move_to(const glm::dvec2& place) {
-    patch_ = moved(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
+    patch_ = translated(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
     place_ = place;
 }
 
-bool Track::see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now) {
+bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight, const Moment& now) {
     state_ = State::merged;
     const double time = now.seconds - place_at_.seconds;
     const glm::dvec2 expected = place_ + velocity_ * time;
-    const bool alike = share.likeness >= sure;
+    const bool alike = share.similarity >= sure;
     const bool found =
         alike || (has_room && share.patch.area >= enough * usual_area_ && share.patch.area <= too_much * usual_area_ &&
                   distance(look_, Appearance(share.patch, sight)) < unlike);
@@ -189,7 +189,7 @@ bool Track::see_within(const Share& share, const Patch& blob, bool has_room, con
     pixels_ = share.patch;
     recent_.clear();
     if (found) {
-        went_on(now, patch_.box, place, patch_.area);
+        record_position(now, patch_.box, place, patch_.area);
         take_portrait(sight, patch_, now, in_company);
     }
     return found;
@@ -217,7 +217,7 @@ bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, co
     return steady >= options_.settled_part * patch_.area && flicker.of(patch_) < options_.flicker;
 }
 
-void Track::settle(const Steadiness& steadiness, const Sight& sight, const Moment& now) {
+void Track::settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now) {
     const bool young = now.seconds - first_.seconds < 2 * options_.stay;
     const bool small = patch_.area < part_of_parent * area_of_parent_;
     const bool out_of_another = from_.has_value() && (young || small);
@@ -264,19 +264,19 @@ void Track::settle(const Steadiness& steadiness, const Sight& sight, const Momen
     place_at_ = now;
     recent_.clear();
     stay_ = {still, now, patch_.centre, patch_.box};
-    see_standing(sight, now, true);
+    update_stationary(sight, now, true);
 }
 
 bool Track::belongs_to(const Track& other) const {
     const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
     const int reach = 3 + static_cast<int>(apart * std::max(larger.width(), larger.height()));
-    return patch_.box.grown(reach, reach).meets(other.patch_.box) &&
+    return patch_.box.inflated(reach, reach).intersects(other.patch_.box) &&
            std::abs(settled_->since.seconds - other.settled_->since.seconds) <= options_.stay;
 }
 
-void Track::add_part(const Track& part, const Sight& sight) {
+void Track::add_part(const Track& part, const FrameView& sight) {
     patch_ = joined(patch_, part.patch_);
-    box_ = hull_of(box_, patch_.box);
+    box_ = bounding_box(box_, patch_.box);
     place_ = patch_.centre;
     stay_.place = patch_.centre;
     stay_.box = patch_.box;
@@ -290,10 +290,10 @@ double Track::visible_part(const Plane<std::uint8_t>& field) const {
     return part_alike(patch_, field);
 }
 
-void Track::see_standing(const Sight& sight, const Moment& now, bool alone) {
+void Track::update_stationary(const FrameView& sight, const Moment& now, bool alone) {
     stay_.last = now;
     pixels_ = patch_;
-    went_on(now, patch_.box, patch_.centre, patch_.area);
+    record_position(now, patch_.box, patch_.centre, patch_.area);
     if (alone) {
         last_whole_ = now;
         near_.reset();
@@ -307,7 +307,7 @@ void Track::end_stay() {
     state_ = State::moving;
 }
 
-void Track::rise(const Moment& now) {
+void Track::resume_motion(const Moment& now) {
     risen_ = now;
     // What is of one colour hides for a while that it goes: it covers itself.
     stay_.last = last_whole_;
@@ -317,10 +317,10 @@ void Track::rise(const Moment& now) {
 
 void Track::join(const Track& piece) {
     if (piece.first_.frame < first_.frame) first_ = piece.first_;
-    box_ = hull_of(box_, piece.box_);
+    box_ = bounding_box(box_, piece.box_);
 }
 
-void Track::take_portrait(const Sight& sight, const Patch& patch, const Moment& now, double worth) {
+void Track::take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth) {
     if (now.seconds < portrait_due_) return;
     portrait_due_ = now.seconds + portrait_each;
     if (touches_border(patch.box)) worth *= cut_off;
@@ -340,7 +340,7 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     result.into = into;
     result.begin = begin_;
     result.begin.at = first_;
-    const PixelBox last_box = moved(patch_, glm::ivec2(glm::round(velocity_ * 0.2))).box;
+    const PixelBox last_box = translated(patch_, glm::ivec2(glm::round(velocity_ * 0.2))).box;
     result.path = path_.points();
     result.areas = path_.areas();
     result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_, touches_border(last_box)};

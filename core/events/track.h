@@ -48,11 +48,11 @@ class Track {
     glm::dvec2 usual_size() const { return usual_size_; }
     double usual_area() const { return usual_area_; }
     /// The same of who is coming in, and has been larger of late than usual.
-    double area_by_now() const { return std::max<double>(usual_area_, template_.patch.area); }
+    double current_area() const { return std::max<double>(usual_area_, template_.patch.area); }
     std::optional<std::size_t> near() const { return near_; }
 
     /// Whether it has been seen for long enough to be more than a piece of something.
-    bool is_certain() const { return seen_.seconds - first_.seconds >= options_.least; }
+    bool is_confirmed() const { return seen_.seconds - first_.seconds >= options_.least; }
 
     /// Whether motion has led its middle out of the picture.
     bool is_outside() const {
@@ -61,14 +61,14 @@ class Track {
     }
 
     /// Whether it began at the border of the picture, out of nobody.
-    bool came_in() const { return !from_ && begin_.at_border; }
+    bool entered_at_border() const { return !from_ && begin_.at_border; }
 
     /// Where it will be, as a shift of its patch: whole pixels.
     glm::ivec2 shift_at(const Moment& now) const;
 
     /// The same as a shift of what it looked like when it was last alone.
     glm::ivec2 template_shift_at(const Moment& now) const;
-    const Template& looked_like() const { return template_; }
+    const Template& appearance_template() const { return template_; }
 
     /// Who is in front of it, or about it.
     void set_near(std::optional<std::size_t> number) { near_ = number; }
@@ -78,21 +78,21 @@ class Track {
     }
 
     /// Whether it has all but left the picture.
-    bool is_leaving() const { return least_at_border_ > 0 && least_at_border_ < all_but_left * usual_area_; }
+    bool is_leaving() const { return least_at_border_ > 0 && least_at_border_ < nearly_gone_share * usual_area_; }
 
     /// Whether it is leaving, and this blob is somebody else who comes in at the same place.
-    bool has_left_to(const Patch& blob) const;
+    bool is_replaced_by(const Patch& blob) const;
 
     /// It is this blob now.
-    void see(const Patch& patch, const Appearance& look, const Sight& sight, const Flicker& flicker, const Moment& now);
+    void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker, const Moment& now);
 
     /// It is this part of a blob that several objects share.
     /// \param has_room the blob is as large as they are together, so that nobody hides another
     /// \returns whether there is enough of it to be sure
-    bool see_within(const Share& share, const Patch& blob, bool has_room, const Sight& sight, const Moment& now);
+    bool update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight, const Moment& now);
 
     /// It is somewhere in a blob that it shares, and nobody can tell where.
-    void miss_within(const Moment& now) {
+    void miss_merged(const Moment& now) {
         state_ = State::merged;
         miss(now);
     }
@@ -105,22 +105,22 @@ class Track {
 
     /// From now on it stands: it is those of its pixels that have kept their values.
     /// If it came out of another, as a bag does, it began when it became still.
-    void settle(const Steadiness& steadiness, const Sight& sight, const Moment& now);
+    void settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now);
 
     /// Both stand: whether they are parts of one thing, which came to rest side by side within `options.stay`.
     bool belongs_to(const Track& other) const;
 
     /// It stands, and so does this part of it.
-    void add_part(const Track& part, const Sight& sight);
+    void add_part(const Track& part, const FrameView& sight);
 
     /// Of an object that stands, the part of its pixels that are seen.
     double visible_part(const Plane<std::uint8_t>& field) const;
 
     /// It stands, and is seen, now. `alone` where nobody is in front of it or beside it.
-    void see_standing(const Sight& sight, const Moment& now, bool alone);
+    void update_stationary(const FrameView& sight, const Moment& now, bool alone);
 
     /// It stands no more, for it moves.
-    void rise(const Moment& now);
+    void resume_motion(const Moment& now);
 
     /// It began in pieces, of which this is one.
     void join(const Track& piece);
@@ -132,14 +132,14 @@ class Track {
     void drop() { state_ = State::over; }
 
   private:
-    static constexpr double all_but_left = 0.3;  ///< of its usual area that is still seen at the border
+    static constexpr double nearly_gone_share = 0.3;  ///< of its usual area that is still seen at the border
 
-    void went_on(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
+    void record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
     void move_to(const glm::dvec2& place);
     PixelBox moved_box_at(const Moment& now) const;
     void end_stay();
     bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
-    void take_portrait(const Sight& sight, const Patch& patch, const Moment& now, double worth = 1);
+    void take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth = 1);
     bool touches_border(const PixelBox& box) const;
 
     std::size_t number_;

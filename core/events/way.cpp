@@ -19,13 +19,13 @@ double told(double value) {
 }
 
 /// How far a point is from where the straight way from `a` to `b` has it at its moment.
-double off_way(const WayPoint& a, const WayPoint& b, const WayPoint& point) {
+double synchronized_distance(const Waypoint& a, const Waypoint& b, const Waypoint& point) {
     const double share = b.time > a.time ? static_cast<double>(point.time - a.time) / (b.time - a.time) : 0;
     return std::hypot(point.x - (a.x + share * (b.x - a.x)), point.y - (a.y + share * (b.y - a.y)));
 }
 
 /// Douglas and Peucker's way, by the distance at the same moment: marks what stays between two points that do.
-void mark_kept(std::span<const WayPoint> way, double tolerance, std::vector<bool>& kept) {
+void mark_kept(std::span<const Waypoint> way, double tolerance, std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> parts{{0, way.size() - 1}};
     while (!parts.empty()) {
         const auto [begin, end] = parts.back();
@@ -33,7 +33,7 @@ void mark_kept(std::span<const WayPoint> way, double tolerance, std::vector<bool
         double farthest = tolerance;
         std::size_t at = begin;
         for (std::size_t k = begin + 1; k < end; ++k) {
-            const double off = off_way(way[begin], way[end], way[k]);
+            const double off = synchronized_distance(way[begin], way[end], way[k]);
             if (off <= farthest) continue;
             farthest = off;
             at = k;
@@ -47,17 +47,17 @@ void mark_kept(std::span<const WayPoint> way, double tolerance, std::vector<bool
 
 }  // namespace
 
-WayPoint way_point(double seconds, const glm::dvec2& place, const glm::dvec2& size) {
+Waypoint waypoint(double seconds, const glm::dvec2& place, const glm::dvec2& size) {
     return {whole(told(seconds) * 10), whole((told(place.x) + 0.5) / size.x * 1000),
             whole((told(place.y) + 0.5) / size.y * 1000)};
 }
 
-std::vector<WayPoint> simplified(std::span<const WayPoint> way, double tolerance) {
+std::vector<Waypoint> simplified(std::span<const Waypoint> way, double tolerance) {
     if (way.size() < 3) return {way.begin(), way.end()};
     std::vector<bool> kept(way.size());
     kept.front() = kept.back() = true;
     mark_kept(way, tolerance, kept);
-    std::vector<WayPoint> points;
+    std::vector<Waypoint> points;
     for (std::size_t k = 0; k < way.size(); ++k) {
         if (kept[k]) points.push_back(way[k]);
     }

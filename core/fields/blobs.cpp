@@ -73,7 +73,7 @@ std::size_t root(std::vector<Run>& runs, std::size_t k) {
 
 // Runs are in order of rows and columns, so two fingers find all that touch between one row and the next.
 /// \param slack 1 where runs that meet at a corner touch, 0 where they don't
-void join_neighbours(std::vector<Run>& runs, int slack) {
+void merge_neighbours(std::vector<Run>& runs, int slack) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         while (above < k && (runs[above].row < runs[k].row - 1 ||
@@ -89,7 +89,7 @@ void join_neighbours(std::vector<Run>& runs, int slack) {
 
 std::vector<Run> blobs_of(const Plane<std::uint8_t>& plane) {
     std::vector<Run> runs = runs_of(plane);
-    join_neighbours(runs, 1);
+    merge_neighbours(runs, 1);
     return runs;
 }
 
@@ -143,7 +143,7 @@ void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area) {
         plane, runs, length, [&](int area) { return area < min_area; }, 0);
 }
 
-void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
+void apply_hysteresis(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area) {
     const auto pixels_of = [&](const Run& run) {
         const std::uint8_t* const value = plane.row(run.row).data();
         const std::uint8_t* const enough = strong.row(run.row).data();
@@ -191,7 +191,7 @@ void fill_holes(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& differenc
         return hole.area <= options.max_area && hole.difference >= options.least * hole.area;
     };
     std::vector<Run> gaps = gaps_of(plane);
-    join_neighbours(gaps, 0);
+    merge_neighbours(gaps, 0);
     paint(plane, gaps, measured, is_wanted, options.value);
 }
 

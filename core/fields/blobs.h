@@ -13,7 +13,7 @@ void remove_small_blobs(Plane<std::uint8_t>& plane, int min_area);
 
 /// Sets to 0 every blob of fewer than `min_area` pixels, or in which fewer than `least` of them reach the value that
 /// `strong` has there.
-void remove_faint_blobs(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
+void apply_hysteresis(Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& strong, int least, int min_area);
 
 /// Gives back to `plane` what it has lost of each blob of `before` that has at most `max_area` pixels, of which at
 /// least half are left and that lies within the picture.

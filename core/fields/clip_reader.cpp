@@ -33,7 +33,7 @@ void ClipReader::collect_context() {
     waiting_.clear();
 }
 
-void ClipReader::go_to_span() {
+void ClipReader::seek_to_span() {
     if (from_first_ || span_ == video::FrameSpan{}) return;
     const double rate = source_.info().rate;
     if (rate > 0) {
@@ -49,7 +49,7 @@ void ClipReader::go_to_span() {
 }
 
 FrameJob ClipReader::operator()() {
-    if (!std::exchange(begun_, true)) go_to_span();
+    if (!std::exchange(begun_, true)) seek_to_span();
     std::shared_ptr<video::DecodedFrame> decoded;
     if (waiting_.empty()) {
         decoded = read();

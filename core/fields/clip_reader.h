@@ -29,7 +29,7 @@ class ClipReader {
 
   private:
     std::shared_ptr<video::DecodedFrame> read();
-    void go_to_span();
+    void seek_to_span();
     void collect_context();
 
     video::FrameSource& source_;

@@ -14,10 +14,10 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     if (std::exchange(begun_, true)) clip_->rewind();
     FieldOptions options = options_;
     options.flow.every = needs.every;
-    options.flow.of_each = needs.flow_of_each;
+    options.flow.every_frame = needs.flow_of_every_frame;
     const bool shown =
         find_filter(options.filter).traits.flow || (!options.second.empty() && find_filter(options.second).traits.flow);
-    if (!needs.seeds && !needs.flow && !needs.flow_of_each && !shown) options.flow.method = no_flow();
+    if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
     return compute_fields(*clip_, options, sink);
 }
 

@@ -12,7 +12,7 @@ namespace vvr::fields {
 struct FieldNeeds {
     bool seeds = true;
     bool flow = true;
-    bool flow_of_each = false;  ///< flow at all frames
+    bool flow_of_every_frame = false;  ///< flow at all frames
     bool colour = false;        ///< every frame's own picture too; else that of the first and the last will do
     std::int64_t every = 1;     ///< seeds and flow at frames whose index is a multiple of it
 };

@@ -25,16 +25,16 @@ void paste(const Flow& part, const Rect& where, Flow& whole) {
 }
 
 /// Whether two frames are of one time and one light.
-bool continuous(const Shot& a, const Shot& b) {
-    return std::abs(a.frame->index - b.frame->index) == 1 && !light_jumps(a.levels, b.levels);
+bool continuous(const PipelineFrame& a, const PipelineFrame& b) {
+    return std::abs(a.frame->index - b.frame->index) == 1 && !illumination_jumps(a.levels, b.levels);
 }
 
 /// Without what lies beyond a gap or a jump of the light: flow methods assume that things keep their brightness.
 Neighbourhood continuous_part(Neighbourhood about, int reach) {
     for (const int step : {-1, 1}) {
-        const Shot* inner = about[static_cast<std::size_t>(reach)].get();
+        const PipelineFrame* inner = about[static_cast<std::size_t>(reach)].get();
         for (int k = 1; k <= reach; ++k) {
-            std::shared_ptr<Shot>& shot = about[static_cast<std::size_t>(reach + step * k)];
+            std::shared_ptr<PipelineFrame>& shot = about[static_cast<std::size_t>(reach + step * k)];
             if (shot == nullptr || inner == nullptr || !continuous(*shot, *inner)) shot = nullptr;
             inner = shot.get();
         }
@@ -67,13 +67,13 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     }
     if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
     needs_age_ = flow_ != nullptr && choose(setting::seed_order.name, options.seeds.order, seed_orders()).needs_age;
-    remembers_ = row_.traits.in_order || beside.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
+    stateful_ = row_.traits.in_order || beside.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || beside.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
 }
 
-std::shared_ptr<Shot> FieldStages::begin(video::Frame frame) const {
-    auto shot = std::make_shared<Shot>();
+std::shared_ptr<PipelineFrame> FieldStages::begin(video::Frame frame) const {
+    auto shot = std::make_shared<PipelineFrame>();
     if (stabilizer_) shot->visible = stabilizer_->align(frame, stabilizer_->shift_of(frame.grey));
     shot->frame = std::make_shared<const video::Frame>(std::move(frame));
     shot->smooth = smoothed(shot->frame->grey, shot->frame->colour, options_.smooth);
@@ -82,19 +82,19 @@ std::shared_ptr<Shot> FieldStages::begin(video::Frame frame) const {
     return shot;
 }
 
-void FieldStages::take_object(Shot& shot, FoundObject&& found) const {
+void FieldStages::take_object(PipelineFrame& shot, FoundObject&& found) const {
     shot.object = std::move(found.values);
     shot.darker = std::move(found.darker);
-    if (shot.visible) clear_beside(*shot.visible, shot.object);
+    if (shot.visible) clear_outside_overlap(*shot.visible, shot.object);
 }
 
-Neighbourhood FieldStages::gather(std::shared_ptr<Shot> shot) {
+Neighbourhood FieldStages::gather(std::shared_ptr<PipelineFrame> shot) {
     if (shot) {
         if (object_ && object_->adapts()) take_object(*shot, object_->find_and_adapt(shot->smooth));
         if (row_.traits.in_order) shot->foreground = filtered(first_, *shot, nullptr, {});
         if (second_ && second_->row->traits.in_order) shot->second = filtered(*second_, *shot, nullptr, {});
         if (needs_age_) {
-            const Shot* const before = last_.back().get();
+            const PipelineFrame* const before = last_.back().get();
             shot->age = aged(before ? before->age : Plane<std::uint16_t>{},
                              row_.traits.in_order ? shot->foreground : shot->object);
         }
@@ -106,8 +106,8 @@ Neighbourhood FieldStages::gather(std::shared_ptr<Shot> shot) {
 
 Field FieldStages::finish(const Neighbourhood& about) const {
     const auto middle = static_cast<std::size_t>(reach_);
-    const Shot& here = *about[middle];
-    const Shot* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
+    const PipelineFrame& here = *about[middle];
+    const PipelineFrame* const before = reach_ > 0 ? about[middle - 1].get() : nullptr;
     const FilterTraits& traits = row_.traits;
     Field field;
     field.index = here.frame->index;
@@ -116,7 +116,7 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
     if (second_) field.second = beside.in_order ? here.second : filtered(*second_, here, before, {});
     const bool asked = here.frame->index % options_.flow.every == 0;
-    if (!flow_ || (!asked && !traits.flow && !beside.flow && !options_.flow.of_each)) return field;
+    if (!flow_ || (!asked && !traits.flow && !beside.flow && !options_.flow.every_frame)) return field;
 
     const Neighbourhood alike = continuous_part(about, reach_);
     // Where the filter works on the difference object, its values may say more: what was uncovered is none.
@@ -128,13 +128,13 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     return field;
 }
 
-FieldStages::Running FieldStages::running(std::string_view name, const FieldOptions& options,
+FieldStages::ActiveFilter FieldStages::running(std::string_view name, const FieldOptions& options,
                                           std::optional<int> threshold) {
     const FilterRow& row = find_filter(name);
     return {&row, row.make(options), threshold.value_or(row.traits.threshold)};
 }
 
-Plane<std::uint8_t> FieldStages::filtered(const Running& filter, const Shot& shot, const Shot* before,
+Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before,
                                           const Flow& flow) const {
     const FilterTraits& traits = filter.row->traits;
     Plane<std::uint8_t> scalar = (*filter.filter)({.frame = *shot.frame,
@@ -156,18 +156,18 @@ Plane<std::uint8_t> FieldStages::filtered(const Running& filter, const Shot& sho
 // Flow is computed only near what is shown and changes, with a margin that the method asks for. Past an end of the
 // clip, or a jump of the light, the last frame is repeated.
 Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const {
-    const Shot& here = *about[static_cast<std::size_t>(reach_)];
+    const PipelineFrame& here = *about[static_cast<std::size_t>(reach_)];
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
     const bool everywhere = whole_frame_flow_ || row_.traits.flow || (second_ && second_->row->traits.flow);
-    const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : parts_about(moves, flow_->margin());
+    const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : regions_around(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();
     std::vector<const FlowFrame*> frames(static_cast<std::size_t>(2 * reach + 1));
     for (const int step : {-1, 1}) {
-        Shot* nearest = nullptr;
+        PipelineFrame* nearest = nullptr;
         for (int k = 0; k <= reach; ++k) {
-            Shot* const shot = about[static_cast<std::size_t>(reach_ + step * k)].get();
+            PipelineFrame* const shot = about[static_cast<std::size_t>(reach_ + step * k)].get();
             if (shot != nullptr) nearest = shot;
             frames[static_cast<std::size_t>(reach + step * k)] = &prepared(*nearest);
         }
@@ -179,7 +179,7 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
 // Of the object only what changes from the frame before, or to the next: the others' noise would be taken for motion.
 Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const {
     const auto middle = static_cast<std::size_t>(reach_);
-    const Shot& here = *about[middle];
+    const PipelineFrame& here = *about[middle];
     Plane<std::uint8_t> result(object.size());
     for (const std::size_t k : {middle - 1, middle + 1}) {
         if (reach_ == 0 || about[k] == nullptr) continue;
@@ -188,7 +188,7 @@ Plane<std::uint8_t> FieldStages::moving(const Neighbourhood& about, const Plane<
     return result;
 }
 
-const FlowFrame& FieldStages::prepared(Shot& shot) const {
+const FlowFrame& FieldStages::prepared(PipelineFrame& shot) const {
     std::call_once(shot.flow_frame_made, [&] { shot.flow_frame = flow_->prepare(shot.frame->grey); });
     return shot.flow_frame;
 }

@@ -18,9 +18,9 @@
 namespace vvr::fields {
 
 /// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
-struct Shot {
+struct PipelineFrame {
     video::SharedFrame frame;        ///< aligned with the reference where the camera shakes
-    std::optional<Visible> visible;  ///< what the frame shows of the reference, where the camera shakes
+    std::optional<VisibleArea> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
     Plane<std::uint8_t> darker;      ///< as FoundObject's
@@ -33,7 +33,7 @@ struct Shot {
 };
 
 /// A frame in the middle of its neighbours, which are null past the clip's ends.
-using Neighbourhood = std::vector<std::shared_ptr<Shot>>;
+using Neighbourhood = std::vector<std::shared_ptr<PipelineFrame>>;
 
 /// Computes a frame's field in three steps: `begin`, `gather`, `finish`.
 class FieldStages {
@@ -47,38 +47,38 @@ class FieldStages {
     int reach() const { return reach_; }
 
     /// Whether a field depends on all frames before it.
-    bool remembers() const { return remembers_; }
+    bool is_stateful() const { return stateful_; }
 
     /// Does what needs the frame alone. May be called from several threads at once.
-    std::shared_ptr<Shot> begin(video::Frame frame) const;
+    std::shared_ptr<PipelineFrame> begin(video::Frame frame) const;
 
     /// Does what needs the frames in order, one at a time.
     /// \param shot null after the last one
     /// \returns the neighbourhood of the frame `reach` steps before
-    Neighbourhood gather(std::shared_ptr<Shot> shot);
+    Neighbourhood gather(std::shared_ptr<PipelineFrame> shot);
 
     /// Does what needs the neighbours. May be called from several threads at once: filters that need the frames in
     /// order have run in `gather`.
     Field finish(const Neighbourhood& about) const;
 
   private:
-    void take_object(Shot& shot, FoundObject&& found) const;
+    void take_object(PipelineFrame& shot, FoundObject&& found) const;
     /// A filter with what it is run with.
-    struct Running {
+    struct ActiveFilter {
         const FilterRow* row;
         std::unique_ptr<Filter> filter;
         int threshold;
     };
 
-    static Running running(std::string_view name, const FieldOptions& options, std::optional<int> threshold);
-    Plane<std::uint8_t> filtered(const Running& filter, const Shot& shot, const Shot* before, const Flow& flow) const;
+    static ActiveFilter running(std::string_view name, const FieldOptions& options, std::optional<int> threshold);
+    Plane<std::uint8_t> filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before, const Flow& flow) const;
     Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;
-    const FlowFrame& prepared(Shot& shot) const;
+    const FlowFrame& prepared(PipelineFrame& shot) const;
     Plane<std::uint8_t> moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const;
 
     FieldOptions options_;
-    Running first_;
-    std::optional<Running> second_;
+    ActiveFilter first_;
+    std::optional<ActiveFilter> second_;
     const FilterRow& row_;  ///< of the first
     Plane<std::uint8_t> region_;
     std::unique_ptr<FlowMethod> flow_;
@@ -86,9 +86,9 @@ class FieldStages {
     std::unique_ptr<ObjectFinder> object_;  ///< null where nothing needs the difference object
     std::optional<Stabilizer> stabilizer_;  ///< where the camera shakes
     bool needs_age_ = false;
-    bool remembers_ = false;
+    bool stateful_ = false;
     int reach_ = 0;
-    std::deque<std::shared_ptr<Shot>> last_;  ///< the last 2 reach + 1 frames that were gathered
+    std::deque<std::shared_ptr<PipelineFrame>> last_;  ///< the last 2 reach + 1 frames that were gathered
 };
 
 }  // namespace vvr::fields

@@ -28,7 +28,7 @@ struct Rect {
 
 /// Parts of a picture, none of which overlap, that hold all points that are not 0 and `margin` pixels about each: the
 /// whole picture where that is most of it, none where all is 0.
-std::vector<Rect> parts_about(const Plane<std::uint8_t>& object, int margin);
+std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin);
 
 /// Estimates the optical flow of one frame from the frames about it.
 class FlowMethod {

@@ -99,7 +99,7 @@ struct Change {
 
 // The line through the points, after Theil (1950) and Sen (1968): the median of all slopes between two of them, then
 // the median of what is left. A few points that are wrong don't move it.
-Light line_through(std::span<const Change> changes) {
+IlluminationChange line_through(std::span<const Change> changes) {
     std::vector<Vote> slopes;
     for (const Change& a : changes) {
         for (const Change& b : changes) {
@@ -109,7 +109,7 @@ Light line_through(std::span<const Change> changes) {
         }
     }
     // A picture of one level doesn't tell a gain from an offset; either will do.
-    Light light;
+    IlluminationChange light;
     if (!slopes.empty()) light.gain = std::clamp(weighted_median(slopes), least_gain, most_gain);
     std::vector<Vote> offsets;
     for (const Change& c : changes) offsets.push_back({c.now - light.gain * c.before, c.weight});
@@ -118,7 +118,7 @@ Light line_through(std::span<const Change> changes) {
 }
 
 template <class T>
-Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
+Plane<T> relight_plane(const Plane<T>& plane, const IlluminationChange& light) {
     auto result = Plane<T>::for_overwrite(plane.size());
     // Arithmetic takes a quarter of the time that a table of all levels does.
     cv::Mat out = cv_view(result);
@@ -126,7 +126,7 @@ Plane<T> plane_in_light(const Plane<T>& plane, const Light& light) {
     return result;
 }
 
-std::optional<Planes> unchanged(const Planes&, const Planes&, const Light&) {
+std::optional<Planes> unchanged(const Planes&, const Planes&, const IlluminationChange&) {
     return std::nullopt;
 }
 
@@ -139,7 +139,7 @@ std::span<const std::uint8_t> bytes(const Plane<Bgr>& plane) {
 
 // What was cut off may have been of any brightness beyond: it is as bright as the frame shows it, or more dimly lit.
 template <class T>
-void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T>& lit) {
+void allow_for_clipping(const Plane<T>& reference, const Plane<T>& frame, Plane<T>& lit) {
     if (reference.empty() || frame.empty()) return;
     const std::span<const std::uint8_t> before = bytes(reference);
     const std::span<const std::uint8_t> now = bytes(frame);
@@ -150,12 +150,12 @@ void allow_for_cut_off(const Plane<T>& reference, const Plane<T>& frame, Plane<T
     }
 }
 
-std::optional<Planes> relit_globally(const Planes& reference, const Planes& frame, const Light& light) {
+std::optional<Planes> relit_globally(const Planes& reference, const Planes& frame, const IlluminationChange& light) {
     if (!light.is_visible()) return std::nullopt;
-    Planes lit = in_light(reference, light);
+    Planes lit = relight(reference, light);
     if (light(255) < 255) {
-        allow_for_cut_off(reference.grey, frame.grey, lit.grey);
-        allow_for_cut_off(reference.colour, frame.colour, lit.colour);
+        allow_for_clipping(reference.grey, frame.grey, lit.grey);
+        allow_for_clipping(reference.colour, frame.colour, lit.colour);
     }
     return lit;
 }
@@ -204,7 +204,7 @@ Plane<T> times(const Plane<T>& plane, const cv::Mat& gains) {
     return result;
 }
 
-std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame, const Light& light) {
+std::optional<Planes> relit_locally(const Planes& reference, const Planes& frame, const IlluminationChange& light) {
     const std::optional<Planes> globally = relit_globally(reference, frame, light);
     const Planes& lit = globally ? *globally : reference;
     const Plane<float> blocks = local_gains(lit, frame);
@@ -223,7 +223,7 @@ constexpr std::array rows{
 
 }  // namespace
 
-Light light_between(const Planes& reference, const Planes& frame) {
+IlluminationChange estimate_illumination(const Planes& reference, const Planes& frame) {
     const std::vector<LevelChange> classes = level_changes(reference, frame);
     int places = 0;
     for (const LevelChange& c : classes) places += c.total();
@@ -256,17 +256,17 @@ Quantiles quantiles_of(const Plane<std::uint8_t>& grey) {
     return quantiles;
 }
 
-bool light_jumps(const Quantiles& from, const Quantiles& to) {
+bool illumination_jumps(const Quantiles& from, const Quantiles& to) {
     constexpr float least = 3;
     std::size_t changed = 0;
     for (std::size_t k = 0; k < from.size(); ++k) changed += std::abs(to[k] - from[k]) >= least ? 1U : 0U;
     return 2 * changed > from.size();
 }
 
-Planes in_light(const Planes& picture, const Light& light) {
+Planes relight(const Planes& picture, const IlluminationChange& light) {
     if (!light.is_visible()) return picture;
-    return {plane_in_light(picture.grey, light),
-            picture.colour.empty() ? Plane<Bgr>{} : plane_in_light(picture.colour, light)};
+    return {relight_plane(picture.grey, light),
+            picture.colour.empty() ? Plane<Bgr>{} : relight_plane(picture.colour, light)};
 }
 
 std::span<const IlluminationRow> illuminations() {

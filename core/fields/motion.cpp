@@ -36,7 +36,7 @@ bool differ(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>&
 
 }  // namespace
 
-bool Motion::operator()(const Field& field) {
+bool MotionDetector::operator()(const Field& field) {
     past_.push_back({field.pts, filling(field.scalar)});
     while (past_.size() > 2 && field.pts - past_[1].pts >= memory) past_.pop_front();
     if (differ(past_.front().filling, past_.back().filling)) last_ = field.pts;

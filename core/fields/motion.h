@@ -11,7 +11,7 @@ namespace vvr::fields {
 
 /// Tells of the fields of a clip, in order, whether anything moves. What lies there without moving, a bag that was
 /// left, doesn't count, nor does noise.
-class Motion {
+class MotionDetector {
   public:
     /// Whether something moves in this frame, or did so within the last second.
     bool operator()(const Field& field);

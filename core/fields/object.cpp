@@ -89,14 +89,14 @@ void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane
 }  // namespace
 
 ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
-                           const Plane<std::uint8_t>& region, bool tells_darker)
+                           const Plane<std::uint8_t>& region, bool marks_darker)
     : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
       norm_(find_norm(options.norm, reference)),
       min_area_(options.min_area),
       least_strong_(std::clamp(options.min_area / 5, 1, 4)),
       threshold_value_(value_of(threshold)),
       removes_shadows_(choose(setting::shadows.name, options.shadows, shadow_kinds()).removes),
-      tells_darker_(tells_darker),
+      marks_darker_(marks_darker),
       region_(region) {
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
     reference_.noise = reference.noise;
@@ -114,31 +114,31 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     if (row != nullptr && row->adapts) running_.emplace(reference_);
 }
 
-Light ObjectFinder::light_of(const Planes& frame, const Planes& reference) const {
-    return illumination_.compensates ? light_between(reference, frame) : Light{};
+IlluminationChange ObjectFinder::light_of(const Planes& frame, const Planes& reference) const {
+    return illumination_.compensates ? estimate_illumination(reference, frame) : IlluminationChange{};
 }
 
-FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, const Light& light) const {
+FoundObject ObjectFinder::compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const {
     const std::optional<Planes> lit = illumination_.relit(reference, frame, light);
     const Planes& empty = lit ? *lit : reference;
     const Plane<std::uint8_t> differences = norm_.difference(frame, empty);
     Plane<std::uint8_t> object = values_of(differences, weak_);
     clear_outside(region_, object);
-    remove_faint_blobs(object, strong_, least_strong_, min_area_);
+    apply_hysteresis(object, strong_, least_strong_, min_area_);
     if (removes_shadows_) object = without_shadows(std::move(object), frame, empty);
     if (holes_.max_area > 0) fill_holes(object, differences, holes_);
-    return {std::move(object), tells_darker_ ? darker_in(frame.grey, empty.grey) : Plane<std::uint8_t>{}};
+    return {std::move(object), marks_darker_ ? darker_in(frame.grey, empty.grey) : Plane<std::uint8_t>{}};
 }
 
 Plane<std::uint8_t> ObjectFinder::without_shadows(Plane<std::uint8_t> object, const Planes& frame,
                                                   const Planes& empty) const {
     const Plane<std::uint8_t> before = object;
-    const std::vector<ShadowPixel> shadow = take_shadows(object, frame, empty, threshold_value_);
+    const std::vector<ShadowPixel> shadow = extract_shadows(object, frame, empty, threshold_value_);
     if (shadow.empty()) return object;
     restore_small_blobs(object, before, smalls * min_area_);
-    remove_faint_blobs(object, strong_, least_strong_, min_area_);
+    apply_hysteresis(object, strong_, least_strong_, min_area_);
     constexpr int reaches_per_side = 18;  // a car's half, in a usual picture
-    give_back_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
+    restore_enclosed(object, shadow, std::max(object.width(), object.height()) / reaches_per_side, threshold_value_);
     return object;
 }
 
@@ -147,7 +147,7 @@ FoundObject ObjectFinder::find(const Planes& frame) const {
 }
 
 FoundObject ObjectFinder::find_and_adapt(const Planes& frame) {
-    const Light light = light_of(frame, running_->now());
+    const IlluminationChange light = light_of(frame, running_->now());
     FoundObject found = compare(frame, running_->now(), light);
     running_->adapt(frame, found.values, light);
     return found;

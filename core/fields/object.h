@@ -26,10 +26,10 @@ class ObjectFinder {
     /// \param reference the empty scene, not smoothed
     /// \param threshold grey levels
     /// \param region where to look; empty = everywhere. Must live as long as the finder.
-    /// \param tells_darker whether FoundObject::darker is wanted
+    /// \param marks_darker whether FoundObject::darker is wanted
     /// \throws Error usage for a norm that needs colour, of a scene without
     ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
-                 const Plane<std::uint8_t>& region, bool tells_darker = false);
+                 const Plane<std::uint8_t>& region, bool marks_darker = false);
 
     /// Whether frames must be given in order, each once, by one thread at a time: `find_and_adapt`.
     bool adapts() const { return running_.has_value(); }
@@ -41,8 +41,8 @@ class ObjectFinder {
     FoundObject find_and_adapt(const Planes& frame);
 
   private:
-    Light light_of(const Planes& frame, const Planes& reference) const;
-    FoundObject compare(const Planes& frame, const Planes& reference, const Light& light) const;
+    IlluminationChange light_of(const Planes& frame, const Planes& reference) const;
+    FoundObject compare(const Planes& frame, const Planes& reference, const IlluminationChange& light) const;
     Plane<std::uint8_t> without_shadows(Plane<std::uint8_t> object, const Planes& frame, const Planes& empty) const;
 
     const IlluminationRow& illumination_;
@@ -52,7 +52,7 @@ class ObjectFinder {
     std::uint8_t threshold_value_;  ///< of what differs by the threshold; what is less is faint
     HoleOptions holes_;
     bool removes_shadows_;
-    bool tells_darker_;
+    bool marks_darker_;
     const Plane<std::uint8_t>& region_;
     Reference reference_;
     Plane<std::uint8_t> weak_;    ///< differences below it are nothing

@@ -29,7 +29,7 @@ long area(const Rect& r) {
     return static_cast<long>(r.size.width) * r.size.height;
 }
 
-Rect grown(const Rect& r, int margin, Size size) {
+Rect inflated(const Rect& r, int margin, Size size) {
     const int x = std::max(r.x - margin, 0);
     const int y = std::max(r.y - margin, 0);
     return {x,
@@ -54,14 +54,14 @@ void add(std::vector<Rect>& parts, Rect part) {
 
 }  // namespace
 
-std::vector<Rect> parts_about(const Plane<std::uint8_t>& object, int margin) {
+std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin) {
     const Size size = object.size();
     std::vector<Rect> parts;
     const Plane<std::uint8_t> tiles = occupied_tiles(object);
     for (int y = 0; y < tiles.height(); ++y) {
         for (int x = 0; x < tiles.width(); ++x) {
             if (tiles.at(x, y) == 0) continue;
-            add(parts, grown({x * tile_side, y * tile_side, {tile_side, tile_side}}, margin, size));
+            add(parts, inflated({x * tile_side, y * tile_side, {tile_side, tile_side}}, margin, size));
         }
     }
     long covered = 0;

@@ -29,12 +29,12 @@ using oneapi::tbb::make_filter;
 
 /// Keeps OpenCV from starting threads of its own within ours: frames are what is shared out here, and its dense
 /// inverse search gives other results for another number of threads.
-class OneThreadInOpenCv {
+class SingleThreadedOpenCv {
   public:
-    OneThreadInOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-    ~OneThreadInOpenCv() { cv::setNumThreads(before_); }
-    OneThreadInOpenCv(const OneThreadInOpenCv&) = delete;
-    OneThreadInOpenCv& operator=(const OneThreadInOpenCv&) = delete;
+    SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+    ~SingleThreadedOpenCv() { cv::setNumThreads(before_); }
+    SingleThreadedOpenCv(const SingleThreadedOpenCv&) = delete;
+    SingleThreadedOpenCv& operator=(const SingleThreadedOpenCv&) = delete;
 
   private:
     int before_;
@@ -113,15 +113,15 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
             if (turns_left-- == 0) control.stop();
             return {};
         });
-    const auto begin = make_filter<FrameJob, std::shared_ptr<Shot>>(filter_mode::parallel, [&](const FrameJob& job) {
-        return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<Shot>{}; });
+    const auto begin = make_filter<FrameJob, std::shared_ptr<PipelineFrame>>(filter_mode::parallel, [&](const FrameJob& job) {
+        return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<PipelineFrame>{}; });
     });
-    const auto gather = make_filter<std::shared_ptr<Shot>, Neighbourhood>(
+    const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
         filter_mode::serial_in_order,
-        [&](std::shared_ptr<Shot> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
+        [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });
     const auto result_of = [&](const Neighbourhood& about) -> std::shared_ptr<Result> {
         if (about.empty()) return nullptr;  // something has failed
-        const Shot* const here = about[static_cast<std::size_t>(work.reach())].get();
+        const PipelineFrame* const here = about[static_cast<std::size_t>(work.reach())].get();
         if (here == nullptr || !is_wanted(*here->frame)) return nullptr;
         return std::make_shared<Result>(Result{here->frame, work.finish(about)});
     };
@@ -151,7 +151,7 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
 std::int64_t compute_fields(const FrameReader& read, const EmptyScene& scene, const FieldOptions& options,
                             const FieldSink& sink) {
     validate(options);
-    const OneThreadInOpenCv one_thread;
+    const SingleThreadedOpenCv one_thread;
     FieldStages work(scene, options);
     return run(read, work, options, sink);
 }
@@ -161,12 +161,12 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     EmptyScene scene{.reference = {},
                      .region = make_region(options, source.field_size(), source.info().size),
                      .frames = source.info().frames};
-    const OneThreadInOpenCv one_thread;
+    const SingleThreadedOpenCv one_thread;
     if (needs_reference(options)) {
         on_threads(threads_of(options), [&] { scene.reference = make_reference(source, options); });
     }
     FieldStages work(scene, options);
-    ClipReader read(source, options.span, work.reach(), work.remembers());
+    ClipReader read(source, options.span, work.reach(), work.is_stateful());
     FieldSummary summary;
     summary.frames = run([&] { return read(); }, work, options, sink);
     summary.damaged = source.damaged();

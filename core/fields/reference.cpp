@@ -61,7 +61,7 @@ std::vector<video::Frame> in_one_light(std::vector<video::Frame> frames, const I
     const Planes first{frames.front().grey, frames.front().colour};
     oneapi::tbb::parallel_for_each(frames, [&](video::Frame& frame) {
         Planes picture{std::move(frame.grey), std::move(frame.colour)};
-        picture = in_light(picture, light_between(picture, first));
+        picture = relight(picture, estimate_illumination(picture, first));
         frame.grey = std::move(picture.grey);
         frame.colour = std::move(picture.colour);
     });
@@ -118,7 +118,7 @@ constexpr int edge = 3;
 
 template <class T>
 void follow(std::vector<float>& exact, std::span<const T> frame, std::span<const std::uint8_t> near_object,
-            std::size_t channels, const Light& light, std::uint8_t* out) {
+            std::size_t channels, const IlluminationChange& light, std::uint8_t* out) {
     const auto gain = static_cast<float>(light.gain);
     const auto offset = static_cast<float>(light.offset);
     const std::uint8_t* const levels = reinterpret_cast<const std::uint8_t*>(frame.data());
@@ -241,8 +241,8 @@ RunningReference::RunningReference(const Planes& start)
     for (const Bgr& pixel : start.colour.pixels()) colour_.insert(colour_.end(), pixel.begin(), pixel.end());
 }
 
-void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const Light& light) {
-    let_ghosts_go(frame, object);
+void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light) {
+    absorb_ghosts(frame, object);
     Plane<std::uint8_t> near_object(object.size());
     cv::Mat out = cv_view(near_object);
     cv::dilate(cv_view(object), out, cv::Mat::ones(2 * edge + 1, 2 * edge + 1, CV_8UC1));
@@ -251,7 +251,7 @@ void RunningReference::adapt(const Planes& frame, const Plane<std::uint8_t>& obj
     follow<Bgr>(colour_, frame.colour.pixels(), near_object.pixels(), 3, light, now_.colour.pixels().front().data());
 }
 
-void RunningReference::let_ghosts_go(const Planes& frame, const Plane<std::uint8_t>& object) {
+void RunningReference::absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object) {
     for (std::size_t i = 0; i < object.pixels().size(); ++i) {
         std::uint16_t& steady = steady_for_.pixels()[i];
         std::uint8_t& last = last_level_.pixels()[i];

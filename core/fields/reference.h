@@ -74,10 +74,10 @@ class RunningReference {
 
     /// Takes in a frame with its difference object. `light` is how the light has changed since the last one: places
     /// behind objects must follow it too.
-    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, const Light& light);
+    void adapt(const Planes& frame, const Plane<std::uint8_t>& object, const IlluminationChange& light);
 
   private:
-    void let_ghosts_go(const Planes& frame, const Plane<std::uint8_t>& object);
+    void absorb_ghosts(const Planes& frame, const Plane<std::uint8_t>& object);
 
     Planes now_;
     int frames_ = 0;

@@ -96,7 +96,7 @@ void draw(Plane<std::uint8_t>& plane, const std::vector<Polygon>& polygons, Size
 }
 
 bool is_polygon_file(std::string_view text) {
-    return ending_of(text) == ".txt";
+    return extension_of(text) == ".txt";
 }
 
 /// A text file's lines as one list.

@@ -64,7 +64,7 @@ inline constexpr Setting seed_flags{
     .name = "seed-flags",
     .unit = "DIGITS",
     .help = "bricks whose seeds are drawn: a digit 0 or 1 per brick, in turn; 100 = each third brick",
-    .otherwise = "the seeds' own"};
+    .default_text = "the seeds' own"};
 
 inline constexpr Setting threads{
     "threads", "COUNT", "threads; 0 = one per core, which the clips of an archive share", {0, 1024}};

@@ -57,7 +57,7 @@ bool is_darker(const Shares& shares) {
 
 /// Sums of a picture's channels over a square of 5 × 5 pixels, of which every second of a row and column counts. At the
 /// picture's edges it is cut.
-std::array<int, 3> sums_about(const Plane<Bgr>& picture, int i, int j) {
+std::array<int, 3> box_sums(const Plane<Bgr>& picture, int i, int j) {
     constexpr int radius = 2;
     std::array<int, 3> sums{};
     for (int y = std::max(j - radius, 0); y <= std::min(j + radius, picture.height() - 1); y += 2) {
@@ -72,8 +72,8 @@ std::array<int, 3> sums_about(const Plane<Bgr>& picture, int i, int j) {
 /// Whether the pixels about it have kept their colour. Of one pixel alone compression leaves too little colour.
 bool has_kept_colour(const Planes& frame, const Planes& empty, int i, int j) {
     constexpr float one = 9;  // a level more in each pixel: no share of 0
-    const std::array<int, 3> now = sums_about(frame.colour, i, j);
-    const std::array<int, 3> before = sums_about(empty.colour, i, j);
+    const std::array<int, 3> now = box_sums(frame.colour, i, j);
+    const std::array<int, 3> before = box_sums(empty.colour, i, j);
     std::array<float, 3> shares{};
     for (std::size_t c = 0; c < 3; ++c) {
         shares[c] = (static_cast<float>(now[c]) + one) / (static_cast<float>(before[c]) + one);
@@ -120,7 +120,7 @@ std::span<const ShadowRow> shadow_kinds() {
     return rows;
 }
 
-std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
+std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
                                       std::uint8_t faint) {
     if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
@@ -153,7 +153,7 @@ std::vector<ShadowPixel> take_shadows(Plane<std::uint8_t>& object, const Planes&
     return taken;
 }
 
-void give_back_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
+void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
                         std::uint8_t faint) {
     const std::ptrdiff_t width = object.width();
     /// Whether one of the next `most` pixels is an object's.

@@ -45,7 +45,7 @@ constexpr double least_shake = 0.5;
 constexpr std::size_t frames_to_tell = 6;
 
 /// The mean of the shifts on which most agree.
-Shift most_agreed(const std::vector<cv::Point2f>& shifts) {
+Shift consensus_shift(const std::vector<cv::Point2f>& shifts) {
     const auto agree = [](const cv::Point2f& a, const cv::Point2f& b) {
         return std::abs(a.x - b.x) < tolerance && std::abs(a.y - b.y) < tolerance;
     };
@@ -131,10 +131,10 @@ Shift Stabilizer::shift_of(const Plane<std::uint8_t>& grey) const {
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (is_found[k] != 0) shifts.push_back(found[k] - points[k]);
     }
-    return most_agreed(shifts);
+    return consensus_shift(shifts);
 }
 
-Visible Stabilizer::align(video::Frame& frame, const Shift& shift) const {
+VisibleArea Stabilizer::align(video::Frame& frame, const Shift& shift) const {
     const int width = frame.grey.width();
     const int height = frame.grey.height();
     move_back(frame.grey, reference_.grey, shift);
@@ -146,7 +146,7 @@ Visible Stabilizer::align(video::Frame& frame, const Shift& shift) const {
             .bottom = height - cut(shift.y, height)};
 }
 
-void clear_beside(const Visible& visible, Plane<std::uint8_t>& plane) {
+void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plane) {
     for (int j = 0; j < plane.height(); ++j) {
         const std::span<std::uint8_t> row = plane.row(j);
         const bool seen = j >= visible.top && j < visible.bottom;

@@ -27,7 +27,7 @@ struct Shift {
 };
 
 /// The part of a picture that both it and the reference show.
-struct Visible {
+struct VisibleArea {
     int left, right, top, bottom;  ///< columns left to right - 1, rows top to bottom - 1
 };
 
@@ -48,7 +48,7 @@ class Stabilizer {
 
     /// Moves the frame back by `shift`. Where it shows nothing it becomes the reference.
     /// \returns what the frame did show
-    Visible align(video::Frame& frame, const Shift& shift) const;
+    VisibleArea align(video::Frame& frame, const Shift& shift) const;
 
   private:
     struct Landmarks;
@@ -58,7 +58,7 @@ class Stabilizer {
 };
 
 /// Sets to 0 what lies beside the part that is seen.
-void clear_beside(const Visible& visible, Plane<std::uint8_t>& plane);
+void clear_outside_overlap(const VisibleArea& visible, Plane<std::uint8_t>& plane);
 
 /// Whether the camera moves by half a pixel or more between frames of one scene, most of the time or now and then.
 bool camera_shakes(std::span<const video::Frame> frames);

@@ -32,14 +32,14 @@ std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks:
     const space::Camera camera;
     const Trails trails(volume, layout, camera, {1, 1});
     std::vector<scene::Glyph> arrows;
-    const std::vector<std::size_t> order = most_telling(objects.events);
+    const std::vector<std::size_t> order = by_importance(objects.events);
     for (std::size_t i = 0; i < std::min(order.size(), most_objects); ++i) {
         const events::Event& event = objects.events[order[i]];
         const double first = std::max(begin, event.first.seconds);
         const double last = std::min(end, event.last.seconds);
         const double life = last - first;
         if (!(life > 0)) continue;
-        const double room = volume.is_unequal() ? volume.t_of_seconds(last) - volume.t_of_seconds(first) : life / whole;
+        const double room = volume.is_nonuniform() ? volume.t_of_seconds(last) - volume.t_of_seconds(first) : life / whole;
         // Seconds between two arrows of an object; each shows the motion over a time before and after it.
         const double each = std::max(life / std::max(room * arrows_along_arc, 1e-9), 0.5);
         const double reach = each / 5;

@@ -29,7 +29,7 @@ double weight_of(const events::Event& event) {
 }
 
 /// The way from its first place to its last, in the frame.
-std::vector<std::string> ways_of(const events::Event& event) {
+std::vector<std::string> direction_texts(const events::Event& event) {
     if (event.path.empty()) return {std::string(events::name_of(event.kind))};
     const glm::dvec2 way = event.path.back().place - event.path.front().place;
     if (glm::length(way) < 0.2 * event.path_length) return {"to and fro", "⇄"};
@@ -41,7 +41,7 @@ std::vector<std::string> ways_of(const events::Event& event) {
 
 }  // namespace
 
-std::vector<std::size_t> most_telling(std::span<const events::Event> events) {
+std::vector<std::size_t> by_importance(std::span<const events::Event> events) {
     std::vector<std::size_t> order(events.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t k) {
@@ -73,7 +73,7 @@ glm::dvec2 place_at(const events::Event& event, double seconds) {
     return glm::mix(before.place, after->place, share);
 }
 
-std::vector<std::string> deeds_of(const events::Event& event) {
+std::vector<std::string> activity_texts(const events::Event& event) {
     switch (event.kind) {
         case events::EventKind::left:
             return {"left behind", "left"};
@@ -88,7 +88,7 @@ std::vector<std::string> deeds_of(const events::Event& event) {
         case events::EventKind::moved:
             break;
     }
-    return ways_of(event);
+    return direction_texts(event);
 }
 
 std::vector<events::Stay> standing_times(const events::Event& event) {

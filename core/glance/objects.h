@@ -22,7 +22,7 @@ struct Objects {
 
 /// The places of the events in the order in which a reader wants to know of them: first what was left or taken, then
 /// the others; of each the longest first, where a second for which something stood counts four times.
-std::vector<std::size_t> most_telling(std::span<const events::Event> events);
+std::vector<std::size_t> by_importance(std::span<const events::Event> events);
 
 /// The longest of its stays; nothing where it has none.
 const events::Stay* longest_stay(const events::Event& event);
@@ -32,7 +32,7 @@ glm::dvec2 place_at(const events::Event& event, double seconds);
 
 /// What it did, in a word or three, and shorter where there is little room: "went ↗", with its way in the frame,
 /// "stood 14 s", "left behind", "taken away".
-std::vector<std::string> deeds_of(const events::Event& event);
+std::vector<std::string> activity_texts(const events::Event& event);
 
 /// The times for which a picture shows that it stood or lay: its stays; of what was left, all of its time.
 std::vector<events::Stay> standing_times(const events::Event& event);

@@ -18,7 +18,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool meets(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& box) {
+bool intersects(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& box) {
     const glm::dvec2 corners[] = {
         {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -92,7 +92,7 @@ class Row {
 
     double cost_of(const PlacedPortrait& portrait, const Anchor& anchor) const {
         const auto in_the_way = std::ranges::count_if(
-            obstacles_, [&](const PixelBox& box) { return meets(portrait.from, anchor.pixel, box); });
+            obstacles_, [&](const PixelBox& box) { return intersects(portrait.from, anchor.pixel, box); });
         return glm::distance(portrait.from, anchor.pixel) + anchor.cost +
                obstacle_cost * static_cast<double>(in_the_way);
     }

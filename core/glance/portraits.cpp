@@ -65,7 +65,7 @@ void mark_object(const Crop& crop, const PixelBox& still, const image::Rgba& col
 }
 
 /// A still with its number, deed and time above it.
-void letter_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still,
+void label_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still,
                      const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
                      labels::Lettering& lettering) {
     const events::Event& event = objects.events[candidate.event];
@@ -73,8 +73,8 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
     const image::Rgba colour = opaque(objects.colours[candidate.event]);
-    lettering.pictures.push_back({still.grown(-border, -border), candidate.crop->picture, colour, border});
-    mark_object(*candidate.crop, still.grown(-border, -border), colour, lettering);
+    lettering.pictures.push_back({still.inflated(-border, -border), candidate.crop->picture, colour, border});
+    mark_object(*candidate.crop, still.inflated(-border, -border), colour, lettering);
     const double middle = still.top - 1.5 * line + size * 0.1;
     labels::Badge badge =
         labels::make_badge(fmt::format("{}", objects.numbers[candidate.event]), {still.left, middle}, size, colour);
@@ -90,7 +90,7 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
             return;
         }
     };
-    write(deeds_of(event), text_left, base, ink);
+    write(activity_texts(event), text_left, base, ink);
     write(times_of(event, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
     lettering.regions.push_back(
@@ -99,12 +99,12 @@ void letter_portrait(const Objects& objects, const Candidate& candidate, const P
 
 }  // namespace
 
-std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
+std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& crops, const Trails& trails,
                                           const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
                                           labels::Lettering& lettering) {
     std::vector<Candidate> candidates;
     std::vector<WantedPortrait> wanted;
-    for (const std::size_t k : most_telling(objects.events)) {
+    for (const std::size_t k : by_importance(objects.events)) {
         if (candidates.size() == tried) break;
         const events::Event& event = objects.events[k];
         const Crop* const crop = crops.of(event);
@@ -115,7 +115,7 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
     PixelBox row = sheet.portraits;
     row.top += 2 * (sheet.small * 4 / 3);
     std::vector<PixelBox> obstacles;
-    for (const labels::Label& label : lettering.labels) obstacles.push_back(label.box.grown(2, 2));
+    for (const labels::Label& label : lettering.labels) obstacles.push_back(label.box.inflated(2, 2));
     std::vector<std::size_t> shown;
     for (const PlacedPortrait& placed : place_portraits(wanted, row, sheet.small, obstacles)) {
         const Candidate& candidate = candidates[placed.wanted];
@@ -123,23 +123,23 @@ std::vector<std::size_t> letter_portraits(const Objects& objects, const Crops& c
         const double width = std::max(1.0, sheet.small / 9.0);
         lettering.strokes.push_back({placed.from, placed.to, width, colour});
         lettering.strokes.push_back({placed.to, placed.to, 3.5 * width, colour});
-        letter_portrait(objects, candidate, placed.still, sheet, ink, pale, lettering);
+        label_portrait(objects, candidate, placed.still, sheet, ink, pale, lettering);
         shown.push_back(candidate.event);
     }
     return shown;
 }
 
-void letter_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+void label_numbers(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
                     labels::Lettering& lettering) {
     std::size_t written = 0;
     const int size = std::max(9, sheet.small - 2);
-    for (const std::size_t k : most_telling(objects.events)) {
+    for (const std::size_t k : by_importance(objects.events)) {
         const events::Event& event = objects.events[k];
         for (const double share : {0.0, 0.04, 0.08, 0.15}) {
             const double at = std::lerp(event.first.seconds, event.last.seconds, share);
             const labels::Badge badge = labels::make_badge(fmt::format("{}", objects.numbers[k]),
                                                            trails.pixel(event, at), size, opaque(objects.colours[k]));
-            if (!sheet.between.holds(badge.box) || !lettering.is_free(badge.box)) continue;
+            if (!sheet.between.contains(badge.box) || !lettering.is_free(badge.box)) continue;
             lettering.badges.push_back(badge);
             lettering.regions.push_back({badge.box, objects.numbers[k]});
             ++written;
@@ -149,7 +149,7 @@ void letter_numbers(const Objects& objects, const Trails& trails, const labels::
     }
 }
 
-void letter_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
+void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
                   const image::Rgba& background, labels::Lettering& lettering) {
     constexpr std::size_t most = 6;
     constexpr double least = 0.05;  // of the longest event: shorter stays are a dot on the trail
@@ -159,7 +159,7 @@ void letter_stays(const Objects& objects, const Trails& trails, const labels::Sh
     const double width = sheet.small / 6.5;
     const glm::dvec2 up(0, sheet.small * 0.9);
     std::size_t marked = 0;
-    for (const std::size_t k : most_telling(objects.events)) {
+    for (const std::size_t k : by_importance(objects.events)) {
         const events::Event& event = objects.events[k];
         const image::Rgba colour = opaque(objects.colours[k]);
         const std::vector<events::Stay> stays = standing_times(event);

@@ -41,7 +41,7 @@ class Map {
         : objects_(objects), field_(field), box_(box), text_(text), lettering_(lettering) {}
 
     void draw() {
-        const std::vector<std::size_t> order = most_telling(objects_.events);
+        const std::vector<std::size_t> order = by_importance(objects_.events);
         const std::size_t told = std::min(order.size(), most_paths);
         for (std::size_t i = order.size(); i-- > told;) draw_faint(objects_.events[order[i]]);
         for (std::size_t i = told; i-- > 0;) draw_path(order[i]);

@@ -19,7 +19,7 @@ image::Rgba opaque(const glm::vec3& colour) {
 class Strip {
   public:
     Strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-          const StripLook& look, labels::Lettering& lettering)
+          const StripStyle& look, labels::Lettering& lettering)
         : objects_(objects),
           begin_(begin),
           end_(end),
@@ -36,14 +36,14 @@ class Strip {
 
     void letter() {
         if (rows_.height() < row_height_ || !(end_ > begin_)) return;
-        letter_axis();
-        const std::vector<std::size_t> order = most_telling(objects_.events);
+        label_axis();
+        const std::vector<std::size_t> order = by_importance(objects_.events);
         const double apart = 2.5 * sheet_.small / rows_.width() * (end_ - begin_);
         const std::vector<StripBar> bars = strip_bars(objects_.events, order, rows_.height() / row_height_, apart);
         for (const StripBar& bar : bars) draw_bar(bar);
         // What was too short to be an object was there all the same.
-        if (still_ || !objects_.events.empty()) letter_quiet();
-        letter_heading(objects_.events.size() - bars.size());
+        if (still_ || !objects_.events.empty()) label_idle();
+        label_heading(objects_.events.size() - bars.size());
     }
 
   private:
@@ -52,7 +52,7 @@ class Strip {
         return rows_.left + static_cast<int>(std::lround(share * rows_.width()));
     }
 
-    void letter_axis() {
+    void label_axis() {
         const double thin = std::max(1.0, sheet_.small / 14.0);
         draw_line(rows_.left, rows_.right, rows_.bottom, thin, look_.lines);
         const int most = std::clamp(rows_.width() / (6 * sheet_.small), 2, 11);
@@ -89,11 +89,11 @@ class Strip {
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});
-        letter_number(bar, middle);
+        label_number(bar, middle);
     }
 
     /// Its number, before the bar where there is room, else over its beginning.
-    void letter_number(const StripBar& bar, int middle) {
+    void label_number(const StripBar& bar, int middle) {
         const int size = std::max(9, sheet_.small - 2);
         const std::string text = fmt::format("{}", objects_.numbers[bar.event]);
         const labels::Label measured = labels::make_label(text, size, 0, 0, look_.ink);
@@ -104,17 +104,17 @@ class Strip {
             labels::make_label_around(text, size, left + measured.box.width() / 2.0, middle, look_.ink));
     }
 
-    void letter_quiet() {
-        for (const Quiet& quiet : quiet_times(objects_.events, begin_, end_)) {
+    void label_idle() {
+        for (const IdlePeriod& quiet : idle_periods(objects_.events, begin_, end_)) {
             const PixelBox room{column(quiet.begin), rows_.top, column(quiet.end), rows_.bottom};
             const std::string text = "nobody";
             const labels::Label label = labels::make_label_around(text, sheet_.small, (room.left + room.right) / 2.0,
                                                                   (room.top + room.bottom) / 2.0, look_.pale);
-            lettering_.add(label, room.grown(-sheet_.small / 3, 0), 2);
+            lettering_.add(label, room.inflated(-sheet_.small / 3, 0), 2);
         }
     }
 
-    void letter_heading(std::size_t without_bar) {
+    void label_heading(std::size_t without_bar) {
         const std::string more = without_bar > 0 ? fmt::format("; {} more not shown", without_bar) : "";
         std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
@@ -129,7 +129,7 @@ class Strip {
     double end_;
     bool still_;
     const labels::Sheet& sheet_;
-    const StripLook& look_;
+    const StripStyle& look_;
     labels::Lettering& lettering_;
     PixelBox rows_;
     int row_height_ = 0;
@@ -155,13 +155,13 @@ std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::spa
     return bars;
 }
 
-std::vector<Quiet> quiet_times(std::span<const events::Event> events, double begin, double end) {
-    std::vector<Quiet> busy;
+std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, double begin, double end) {
+    std::vector<IdlePeriod> busy;
     for (const events::Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
-    std::ranges::sort(busy, {}, &Quiet::begin);
-    std::vector<Quiet> quiet;
+    std::ranges::sort(busy, {}, &IdlePeriod::begin);
+    std::vector<IdlePeriod> quiet;
     double until = begin;
-    for (const Quiet& time : busy) {
+    for (const IdlePeriod& time : busy) {
         if (time.begin > until) quiet.push_back({until, time.begin});
         until = std::max(until, time.end);
     }
@@ -169,8 +169,8 @@ std::vector<Quiet> quiet_times(std::span<const events::Event> events, double beg
     return quiet;
 }
 
-void letter_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                  const StripLook& look, labels::Lettering& lettering) {
+void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
+                  const StripStyle& look, labels::Lettering& lettering) {
     Strip(objects, begin, end, still, sheet, look, lettering).letter();
 }
 

@@ -22,15 +22,15 @@ std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::spa
                                  double apart);
 
 /// A stretch of time in which no object is there.
-struct Quiet {
+struct IdlePeriod {
     double begin = 0;
     double end = 0;
 };
 
-std::vector<Quiet> quiet_times(std::span<const events::Event> events, double begin, double end);
+std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, double begin, double end);
 
 /// What a strip and the picture's other marks are made of.
-struct StripLook {
+struct StripStyle {
     image::Rgba ink{};
     image::Rgba pale{};
     image::Rgba lines{};
@@ -41,7 +41,7 @@ struct StripLook {
 /// no row only how many there are.
 /// \param begin, end seconds of the clip
 /// \param still nothing moved at all
-void letter_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                  const StripLook& look, labels::Lettering& lettering);
+void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
+                  const StripStyle& look, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

@@ -31,8 +31,8 @@ constexpr std::array formats{
 };
 
 /// \throws Error io when libav has none of the encoders
-FilmFormat film_format(const std::filesystem::path& path) {
-    const Format& format = *std::ranges::find(formats, ending_of(path), &Format::ending);
+VideoFormat film_format(const std::filesystem::path& path) {
+    const Format& format = *std::ranges::find(formats, extension_of(path), &Format::ending);
     const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
     if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
     throw Error(ErrorKind::io,
@@ -43,20 +43,20 @@ FilmFormat film_format(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::string> animation_endings() {
+std::vector<std::string> animation_extensions() {
     std::vector<std::string> endings;
     for (const Format& format : formats) endings.emplace_back(format.ending);
     return endings;
 }
 
 bool is_animation(const std::filesystem::path& path) {
-    return std::ranges::find(formats, ending_of(path), &Format::ending) != formats.end();
+    return std::ranges::find(formats, extension_of(path), &Format::ending) != formats.end();
 }
 
 AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
     if (!is_animation(path_)) {
         throw Error(ErrorKind::usage, fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
-                                                  fmt::join(animation_endings(), " ")));
+                                                  fmt::join(animation_extensions(), " ")));
     }
 }
 
@@ -64,7 +64,7 @@ AnimationFile::~AnimationFile() = default;
 
 void AnimationFile::add(const Picture& picture) {
     if (!encoder_) {
-        encoder_ = std::make_unique<FilmEncoder>(film_format(path_), path_.string(), picture.pixels.size(), rate_,
+        encoder_ = std::make_unique<VideoEncoder>(film_format(path_), path_.string(), picture.pixels.size(), rate_,
                                                  rate_, rate_);
     }
     encoder_->add(picture, pictures_++);

@@ -12,7 +12,7 @@
 namespace vvr::image {
 
 /// Endings of the animated files that can be written, with their dots.
-std::vector<std::string> animation_endings();
+std::vector<std::string> animation_extensions();
 
 /// Whether a name ends like an animated file.
 bool is_animation(const std::filesystem::path& path);
@@ -39,7 +39,7 @@ class AnimationFile {
   private:
     std::filesystem::path path_;
     int rate_;
-    std::unique_ptr<FilmEncoder> encoder_;  ///< from the first picture on
+    std::unique_ptr<VideoEncoder> encoder_;  ///< from the first picture on
     std::int64_t pictures_ = 0;
 };
 

@@ -65,11 +65,11 @@ bool is_old(int file) {
 /// locks that reach all machines, a file that may still be written stays too.
 /// \param abandoned whether it is certain that no program is writing it
 void remove_if_left(const fs::path& path, bool abandoned) {
-    const int file = open_file_itself(path, O_WRONLY);
+    const int file = open_no_follow(path, O_WRONLY);
     if (file < 0) return;
     const int error = lock_file(file, false);
     const bool sure = abandoned || is_old(file) || (error == 0 && is_on_this_machine(file));
-    if (error != EWOULDBLOCK && sure && is_still(file, path)) ::unlink(path.c_str());
+    if (error != EWOULDBLOCK && sure && is_same_file(file, path)) ::unlink(path.c_str());
     ::close(file);
 }
 
@@ -93,7 +93,7 @@ class TemporaryFile {
     }
     ~TemporaryFile() {
         // Closed last: once it is unlocked, another run may take the name.
-        if (!path_.empty() && is_still(file_, path_)) ::unlink(path_.c_str());
+        if (!path_.empty() && is_same_file(file_, path_)) ::unlink(path_.c_str());
         ::close(file_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
@@ -116,7 +116,7 @@ class TemporaryFile {
     void rename_to(const fs::path& target) {
         // Closed after that, for the same reason. Errors of the disk come from fsync.
         if (::fsync(file_) != 0) throw_error("write", target, errno);
-        if (!is_still(file_, path_)) throw_error("write", target, ENOENT);
+        if (!is_same_file(file_, path_)) throw_error("write", target, ENOENT);
         if (::rename(path_.c_str(), target.c_str()) != 0) throw_error("write", target, errno);
         path_.clear();
     }
@@ -130,7 +130,7 @@ class TemporaryFile {
         // Before it was locked, another run may have taken it for the file of a killed one. Without locks, its age
         // protects it.
         lock_file(file, true);
-        if (is_still(file, path_)) {
+        if (is_same_file(file, path_)) {
             file_ = file;
         } else {
             ::close(file);

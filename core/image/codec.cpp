@@ -55,7 +55,7 @@ const PictureCodec& load() {
     const bool short_of_memory =
         std::ranges::any_of(std::array{"allocate memory", "failed to map segment", "out of memory"},
                             [&](const char* words) { return text.find(words) != std::string::npos; });
-    if (short_of_memory || !may_have(bytes_of_all)) {
+    if (short_of_memory || !is_memory_available(bytes_of_all)) {
         throw Error(ErrorKind::limit,
                     fmt::format("out of memory for the library that reads and writes pictures: {}; allow the program "
                                 "more",

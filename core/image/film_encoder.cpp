@@ -44,9 +44,9 @@ WriteAt into(std::vector<std::byte>& file) {
 
 }  // namespace
 
-struct FilmEncoder::Parts {
+struct VideoEncoder::Parts {
     /// \param write_at empty = into memory
-    Parts(const FilmFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames,
+    Parts(const VideoFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames,
           WriteAt write_at)
         : name(std::move(file_name)),
           size(format.palette ? picture_size : even(picture_size)),
@@ -214,31 +214,31 @@ bool has_encoder(const std::string& encoder) {
     return avcodec_find_encoder_by_name(encoder.c_str()) != nullptr;
 }
 
-FilmEncoder::FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate,
+VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
                          int key_frames)
-    : FilmEncoder(format, name, size, ticks, rate, key_frames, {}) {}
+    : VideoEncoder(format, name, size, ticks, rate, key_frames, {}) {}
 
-FilmEncoder::FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate,
+VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
                          int key_frames, WriteAt write_at)
     : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames, std::move(write_at))) {}
 
-FilmEncoder::~FilmEncoder() = default;
+VideoEncoder::~VideoEncoder() = default;
 
-void FilmEncoder::add(const Picture& picture, std::int64_t time) {
+void VideoEncoder::add(const Picture& picture, std::int64_t time) {
     parts_->add(picture, time);
 }
 
-void FilmEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
+void VideoEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
     parts_->check(av_frame_make_writable(parts_->frame.get()));
     parts_->paint(picture);
     parts_->encode(time);
 }
 
-std::size_t FilmEncoder::bytes() const {
+std::size_t VideoEncoder::bytes() const {
     return static_cast<std::size_t>(parts_->writer.size());
 }
 
-std::vector<std::byte> FilmEncoder::finish() {
+std::vector<std::byte> VideoEncoder::finish() {
     parts_->finish();
     return std::move(parts_->memory);
 }

@@ -13,7 +13,7 @@
 namespace vvr::image {
 
 /// How libav encodes a film.
-struct FilmFormat {
+struct VideoFormat {
     std::string muxer;
     std::string encoder;
     std::string options;   ///< libav's, of the encoder and the muxer: "crf=17,preset=medium"
@@ -26,21 +26,21 @@ bool has_encoder(const std::string& encoder);
 
 /// Pictures of one size as a film, in memory or in a file. Films with a palette keep the size, others have even sides:
 /// an odd last row or column is dropped. Same pictures, same bytes.
-class FilmEncoder {
+class VideoEncoder {
   public:
     /// \param name for messages
     /// \param ticks unit of times, per second
     /// \param rate pictures per second, about
     /// \param key_frames pictures from one key frame to the next
     /// \throws Error io when libav can't
-    FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
+    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
 
     /// The same with a file that takes the bytes; it outlives this.
-    FilmEncoder(const FilmFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
+    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
                 WriteAt write_at);
-    ~FilmEncoder();
-    FilmEncoder(const FilmEncoder&) = delete;
-    FilmEncoder& operator=(const FilmEncoder&) = delete;
+    ~VideoEncoder();
+    VideoEncoder(const VideoEncoder&) = delete;
+    VideoEncoder& operator=(const VideoEncoder&) = delete;
 
     /// \param time in ticks, later than that of the picture before
     /// \throws Error io when it can't be encoded

@@ -50,10 +50,10 @@ constexpr std::array formats{
 };
 
 const Format& format_of(const std::filesystem::path& path) {
-    const std::string ending = ending_of(path);
+    const std::string ending = extension_of(path);
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     if (format != formats.end()) return *format;
-    const std::vector<std::string> known = picture_endings();
+    const std::vector<std::string> known = picture_file_extensions();
     throw Error(ErrorKind::usage,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
@@ -145,7 +145,7 @@ PictureFile describe(const std::filesystem::path& path, const Format& format, Si
 
 }  // namespace
 
-std::vector<std::string> picture_endings() {
+std::vector<std::string> picture_file_extensions() {
     std::vector<std::string> endings;
     endings.reserve(formats.size());
     for (const Format& format : formats) endings.emplace_back(format.ending);
@@ -156,12 +156,12 @@ bool holds_pixel_data(const std::filesystem::path& path) {
     return format_of(path).pixel_data;
 }
 
-void check_picture_ending(const std::filesystem::path& path) {
+void check_picture_extension(const std::filesystem::path& path) {
     format_of(path);
 }
 
 void check_picture_path(const std::filesystem::path& path) {
-    check_picture_ending(path);
+    check_picture_extension(path);
     check_file_path(path);
 }
 

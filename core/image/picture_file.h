@@ -11,11 +11,11 @@
 namespace vvr::image {
 
 /// Endings of the picture files that can be written, with their dots.
-std::vector<std::string> picture_endings();
+std::vector<std::string> picture_file_extensions();
 
 /// Says whether there is a format for the ending of `path`.
 /// \throws Error usage
-void check_picture_ending(const std::filesystem::path& path);
+void check_picture_extension(const std::filesystem::path& path);
 
 /// Says before any long work whether `write_picture` could write to `path`.
 /// \throws Error usage for an ending that is not in the table of formats, io for a folder that isn't there or that

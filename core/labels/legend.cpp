@@ -56,7 +56,7 @@ int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet) {
     return width_of(entries, &LegendEntry::brief, sheet.small);
 }
 
-void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
+void label_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
                    Lettering& lettering) {
     const int text = sheet.small;
     if (sheet.text == 0 || sheet.legend.width() <= 0) return;
@@ -65,7 +65,7 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     // Beside the title: what that has left over.
     PixelBox room = sheet.legend;
     for (const Label& label : lettering.labels) {
-        if (label.box.meets(room)) room.left = std::max(room.left, label.box.right + between);
+        if (label.box.intersects(room)) room.left = std::max(room.left, label.box.right + between);
     }
     const auto width = [&](std::string LegendEntry::*words) { return width_of(entries, words, text) - between; };
     const auto words = width(&LegendEntry::text) <= room.width() ? &LegendEntry::text : &LegendEntry::brief;
@@ -74,7 +74,7 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     for (const LegendEntry& entry : entries) {
         const int before = before_text(entry, text);
         const Label label = make_label(entry.*words, text, x + before, base, colour);
-        if (!room.holds(label.box) || !lettering.add(label, sheet.legend, gap / 2)) return;
+        if (!room.contains(label.box) || !lettering.add(label, sheet.legend, gap / 2)) return;
         if (entry.wheel) {
             const double radius = wheel_width * text / 2.0;
             draw_wheel(entry.colours, {x + radius, base - text * 3 / 8.0}, radius, lettering);
@@ -85,7 +85,7 @@ void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, 
     }
 }
 
-void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
+void label_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
                   const image::Rgba& colour, const image::Rgba& pale, Lettering& lettering) {
     const int text = sheet.text;
     if (text == 0 || sheet.title.width() <= 0) return;

@@ -18,7 +18,7 @@ struct LegendEntry {
 
 /// Writes the entries into the sheet's legend, all with their whole text or all brief; the last are left out where
 /// there isn't room even then.
-void letter_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
+void label_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
                    Lettering& lettering);
 
 /// The width of a legend of brief texts, and of the space before it.
@@ -26,7 +26,7 @@ int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet);
 
 /// Writes a title, whose name ends at `right` at most, and beside it in another colour what there is to say of
 /// it, into the sheet's title. What doesn't fit is left out from the end.
-void letter_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
+void label_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
                   const image::Rgba& colour, const image::Rgba& pale, Lettering& lettering);
 
 }  // namespace vvr::labels

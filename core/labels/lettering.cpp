@@ -21,14 +21,14 @@ float lightness(const image::Rgba& colour) {
 }
 
 void fill(image::Picture& picture, const PixelBox& box, const image::Rgba& colour) {
-    const PixelBox inside = common(box, {0, 0, picture.pixels.width(), picture.pixels.height()});
+    const PixelBox inside = intersection(box, {0, 0, picture.pixels.width(), picture.pixels.height()});
     for (int j = inside.top; j < inside.bottom; ++j) {
         for (int i = inside.left; i < inside.right; ++i) picture.pixels.at(i, j) = colour;
     }
 }
 
 void draw_pasted(image::Picture& picture, const PastedPicture& pasted) {
-    if (pasted.border > 0) fill(picture, pasted.box.grown(pasted.border, pasted.border), pasted.colour);
+    if (pasted.border > 0) fill(picture, pasted.box.inflated(pasted.border, pasted.border), pasted.colour);
     const Plane<Bgr> scaled = image::resized(pasted.picture, pasted.box.size());
     for (int j = 0; j < scaled.height(); ++j) {
         for (int i = 0; i < scaled.width(); ++i) {
@@ -53,14 +53,14 @@ void draw_label(image::Picture& picture, const Label& label) {
 }  // namespace
 
 bool Lettering::is_free(const PixelBox& box) const {
-    const auto in_the_way = [&](const auto& other) { return box.meets(other.box); };
+    const auto in_the_way = [&](const auto& other) { return box.intersects(other.box); };
     return std::ranges::none_of(labels, in_the_way) && std::ranges::none_of(bars, in_the_way) &&
            std::ranges::none_of(pictures, in_the_way) && std::ranges::none_of(badges, in_the_way);
 }
 
 bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
-    if (label.text.empty() || !area.holds(label.box)) return false;
-    if (!is_free(label.box.grown(gap, gap))) return false;
+    if (label.text.empty() || !area.contains(label.box)) return false;
+    if (!is_free(label.box.inflated(gap, gap))) return false;
     labels.push_back(label);
     return true;
 }
@@ -68,7 +68,7 @@ bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
 Label make_label(const std::string& text, int size, int x, int y, const image::Rgba& colour) {
     const std::optional<PixelBox> box = image::measure_text(text, size);
     if (!box) return {};
-    return {text, size, x - box->left, y, box->moved(x - box->left, y), colour};
+    return {text, size, x - box->left, y, box->translated(x - box->left, y), colour};
 }
 
 Label make_label_around(const std::string& text, int size, double x, double y, const image::Rgba& colour) {
@@ -76,7 +76,7 @@ Label make_label_around(const std::string& text, int size, double x, double y, c
     if (!box) return {};
     const int left = static_cast<int>(std::lround(x - box->width() / 2.0)) - box->left;
     const int base = static_cast<int>(std::lround(y - box->height() / 2.0)) - box->top;
-    return {text, size, left, base, box->moved(left, base), colour};
+    return {text, size, left, base, box->translated(left, base), colour};
 }
 
 Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const image::Rgba& colour) {

@@ -111,7 +111,7 @@ std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, cons
     return strokes;
 }
 
-void letter_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
+void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
                  const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
         write_beside(gap.words, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
@@ -123,9 +123,9 @@ std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const
     const double end = volume.layer(volume.layers() - 1).last_pts;
     constexpr int finest = 1024;  // times as many moments are tried
     const double apart = 0.8 * volume.t_end() / most;
-    const std::vector<bricks::Squeezed> squeezed = bricks::squeezed_stretches(volume);
+    const std::vector<bricks::CompressedIdle> squeezed = bricks::compressed_stretches(volume);
     const auto is_squeezed = [&](double t) {
-        return std::ranges::any_of(squeezed, [&](const bricks::Squeezed& s) { return s.t_begin < t && t < s.t_end; });
+        return std::ranges::any_of(squeezed, [&](const bricks::CompressedIdle& s) { return s.t_begin < t && t < s.t_end; });
     };
     std::vector<TimeTick> kept;
     for (int factor = 1; factor <= finest; factor *= 2) {
@@ -144,7 +144,7 @@ std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const
 
 std::vector<TimeBreak> time_breaks(const bricks::Volume& volume, std::size_t most) {
     std::vector<TimeBreak> breaks;
-    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) {
+    for (const bricks::CompressedIdle& stretch : bricks::compressed_stretches(volume)) {
         breaks.push_back({(stretch.t_begin + stretch.t_end) / 2, stretch.seconds});
     }
     std::ranges::stable_sort(breaks, std::greater{}, &TimeBreak::seconds);
@@ -167,7 +167,7 @@ std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks
     return strokes;
 }
 
-void letter_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
+void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
                    const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     std::vector<TimeBreak> longest = breaks;
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
@@ -178,7 +178,7 @@ void letter_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& la
     }
 }
 
-void letter_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
+void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
                   const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
                   const image::Rgba& colour, Lettering& lettering) {
     const auto write = [&](const TimeTick& tick) {

@@ -46,7 +46,7 @@ std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, cons
                                           const TimeEdge& edge, const glm::vec4& colour);
 
 /// Writes beside the hatching what it means, where there is room.
-void letter_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
+void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
                  const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
 /// Ticks for a volume whose layers are of unequal length: `most` at most, about evenly spread over the arc, the
@@ -67,12 +67,12 @@ std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks
                                             const TimeEdge& edge, const glm::vec4& colour);
 
 /// Writes beside breaks how long they are, the longest first, where there is room.
-void letter_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
+void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
                    const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
 /// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
 /// between the first and the last.
-void letter_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
+void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
                   const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
                   const image::Rgba& colour, Lettering& lettering);
 

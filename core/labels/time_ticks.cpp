@@ -57,7 +57,7 @@ struct Piece {
 std::vector<Piece> pieces_of(double begin, double end, const WallClock& clock) {
     std::vector<Piece> pieces{{begin, end, clock ? static_cast<double>(clock->begin) : 0}};
     if (!clock) return pieces;
-    for (const Clock::Leap& leap : clock->leaps) {
+    for (const Clock::ClockChange& leap : clock->leaps) {
         if (leap.seconds <= begin) {
             pieces.back().offset += static_cast<double>(leap.by);
         } else if (leap.seconds < end) {

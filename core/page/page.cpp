@@ -99,7 +99,7 @@ Json json_of(const PageContent::Segment& segment) {
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
     Json leaps = Json::array();
-    for (const Clock::Leap& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
+    for (const Clock::ClockChange& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
     return {{"begin", clock->begin},
             {"leaps", leaps},
             {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
@@ -111,9 +111,9 @@ std::string css_of(const glm::vec3& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.x), byte(colour.y), byte(colour.z));
 }
 
-Json json_of(const std::vector<SteadyFrames>& times) {
+Json json_of(const std::vector<ConstantRateFrames>& times) {
     Json json = Json::array();
-    for (const SteadyFrames& steady : times) {
+    for (const ConstantRateFrames& steady : times) {
         json.push_back({steady.first, steady.count, rounded(steady.begin), steady.step});
     }
     return json;
@@ -137,12 +137,12 @@ Json json_of(const std::vector<events::PathPoint>& path, Size field) {
 Json way_of(const std::vector<events::PathPoint>& path, Size field, Size shown) {
     const glm::dvec2 size(shown.width, shown.height);
     const glm::dvec2 scale = size / glm::dvec2(field.width, field.height);
-    std::vector<events::WayPoint> way;
+    std::vector<events::Waypoint> way;
     for (const events::PathPoint& point : path) {
-        way.push_back(events::way_point(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
+        way.push_back(events::waypoint(point.at.seconds, (point.place + 0.5) * scale - 0.5, size));
     }
     Json json = Json::array();
-    for (const events::WayPoint& point : events::simplified(way)) {
+    for (const events::Waypoint& point : events::simplified(way)) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
     return json;
@@ -152,7 +152,7 @@ Json json_of(const events::Event& event, Size field, Size shown) {
     return {{"kind", events::name_of(event.kind)},
             {"first", event.first.frame},
             {"last", event.last.frame},
-            {"still", rounded(events::still_seconds(event))},
+            {"still", rounded(events::stationary_seconds(event))},
             {"from", number_of(event.from)},
             {"into", number_of(event.into)},
             {"by", number_of(event.by)},
@@ -170,7 +170,7 @@ Json json_of(const Still& still) {
             {"src", data_url("image/jpeg", image::encode_picture("still.jpg", still.picture, still_quality))}};
 }
 
-Json json_of(const Film& film) {
+Json json_of(const EncodedVideo& film) {
     return {{"type", film.type}, {"begin", rounded(film.begin)}, {"step", film.step}, {"base64", base64(film.bytes)}};
 }
 
@@ -201,7 +201,7 @@ Json json_of(const PageContent& content) {
               {"camera", content.camera.empty() ? Json() : Json(content.camera)},
               {"clip", content.clip_url.empty() ? Json() : Json(content.clip_url)},
               {"segments", Json::array()},
-              {"cut", {{"ending", content.cut_ending}, {"names", content.names}}},
+              {"cut", {{"ending", content.piece_extension}, {"names", content.names}}},
               {"size", {content.shown.width, content.shown.height}},
               {"times", json_of(moments.times)},
               {"clock", json_of(content.clock)},
@@ -235,7 +235,7 @@ std::string list_of(const PageContent& content) {
     if (!content.events) return {};
     std::string list;
     for (const events::Event& event : *content.events) {
-        const double still = events::still_seconds(event);
+        const double still = events::stationary_seconds(event);
         list += fmt::format(
             "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
@@ -255,14 +255,14 @@ std::string url_of_picture(const PageContent& content) {
 }
 
 /// When the last frame has been shown.
-double end_of(const std::vector<SteadyFrames>& times) {
-    const SteadyFrames& last = times.back();
+double end_of(const std::vector<ConstantRateFrames>& times) {
+    const ConstantRateFrames& last = times.back();
     return last.at(last.first + last.count);
 }
 
-std::int64_t frames_in(const std::vector<SteadyFrames>& times) {
+std::int64_t frames_in(const std::vector<ConstantRateFrames>& times) {
     std::int64_t frames = 0;
-    for (const SteadyFrames& steady : times) frames += steady.count;
+    for (const ConstantRateFrames& steady : times) frames += steady.count;
     return frames;
 }
 

@@ -40,7 +40,7 @@ struct PageContent {
         double length = 0;
     };
     std::vector<Segment> segments;   ///< instead of a clip, in order
-    std::string cut_ending;          ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
+    std::string piece_extension;          ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
     std::vector<std::string> names;  ///< how files' names tell camera and time, as it was said
     WallClock clock;                 ///< that the picture shows
     Size shown;                      ///< size of the clip's picture

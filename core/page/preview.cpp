@@ -48,9 +48,9 @@ std::size_t place_of(Preview::Use use) {
 
 Preview::Preview(Size clip, const ExpectedLength& expected, Use use)
     : use_(use), size_(fit_into(clip, long_sides[place_of(use)])), expected_(expected) {
-    film_.step = step_for(expected);
-    const double kept = static_cast<double>(expected.frames) / static_cast<double>(film_.step);
-    given_up_ = film_.step > 1 && kept < least_rate * expected.seconds;
+    video_.step = step_for(expected);
+    const double kept = static_cast<double>(expected.frames) / static_cast<double>(video_.step);
+    given_up_ = video_.step > 1 && kept < least_rate * expected.seconds;
 }
 
 void Preview::begin() {
@@ -63,14 +63,14 @@ void Preview::begin() {
     constexpr double highest = 1'500'000;
     const double seconds = std::max(1.0, expected_.seconds);
     const auto bits = static_cast<std::int64_t>(std::min(highest, 0.85 * 8 * most_bytes / seconds));
-    const double rate = static_cast<double>(expected_.frames) / static_cast<double>(film_.step) / seconds;
+    const double rate = static_cast<double>(expected_.frames) / static_cast<double>(video_.step) / seconds;
     const int pictures = static_cast<int>(std::clamp(std::round(rate), 1.0, 60.0));
     const bool constrained_by_rate = std::string_view(kind->muxer) == "webm";
     const std::string limit =
         constrained_by_rate ? fmt::format("b={}", bits) : fmt::format("maxrate={},bufsize={}", bits, 2 * bits);
-    film_.type = kind->type;
-    encoder_ = std::make_unique<image::FilmEncoder>(
-        image::FilmFormat{kind->muxer, kind->encoder,
+    video_.type = kind->type;
+    encoder_ = std::make_unique<image::VideoEncoder>(
+        image::VideoFormat{kind->muxer, kind->encoder,
                           fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
         "preview", size_, ticks, pictures, key_seconds * pictures);
 }
@@ -95,10 +95,10 @@ void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& pictu
         begin();
         if (given_up_) return;
         first_frame_ = frame;
-        film_.begin = seconds;
+        video_.begin = seconds;
     }
-    if ((frame - first_frame_) % film_.step != 0) return;
-    std::int64_t tick = std::llround((seconds - film_.begin) * ticks);
+    if ((frame - first_frame_) % video_.step != 0) return;
+    std::int64_t tick = std::llround((seconds - video_.begin) * ticks);
     if (taken_ > 0) tick = std::max(tick, last_tick_ + 1);  // no two frames have the same time
     last_tick_ = tick;
     encoder_->add(image::resized(picture, size_), tick);
@@ -108,16 +108,16 @@ void Preview::encode(std::int64_t frame, double seconds, const Plane<Bgr>& pictu
     encoder_.reset();
 }
 
-std::optional<Film> Preview::finish() {
+std::optional<EncodedVideo> Preview::finish() {
     if (given_up_ || taken_ == 0) return std::nullopt;
     try {
-        film_.bytes = encoder_->finish();
+        video_.bytes = encoder_->finish();
     } catch (const Error& error) {
         give_up(error.what());
         return std::nullopt;
     }
-    if (film_.bytes.size() > most_bytes) return std::nullopt;
-    return std::move(film_);
+    if (video_.bytes.size() > most_bytes) return std::nullopt;
+    return std::move(video_);
 }
 
 }  // namespace vvr::page

@@ -12,7 +12,7 @@
 namespace vvr::page {
 
 /// A small film in a file format that browsers play.
-struct Film {
+struct EncodedVideo {
     std::string type;  ///< "video/mp4"
     std::vector<std::byte> bytes;
     double begin = 0;       ///< seconds of the clip at its beginning
@@ -48,7 +48,7 @@ class Preview {
     void add(std::int64_t frame, double seconds, const Plane<Bgr>& picture);
 
     /// Nothing if the clip is too long, or if libav has no encoder for a format that browsers play. Call it once.
-    std::optional<Film> finish();
+    std::optional<EncodedVideo> finish();
 
     /// What libav said where it could not encode it; empty = it could.
     const std::string& problem() const { return problem_; }
@@ -61,8 +61,8 @@ class Preview {
     Use use_;
     Size size_;
     ExpectedLength expected_;
-    std::unique_ptr<image::FilmEncoder> encoder_;
-    Film film_;
+    std::unique_ptr<image::VideoEncoder> encoder_;
+    EncodedVideo video_;
     std::int64_t taken_ = 0;
     std::int64_t first_frame_ = 0;
     std::int64_t last_tick_ = 0;

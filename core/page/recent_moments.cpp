@@ -30,7 +30,7 @@ fields::FieldSummary RecentMoments::read(const fields::FieldNeeds& needs, const 
 }
 
 Moments RecentMoments::since(std::int64_t first, std::int64_t last) const {
-    TimeLine times;
+    Timeline times;
     for (const Moment& moment : times_) {
         if (moment.frame >= first && moment.frame <= last) times.add(moment.frame, moment.seconds);
     }

@@ -8,7 +8,7 @@ namespace vvr::page {
 
 void Stills::add(std::int64_t frame, double seconds, const Plane<Bgr>& picture, std::int64_t activity) {
     if (kept_.empty() || in_last_ == stretch_) {
-        if (kept_.size() == most_) join_neighbours();
+        if (kept_.size() == most_) merge_neighbours();
         kept_.push_back({{frame, seconds, image::resized(picture, size_)}, activity});
         in_last_ = 1;
         return;
@@ -26,7 +26,7 @@ std::vector<Still> Stills::take() {
     return stills;
 }
 
-void Stills::join_neighbours() {
+void Stills::merge_neighbours() {
     for (std::size_t k = 0; k < most_ / 2; ++k) {
         Kept& a = kept_[2 * k];
         Kept& b = kept_[2 * k + 1];

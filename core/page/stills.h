@@ -38,7 +38,7 @@ class Stills {
         std::int64_t activity = 0;
     };
 
-    void join_neighbours();
+    void merge_neighbours();
 
     Size size_;
     std::size_t most_;

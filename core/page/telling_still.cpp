@@ -17,7 +17,7 @@ constexpr int line = 2;  // pixels
 /// What tells more is greater.
 auto worth(const events::Event& event) {
     constexpr std::array rank{0, 1, 3, 2};  // in the order of EventKind
-    return std::tuple(rank[static_cast<std::size_t>(event.kind)], events::still_seconds(event),
+    return std::tuple(rank[static_cast<std::size_t>(event.kind)], events::stationary_seconds(event),
                       event.last.seconds - event.first.seconds);
 }
 
@@ -38,7 +38,7 @@ void outline(Plane<Bgr>& picture, const PixelBox& box) {
 
 }  // namespace
 
-std::optional<Still> telling_still(std::span<const Still> stills, std::span<const events::Event> events, Size field) {
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field) {
     if (stills.empty()) return std::nullopt;
     const auto event = std::ranges::max_element(events, {}, worth);
     if (event == events.end() || event->path.empty()) return stills[stills.size() / 2];

@@ -12,6 +12,6 @@ namespace vvr::page {
 /// what was there for longest; with a frame around it. Without events it is the one in the middle.
 /// \param field size of the field, whose pixels are the unit of events
 /// \returns nothing where there are no stills
-std::optional<Still> telling_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
 
 }  // namespace vvr::page

@@ -5,7 +5,7 @@
 
 namespace vvr::page {
 
-void TimeLine::add(std::int64_t frame, double seconds) {
+void Timeline::add(std::int64_t frame, double seconds) {
     ++frames_;
     if (count_ == 0 || frame != first_ + count_) {
         begin(frame, seconds);
@@ -23,13 +23,13 @@ void TimeLine::add(std::int64_t frame, double seconds) {
     ++count_;
 }
 
-std::vector<SteadyFrames> TimeLine::stretches() const {
-    std::vector<SteadyFrames> all = done_;
+std::vector<ConstantRateFrames> Timeline::stretches() const {
+    std::vector<ConstantRateFrames> all = done_;
     if (count_ > 0) all.push_back(current());
     return all;
 }
 
-void TimeLine::begin(std::int64_t frame, double seconds) {
+void Timeline::begin(std::int64_t frame, double seconds) {
     if (count_ > 0) done_.push_back(current());
     first_ = frame;
     count_ = 1;
@@ -38,7 +38,7 @@ void TimeLine::begin(std::int64_t frame, double seconds) {
     most_ = std::numeric_limits<double>::infinity();
 }
 
-SteadyFrames TimeLine::current() const {
+ConstantRateFrames Timeline::current() const {
     return {first_, count_, begin_, count_ > 1 ? (least_ + most_) / 2 : 0};
 }
 

@@ -6,7 +6,7 @@
 namespace vvr::page {
 
 /// Consecutive frames at a steady rate.
-struct SteadyFrames {
+struct ConstantRateFrames {
     std::int64_t first = 0;  ///< index in the clip
     std::int64_t count = 1;
     double begin = 0;  ///< seconds, of the first
@@ -17,7 +17,7 @@ struct SteadyFrames {
 
 /// The times of a clip's frames in few numbers: a clip at a steady rate is one stretch, of any length and with any
 /// rounding by its container. Memory grows only with the changes of the rate.
-class TimeLine {
+class Timeline {
   public:
     /// The greatest error of a frame's time, in seconds: less than the shortest time that a screen shows a frame.
     static constexpr double tolerance = 0.001;
@@ -25,15 +25,15 @@ class TimeLine {
     /// \param frame greater than the one before; so is its time in most clips
     void add(std::int64_t frame, double seconds);
 
-    std::vector<SteadyFrames> stretches() const;
+    std::vector<ConstantRateFrames> stretches() const;
 
     std::int64_t frames() const { return frames_; }
 
   private:
     void begin(std::int64_t frame, double seconds);
-    SteadyFrames current() const;
+    ConstantRateFrames current() const;
 
-    std::vector<SteadyFrames> done_;
+    std::vector<ConstantRateFrames> done_;
     std::int64_t frames_ = 0;
     std::int64_t first_ = 0;
     std::int64_t count_ = 0;

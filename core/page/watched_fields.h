@@ -15,21 +15,21 @@ namespace vvr::page {
 
 /// What a page needs to know about the moments of a clip.
 struct Moments {
-    std::vector<SteadyFrames> times;
+    std::vector<ConstantRateFrames> times;
     std::vector<Still> stills;
-    std::optional<Film> preview;
+    std::optional<EncodedVideo> preview;
     std::string problem{};  ///< why the preview could not be made; empty = it could, or none was due
 };
 
 /// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
 class WatchedFields final : public fields::FieldSource {
   public:
-    enum class Film {
+    enum class EncodedVideo {
         none,
         preview,  ///< small where browsers play the clip itself
     };
 
-    WatchedFields(std::unique_ptr<fields::FieldSource> fields, Film film);
+    WatchedFields(std::unique_ptr<fields::FieldSource> fields, EncodedVideo film);
 
     const video::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
@@ -47,8 +47,8 @@ class WatchedFields final : public fields::FieldSource {
     void encode(const fields::Field& field, Plane<Bgr>&& picture);
 
     std::unique_ptr<fields::FieldSource> fields_;
-    Film film_;
-    TimeLine times_;
+    EncodedVideo video_;
+    Timeline times_;
     std::optional<Stills> stills_;
     std::optional<Preview> preview_;
     std::future<void> encoding_;  ///< of the frame before: an encoder takes as long as the fields do

@@ -32,7 +32,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) 
     shadow.darkness = Plane<std::uint8_t>({volume.size().width, static_cast<int>(volume.layers())});
     for (int row = 0; row < shadow.darkness.height(); ++row) {
         const auto into = shadow.darkness.row(row);
-        volume.layer(row).scalar.each_run([&](int column, int, std::span<const std::uint8_t> values) {
+        volume.layer(row).scalar.for_each_run([&](int column, int, std::span<const std::uint8_t> values) {
             const auto under = into.subspan(static_cast<std::size_t>(column), values.size());
             std::ranges::transform(under, values, under.begin(), [&](std::uint8_t dark, std::uint8_t value) {
                 return std::max(dark, value != 0 && !fields::interpolates(volume.values()) ? std::uint8_t{255} : value);
@@ -48,7 +48,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) 
 FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify) {
     FloorShadow shadow = floor_shadow(volume, theme.shadow);
     const glm::vec3 untinted(theme.shadow);
-    const std::vector<glm::vec4> looks = looks_of(theme);
+    const std::vector<glm::vec4> looks = object_palette(theme);
     shadow.colour.a = std::max(theme.shadow.a, tinted_opacity);
     const float nobodys_part = theme.shadow.a / shadow.colour.a;
     shadow.tint = Plane<Bgr>(shadow.darkness.size(), bgr_of(untinted));
@@ -60,7 +60,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
     for (int row = 0; row < shadow.darkness.height(); ++row) {
         const bricks::Layer& layer = volume.layer(row);
         columns.assign(static_cast<std::size_t>(shadow.darkness.width()), {});
-        layer.scalar.each_run([&](int column, int j, std::span<const std::uint8_t> values) {
+        layer.scalar.for_each_run([&](int column, int j, std::span<const std::uint8_t> values) {
             for (const std::uint8_t value : values) {
                 Strongest& strongest = columns[static_cast<std::size_t>(column)];
                 if (value > strongest.value) strongest = {value, layer.owner.at(column, j)};

@@ -11,7 +11,7 @@
 namespace vvr::scene {
 
 /// How an object is while a voxel shows it.
-enum class Posture {
+enum class ObjectState {
     moving,
     still,   ///< it stands or lies, and is in a light stretch of its stripes
     marked,  ///< in a dark one
@@ -19,9 +19,9 @@ enum class Posture {
 
 /// The look, as in Identity, of an object.
 /// \param colour as `colours_of` gives it
-std::uint8_t look_of(int colour, Posture posture);
+std::uint8_t palette_index(int colour, ObjectState posture);
 
 /// All looks, that of what is nobody's first: colour, and a factor on the extinction.
-std::vector<glm::vec4> looks_of(const Theme& theme);
+std::vector<glm::vec4> object_palette(const Theme& theme);
 
 }  // namespace vvr::scene

@@ -10,7 +10,7 @@ namespace vvr::scene {
 
 namespace {
 
-glm::dvec3 corner(const AxisBox& box, int i) {
+glm::dvec3 corner(const BoundingBox& box, int i) {
     return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
 }
 
@@ -19,7 +19,7 @@ LineSegment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec
 }
 
 /// Where a plane at `depth` from the camera meets the box, in order around it.
-std::vector<glm::dvec3> cut_box(const AxisBox& box, const space::Camera& camera, double depth) {
+std::vector<glm::dvec3> cut_box(const BoundingBox& box, const space::Camera& camera, double depth) {
     std::vector<glm::dvec3> points;
     glm::dvec3 middle(0);
     for (const auto& [a, b] : space::hexahedron_edges) {
@@ -43,15 +43,15 @@ std::vector<glm::dvec3> cut_box(const AxisBox& box, const space::Camera& camera,
 
 }  // namespace
 
-AxisBox layout_box(const space::Layout& layout) {
-    AxisBox box;
+BoundingBox layout_bounds(const space::Layout& layout) {
+    BoundingBox box;
     for (const glm::dvec3& point : outline_points(layout)) box.add(point);
     return box;
 }
 
-AxisBox visible_box(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
                     const TransferFunction& transfer) {
-    AxisBox box;
+    BoundingBox box;
     const bool zero_is_empty = !transfer.visible({0, 0});
     for (const bricks::PlacedCells& brick : bricks) {
         const bricks::BrickCells& cells = *brick.cells;
@@ -73,13 +73,13 @@ AxisBox visible_box(std::span<const bricks::PlacedCells> bricks, const space::La
     return box;
 }
 
-std::vector<glm::dvec3> corners(const AxisBox& box) {
+std::vector<glm::dvec3> corners(const BoundingBox& box) {
     std::vector<glm::dvec3> points;
     for (int i = 0; i < 8; ++i) points.push_back(corner(box, i));
     return points;
 }
 
-std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour) {
+std::vector<LineSegment> box_edges(const BoundingBox& box, const glm::vec4& colour) {
     std::vector<LineSegment> segments;
     if (box.empty()) return segments;
     for (const auto& [a, b] : space::hexahedron_edges)
@@ -87,7 +87,7 @@ std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour) 
     return segments;
 }
 
-std::vector<LineSegment> slice_outlines(const AxisBox& box, const space::Camera& camera, const SliceStack& stack,
+std::vector<LineSegment> slice_outlines(const BoundingBox& box, const space::Camera& camera, const SliceStack& stack,
                                         int shown, const glm::vec4& colour) {
     std::vector<LineSegment> segments;
     if (box.empty()) return segments;

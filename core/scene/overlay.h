@@ -16,7 +16,7 @@
 namespace vvr::scene {
 
 /// A box along the axes of P-space; empty until it holds a point.
-struct AxisBox {
+struct BoundingBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -28,20 +28,20 @@ struct AxisBox {
 };
 
 /// The box of the whole layout: Fig. 5's box of P-space.
-AxisBox layout_box(const space::Layout& layout);
+BoundingBox layout_bounds(const space::Layout& layout);
 
 /// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
-AxisBox visible_box(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
+BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
                     const TransferFunction& transfer);
 
-std::vector<glm::dvec3> corners(const AxisBox& box);
+std::vector<glm::dvec3> corners(const BoundingBox& box);
 
 /// The twelve edges of a box; none of an empty one.
-std::vector<LineSegment> box_edges(const AxisBox& box, const glm::vec4& colour);
+std::vector<LineSegment> box_edges(const BoundingBox& box, const glm::vec4& colour);
 
 /// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
 /// every n-th, about `shown` of them.
-std::vector<LineSegment> slice_outlines(const AxisBox& box, const space::Camera& camera, const SliceStack& stack,
+std::vector<LineSegment> slice_outlines(const BoundingBox& box, const space::Camera& camera, const SliceStack& stack,
                                         int shown, const glm::vec4& colour);
 
 }  // namespace vvr::scene

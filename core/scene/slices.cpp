@@ -12,7 +12,7 @@ namespace vvr::scene {
 
 namespace {
 
-struct Piece {
+struct SlicePolygon {
     std::uint32_t first_vertex = 0;
     std::uint32_t vertices = 0;
     int slice = 0;
@@ -166,12 +166,12 @@ Sheet make_sheet(const Cutting& cutting, const bricks::PlacedCells& brick, int i
 }
 
 /// Orders pieces by slice, the farthest first, by counting: there are many more pieces than slices.
-std::vector<Piece> farthest_first(const std::vector<Piece>& pieces, int slices) {
+std::vector<SlicePolygon> farthest_first(const std::vector<SlicePolygon>& pieces, int slices) {
     std::vector<std::size_t> start(static_cast<std::size_t>(slices) + 1);
-    for (const Piece& piece : pieces) ++start[static_cast<std::size_t>(slices - 1 - piece.slice) + 1];
+    for (const SlicePolygon& piece : pieces) ++start[static_cast<std::size_t>(slices - 1 - piece.slice) + 1];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<Piece> sorted(pieces.size());
-    for (const Piece& piece : pieces) sorted[start[static_cast<std::size_t>(slices - 1 - piece.slice)]++] = piece;
+    std::vector<SlicePolygon> sorted(pieces.size());
+    for (const SlicePolygon& piece : pieces) sorted[start[static_cast<std::size_t>(slices - 1 - piece.slice)]++] = piece;
     return sorted;
 }
 
@@ -209,7 +209,7 @@ SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t nu
     };
 
     SliceMesh mesh;
-    std::vector<Piece> pieces;
+    std::vector<SlicePolygon> pieces;
     std::vector<Corner> polygon;
     std::vector<glm::vec3> fan;
     Sheet before = sheet_at(-1);
@@ -254,7 +254,7 @@ SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t nu
         sheet = std::move(after);
     }
     int slice = stack.count;
-    for (const Piece& piece : farthest_first(pieces, stack.count)) {
+    for (const SlicePolygon& piece : farthest_first(pieces, stack.count)) {
         if (piece.slice != slice && !mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());
         slice = piece.slice;
         for (std::uint32_t i = 2; i < piece.vertices; ++i) {

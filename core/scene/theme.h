@@ -21,7 +21,7 @@ struct Theme {
     glm::vec3 slow;             ///< arrows and tracelines
     glm::vec3 fast;
     std::array<glm::vec3, 8> objects;  ///< sRGB; all eyes tell them apart, and their greys differ too
-    glm::vec3 nobody;                  ///< what belongs to no object
+    glm::vec3 unowned;                  ///< what belongs to no object
 };
 
 /// The themes; the first is the default.

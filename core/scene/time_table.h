@@ -31,7 +31,7 @@ class TimeTable {
     };
 
     std::int64_t step_;
-    bool unequal_;
+    bool nonuniform_;
     std::vector<Entry> layers_;
 };
 

@@ -46,7 +46,7 @@ void append(Tracelines& lines, const std::vector<TraceVertex>& points, double sp
 std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options) {
     const glm::dvec3 low(-0.5);
     const glm::dvec3 high = glm::dvec3(volume.size().width, volume.size().height,
-                                       volume.is_unequal() ? volume.frames() : volume.layers() * volume.step()) -
+                                       volume.is_nonuniform() ? volume.frames() : volume.layers() * volume.step()) -
                             0.5;
     std::vector<glm::dvec3> points = {start};
     for (int i = 0; i < options.steps; ++i) {

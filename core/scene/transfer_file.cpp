@@ -125,7 +125,7 @@ const std::vector<TransferRow>& transfer_functions() {
 }
 
 double extinction_of(double opacity) {
-    return -std::log1p(-std::min(opacity, 0.999)) / opacity_length;
+    return -std::log1p(-std::min(opacity, 0.999)) / opacity_unit_distance;
 }
 
 TransferFunction parse_transfer(const std::string& text, const std::string& name) {

@@ -20,9 +20,9 @@ const std::vector<TransferRow>& transfer_functions();
 
 /// The opacity of a transfer file is that of a layer so thick, in P-space units: a fiftieth of the horseshoe's outer
 /// radius, about as thick as a person's track.
-inline constexpr double opacity_length = 0.02;
+inline constexpr double opacity_unit_distance = 0.02;
 
-/// Extinction per P-space unit of what lets 1 - `opacity` through `opacity_length`. Opacity 1 would be infinite;
+/// Extinction per P-space unit of what lets 1 - `opacity` through `opacity_unit_distance`. Opacity 1 would be infinite;
 /// from 0.999 on it counts as that.
 double extinction_of(double opacity);
 

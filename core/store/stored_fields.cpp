@@ -117,7 +117,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
     const auto fail = [](const fs::path& file, const std::string& what) {
         throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
     };
-    if (needs.flow_of_each || (asked && (needs.seeds || needs.flow))) {
+    if (needs.flow_of_every_frame || (asked && (needs.seeds || needs.flow))) {
         if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
     }
     if (asked && needs.seeds) {
@@ -134,7 +134,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
         }
         field.seeds = std::move(list.seeds);
     }
-    if (needs.flow_of_each || (asked && needs.flow)) {
+    if (needs.flow_of_every_frame || (asked && needs.flow)) {
         const fs::path file = part.folder / stored::flow_file(frame.index);
         field.flow = fields::read_flo(file.string());
         if (field.flow.u.size() != field_size()) {
@@ -146,7 +146,7 @@ fields::Field StoredFields::read_field(const Part& part, const StoredFrame& fram
 }
 
 fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
-    if (needs.flow_of_each && parts_.front().manifest.flow_every != 1) {
+    if (needs.flow_of_every_frame && parts_.front().manifest.flow_every != 1) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
                                 "it again, or render the clip itself",

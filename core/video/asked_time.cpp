@@ -55,7 +55,7 @@ std::vector<FrameSpan::Part> parts_of(const DayPart& asked, const Clock& clock, 
 
 }  // namespace
 
-double seconds_of(const AskedTime& asked, const Clock& clock, double from) {
+double seconds_of(const RequestedTime& asked, const Clock& clock, double from) {
     if (asked.dated) return clock.when(static_cast<double>(asked.seconds));
     std::int64_t date = day_at(clock, from);
     double seconds = clock.when(static_cast<double>(date * day + asked.seconds));

@@ -14,12 +14,12 @@ struct FrameSpan;
 struct VideoInfo;
 
 /// A moment by the clock on the wall.
-struct AskedTime {
+struct RequestedTime {
     std::int64_t seconds = 0;  ///< since 1970-01-01 00:00 on that clock; of a time of day, since midnight
     bool dated = false;        ///< else it is a time of day, and the next time that the clock shows it is meant
     std::string text{};        ///< as it was asked for
 
-    friend bool operator==(const AskedTime&, const AskedTime&) = default;
+    friend bool operator==(const RequestedTime&, const RequestedTime&) = default;
 };
 
 /// A part of each day, over midnight where it ends before it begins.
@@ -32,17 +32,17 @@ struct DayPart {
 };
 
 /// Limits of a span by the clock on the wall. They mean nothing before `resolve`.
-struct AskedSpan {
-    std::optional<AskedTime> start{};
-    std::optional<AskedTime> end{};
+struct RequestedSpan {
+    std::optional<RequestedTime> start{};
+    std::optional<RequestedTime> end{};
     std::optional<DayPart> between{};
 
-    friend bool operator==(const AskedSpan&, const AskedSpan&) = default;
+    friend bool operator==(const RequestedSpan&, const RequestedSpan&) = default;
 };
 
 /// The second of the clip that a moment means.
 /// \param from the second from which on a time of day is looked for
-double seconds_of(const AskedTime& asked, const Clock& clock, double from = 0);
+double seconds_of(const RequestedTime& asked, const Clock& clock, double from = 0);
 
 /// The clock, where it is known.
 /// \param setting that needs it, and what it was given

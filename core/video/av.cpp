@@ -76,7 +76,7 @@ void Log::attach(AVFormatContext& context, const Watchdog* watchdog) {
 
 int Log::interrupted(void* self) {
     const Watchdog* const watchdog = static_cast<const Log*>(self)->watchdog_;
-    return watchdog != nullptr && watchdog->bites() ? 1 : 0;
+    return watchdog != nullptr && watchdog->expired() ? 1 : 0;
 }
 
 void Log::attach(AVCodecContext& context) {

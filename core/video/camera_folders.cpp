@@ -62,7 +62,7 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     return camera;
 }
 
-bool names_no_camera(std::string_view name) {
+bool is_generic_name(std::string_view name) {
     constexpr std::string_view counts = "0123456789-_. #()";
     while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
     if (name.empty()) return true;

@@ -13,6 +13,6 @@ namespace vvr::video {
 std::string camera_of_folders(std::string_view path, std::size_t skipped = 0);
 
 /// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
-bool names_no_camera(std::string_view name);
+bool is_generic_name(std::string_view name);
 
 }  // namespace vvr::video

@@ -37,7 +37,7 @@ class Decoding {
     Decoder decoder_;
 };
 
-std::vector<Frame> joined(std::vector<std::vector<Frame>> parts) {
+std::vector<Frame> concatenated(std::vector<std::vector<Frame>> parts) {
     std::vector<Frame> frames;
     for (std::vector<Frame>& part : parts) std::ranges::move(part, std::back_inserter(frames));
     return frames;
@@ -121,7 +121,7 @@ std::vector<Frame> ClipSampler::sample_key_frames(int count) const {
 std::vector<Frame> ClipSampler::sample_all(const ClipPackets& packets, int count,
                                            std::optional<StoredClip>& stored) const {
     const std::vector<std::int64_t> samples = sampled_stamps(packets, count);
-    const auto plans = share_out(plan_decoding(packets, packets.stamps));
+    const auto plans = split_for_threads(plan_decoding(packets, packets.stamps));
     StoredBytes bytes(packets.stamps.size());
     std::vector<FrameStore> stores(plans.size());
     std::vector<std::vector<Frame>> parts(plans.size());
@@ -130,23 +130,23 @@ std::vector<Frame> ClipSampler::sample_all(const ClipPackets& packets, int count
     });
     if (bytes.given_up()) return {};
     stored.emplace(std::move(stores), packets.times, clip_.orientation);
-    return joined(std::move(parts));
+    return concatenated(std::move(parts));
 }
 
 /// Decodes only the samples and the frames that they depend on.
 std::vector<Frame> ClipSampler::sample_planned(const ClipPackets& packets, int count) const {
-    const auto plans = share_out(plan_decoding(packets, sampled_stamps(packets, count)));
+    const auto plans = split_for_threads(plan_decoding(packets, sampled_stamps(packets, count)));
     std::vector<std::vector<Frame>> parts(plans.size());
     std::atomic<bool> whole = true;
     oneapi::tbb::parallel_for(std::size_t{0}, plans.size(), [&](std::size_t i) {
         if (!decode(plans[i], parts[i])) whole = false;
     });
-    return whole ? joined(std::move(parts)) : std::vector<Frame>{};
+    return whole ? concatenated(std::move(parts)) : std::vector<Frame>{};
 }
 
 /// Cuts a plan into parts for several decoders, unless one decoder has threads of its own. A server is asked by one
 /// decoder at a time.
-std::vector<DecodingPlan> ClipSampler::share_out(const DecodingPlan& plan) const {
+std::vector<DecodingPlan> ClipSampler::split_for_threads(const DecodingPlan& plan) const {
     const bool alone = clip_.threaded || !is_local(clip_.input);
     return cut_plan(plan, alone ? 1 : oneapi::tbb::this_task_arena::max_concurrency());
 }

@@ -64,7 +64,7 @@ class ClipSampler {
     std::vector<Frame> sample_key_frames(int count) const;
     std::vector<Frame> sample_all(const ClipPackets& packets, int count, std::optional<StoredClip>& stored) const;
     std::vector<Frame> sample_planned(const ClipPackets& packets, int count) const;
-    std::vector<DecodingPlan> share_out(const DecodingPlan& plan) const;
+    std::vector<DecodingPlan> split_for_threads(const DecodingPlan& plan) const;
     bool decode(const DecodingPlan& plan, std::vector<Frame>& frames) const;
     bool decode(const DecodingPlan& plan, const std::vector<std::int64_t>& samples, StoredBytes& bytes,
                 FrameStore& store, std::vector<Frame>& frames) const;

@@ -43,7 +43,7 @@ std::span<const ContainerRow> containers() {
 }
 
 const ContainerRow& container_of(const std::filesystem::path& path) {
-    const auto row = std::ranges::find(table, ending_of(path), &ContainerRow::name);
+    const auto row = std::ranges::find(table, extension_of(path), &ContainerRow::name);
     if (row != table.end()) return *row;
     throw Error(ErrorKind::usage, fmt::format("cannot write '{}': the name of a clip ends in {}", path.string(),
                                               fmt::join(names_of(table), ", ")));
@@ -83,9 +83,9 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
                 {"exact"});
 }
 
-std::string_view ending_for(const Input& clip, double rate) {
+std::string_view extension_for(const Input& clip, double rate) {
     const Demuxer demuxer(clip, Demuxer::Kind::video, rate);
-    const auto own = std::ranges::find(table, ending_of(clip.name), &ContainerRow::name);
+    const auto own = std::ranges::find(table, extension_of(clip.name), &ContainerRow::name);
     if (own != table.end() && holds_all(*own, demuxer.format())) return own->name;
     const auto row = std::ranges::find_if(table, [&](const auto& each) { return holds_all(each, demuxer.format()); });
     return row == table.end() ? std::string_view() : row->name;

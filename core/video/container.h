@@ -33,6 +33,6 @@ void check_container(const ContainerRow& container, const AVFormatContext& clip,
 
 /// The ending of a file that can hold what a clip has: the clip's own, else the first in the table; empty where none
 /// can.
-std::string_view ending_for(const Input& clip, double rate);
+std::string_view extension_for(const Input& clip, double rate);
 
 }  // namespace vvr::video

@@ -65,7 +65,7 @@ bool begins_alike(FileSource& copy, double begin, const CopyPart& part, const So
 
 }  // namespace
 
-void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const Copied& copied, double rate,
+void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied, double rate,
                 const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ErrorKind::not_video,

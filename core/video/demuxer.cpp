@@ -238,7 +238,7 @@ void Demuxer::choose_stream(const Input& input, Kind kind) {
     }
 }
 
-void Demuxer::take_all_streams() {
+void Demuxer::select_all_streams() {
     for (unsigned i = 0; i < format_->nb_streams; ++i) format_->streams[i]->discard = AVDISCARD_DEFAULT;
 }
 

@@ -27,7 +27,7 @@ class Demuxer {
     bool read(AVPacket& packet);
 
     /// From now on `read_any` gives the packets of all streams, not those of the video stream alone.
-    void take_all_streams();
+    void select_all_streams();
 
     /// The next packet of any stream that is taken, passing over errors; false at the end.
     bool read_any(AVPacket& packet);

@@ -40,10 +40,10 @@ FileSource::FileSource(Input input, const SourceOptions& options)
     tick_ = av_q2d(demuxer.stream().time_base);
     orientation_ = orientation_of(demuxer.stream());
     info_ = describe(demuxer, name, *first.image);
-    unbelievable_ = header_of(demuxer).unbelievable;
+    implausible_length_ = header_of(demuxer).implausible_length;
     if (options.begin) {
         info_.began = options.begin;
-        info_.began_by = ClockSource::file_name;
+        info_.began_source = ClockSource::file_name;
     }
     if (const auto written = modified_at(name)) info_.modified = *written - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
@@ -53,9 +53,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
 std::vector<std::string> FileSource::problems() const {
     std::vector<std::string> problems;
     const auto years = [](double seconds) { return seconds / (365.25 * 86'400); };
-    if (unbelievable_ > 0) {
+    if (implausible_length_ > 0) {
         problems.push_back(fmt::format("'{}' says that it lasts {:.0f} years; its length is taken from its frames",
-                                       info_.name, years(unbelievable_)));
+                                       info_.name, years(implausible_length_)));
     }
     if (jump_ > 0) {
         problems.push_back(
@@ -78,7 +78,7 @@ void FileSource::seek(double seconds) {
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
     if (stored_ && stored_->is_whole()) return stored_->skip(from_);
     stored_.reset();
-    start_ = from_ > 0 ? reader_.find(from_) : Start{};
+    start_ = from_ > 0 ? reader_.find(from_) : SeekPoint{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
 }

@@ -42,10 +42,10 @@ class FileSource final : public FrameSource {
     Orientation orientation_;
     double tick_ = 0;          ///< of the container's clock, seconds
     double from_ = 0;          ///< seconds; earlier frames are skipped
-    double unbelievable_ = 0;  ///< seconds that the header says it lasts, where no clip does
+    double implausible_length_ = 0;  ///< seconds that the header says it lasts, where no clip does
     double last_time_ = 0;     ///< of the frame that was given last
     double jump_ = 0;          ///< the longest of its clock that no clip has, seconds
-    Start start_;
+    SeekPoint start_;
 
     std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out

@@ -92,7 +92,7 @@ std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names,
         return std::make_unique<RecordingSource>(std::move(*recording), options);
     }
     SourceOptions one = options;
-    one.begin = look_at_name(names.front(), layouts).begin;
+    one.begin = segment_from_name(names.front(), layouts).begin;
     if (const auto ignored = videos_beside_pictures(names.front())) warnings.push_back(*ignored);
     return open_source(names.front(), one);
 }

@@ -25,7 +25,7 @@ struct SegmentPlace {
 };
 
 /// Files of a recording that show only what others show too, and so are not in it.
-struct LeftOut {
+struct OmittedFrames {
     std::int64_t files = 0;
     std::int64_t frames = 0;
     double seconds = 0;
@@ -33,7 +33,7 @@ struct LeftOut {
 };
 
 /// What of them is left out, with the names of the first: "2 files are left out whole, ..."; for one file or more.
-std::string text_of(const LeftOut& left_out);
+std::string text_of(const OmittedFrames& left_out);
 
 /// What a container says of its video, and its first frame. Headers lie: counts are estimates.
 struct VideoInfo {
@@ -45,13 +45,13 @@ struct VideoInfo {
     double duration = 0;                  ///< seconds; 0 = unknown
     std::int64_t frames = 0;              ///< estimate of the number of frames; 0 = unknown
     std::optional<std::int64_t> began{};  ///< when its first frame was recorded, seconds since 1970 (UTC)
-    ClockSource began_by = ClockSource::none;  ///< what tells that
+    ClockSource began_source = ClockSource::none;  ///< what tells that
     std::optional<std::int64_t> created{};     ///< the container's creation_time, seconds since 1970 (UTC)
     std::optional<std::int64_t>
         modified{};       ///< when it began if the file was written last at its end, seconds since 1970 (UTC)
     std::string title{};  ///< of the clip that data files were extracted from; empty = see the name
     std::vector<SegmentPlace> segments{};  ///< of a recording of several files, those that were read so far
-    LeftOut left_out{};                    ///< of these files
+    OmittedFrames left_out{};                    ///< of these files
 };
 
 struct SourceOptions {

@@ -25,7 +25,7 @@ struct FrameSpan {
         friend bool operator==(const Part&, const Part&) = default;
     };
     std::vector<Part> parts{};  ///< only frames in one of these, in order; empty = all
-    AskedSpan asked{};          ///< limits by the clock on the wall, until `resolve` makes them seconds
+    RequestedSpan asked{};          ///< limits by the clock on the wall, until `resolve` makes them seconds
 
     friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
 };

@@ -81,7 +81,7 @@ bool is_local(const Input& input) {
 
 Input open_input(const std::string& name) {
     if (name == "-") return open_stdin();
-    if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {without_secrets(name), name, nullptr};
+    if (is_url(name) && ::access(name.c_str(), F_OK) != 0) return {redact_secrets(name), name, nullptr};
 
     const auto file = open_descriptor(name);
     const auto mode = status_of(*file, name).st_mode;

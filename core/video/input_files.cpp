@@ -27,7 +27,7 @@ void add_folder(const fs::path& folder, Paths& files) {
         std::error_code ignored;
         if (!entry->is_regular_file(ignored)) continue;
         const std::string name = entry->path().filename().string();
-        const std::string ending = ending_of(name);
+        const std::string ending = extension_of(name);
         const bool flat = is_picture_name(name) || ending == ".txt" || ending == ".flo";
         if (extracted || is_video_name(name) || (flat && entry.depth() == 0)) files.push_back(entry->path());
     }
@@ -50,11 +50,11 @@ void add(const std::string& name, Paths& files) {
     if (fs::is_directory(name, none)) return add_folder(name, files);
     if (fs::is_regular_file(name, none)) {
         files.emplace_back(name);
-        if (ending_of(name) == ".txt") add_list(name, files);
+        if (extension_of(name) == ".txt") add_list(name, files);
         return;
     }
     if (fs::exists(name, none)) return;
-    for (const std::string& match : matches_of(name)) add(match, files);
+    for (const std::string& match : expand_glob(name)) add(match, files);
     if (name.find('%') == std::string::npos) return;
     if (const auto pictures = list_pictures(name)) files.insert(files.end(), pictures->begin(), pictures->end());
 }

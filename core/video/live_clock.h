@@ -12,7 +12,7 @@ class LiveClock {
     explicit LiveClock(double duration) : duration_(duration) {}
 
     /// Stamps from here on have nothing to do with those before.
-    void begin_anew() { stamp_.reset(); }
+    void restart() { stamp_.reset(); }
 
     /// The time of the next frame, in seconds.
     /// \param arrival when it came, on any clock that runs evenly

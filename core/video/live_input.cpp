@@ -56,7 +56,7 @@ Input open_named_pipe(const std::string& name, const Watchdog& watchdog) {
     for (;;) {
         pollfd waited{input.pipe->get(), POLLIN, 0};
         if (::poll(&waited, 1, milliseconds) > 0) return input;
-        if (watchdog.bites()) {
+        if (watchdog.expired()) {
             throw Error(
                 ErrorKind::io,
                 fmt::format("cannot read '{}': nothing came through the pipe in time; start what writes to it", name),
@@ -75,7 +75,7 @@ Input open_any(const std::string& name, const Watchdog& watchdog) {
     }
     struct stat status {};
     if (::stat(name.c_str(), &status) != 0) {
-        if (is_url(name)) return {without_secrets(name), name, nullptr};
+        if (is_url(name)) return {redact_secrets(name), name, nullptr};
         throw Error(ErrorKind::io,
                     fmt::format("cannot read '{}': {}; give a URL such as rtsp://camera/stream, a device, a pipe or a "
                                 "file",

@@ -48,11 +48,11 @@ LiveSource::LiveSource(const std::string& name, LiveOptions options)
     : options_(std::move(options)),
       watchdog_(std::make_shared<Watchdog>(std::chrono::duration<double>(options_.patience))),
       input_(open_live_input(name, watchdog_)),
-      comes_again_(is_url(input_.url) || !input_.format.empty()),
-      waits_(!comes_again_) {
+      reconnects_(is_url(input_.url) || !input_.format.empty()),
+      waits_(!reconnects_) {
     connect();
     if (is_finished(*demuxer_)) {
-        comes_again_ = false;
+        reconnects_ = false;
         waits_ = true;
     }
     info_ = describe(*demuxer_, input_.name, *first_);
@@ -78,7 +78,7 @@ void LiveSource::connect() {
                                 input_.name, decoder_->damaged(), demuxer_->log().text(AVERROR_EXIT)));
     }
     orientation_ = orientation_of(demuxer_->stream());
-    clock_.begin_anew();
+    clock_.restart();
 }
 
 void LiveSource::run(const std::stop_token& stop) {
@@ -93,7 +93,7 @@ void LiveSource::run(const std::stop_token& stop) {
                 }
                 image = decoder_->next();
             }
-        } while (connect_again(stop));
+        } while (reconnect(stop));
     } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();
@@ -107,7 +107,7 @@ bool LiveSource::is_over() const {
     if (watchdog_->stopped()) return true;
     if (!options_.duration) return false;
     // A stream that is read faster than it was taken is over by its own time.
-    const double passed = comes_again_ ? seconds_between(begin_, Clock::now()) : 0;
+    const double passed = reconnects_ ? seconds_between(begin_, Clock::now()) : 0;
     return std::max(time_, passed) >= *options_.duration;
 }
 
@@ -152,8 +152,8 @@ bool LiveSource::pause(const std::stop_token& stop, double seconds) {
     return !stop.stop_requested() && !is_over();
 }
 
-bool LiveSource::connect_again(const std::stop_token& stop) {
-    if (!comes_again_ || is_over() || stop.stop_requested()) return false;
+bool LiveSource::reconnect(const std::stop_token& stop) {
+    if (!reconnects_ || is_over() || stop.stop_requested()) return false;
     const Clock::time_point lost = Clock::now();
     options_.tell(fmt::format("'{}': lost after {:.0f} s: {}", input_.name, time_, demuxer_->log().text(AVERROR_EOF)));
     std::string reported;
@@ -183,7 +183,7 @@ std::int64_t LiveSource::waiting_pixels() const {
 }
 
 /// With the mutex held.
-void LiveSource::drop_the_late() {
+void LiveSource::drop_late_frames() {
     const Clock::time_point now = Clock::now();
     while (waiting_.size() > 1 && seconds_between(waiting_.front().since, now) > options_.lag) {
         waiting_.pop_front();
@@ -198,7 +198,7 @@ std::unique_ptr<DecodedFrame> LiveSource::next() {
         if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
         return nullptr;
     }
-    if (!waits_) drop_the_late();
+    if (!waits_) drop_late_frames();
     std::unique_ptr<DecodedFrame> frame = std::move(waiting_.front().frame);
     waiting_.pop_front();
     changed_.notify_all();

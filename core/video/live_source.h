@@ -81,17 +81,17 @@ class LiveSource final : public FrameSource {
 
     void connect();
     void run(const std::stop_token& stop);
-    bool connect_again(const std::stop_token& stop);
+    bool reconnect(const std::stop_token& stop);
     bool add(AvFrame image, const std::stop_token& stop);
     bool pause(const std::stop_token& stop, double seconds);
     bool is_over() const;
-    void drop_the_late();
+    void drop_late_frames();
     std::int64_t waiting_pixels() const;
 
     LiveOptions options_;
     std::shared_ptr<Watchdog> watchdog_;
     Input input_;
-    bool comes_again_ = false;  ///< a connection that ends can be made again
+    bool reconnects_ = false;  ///< a connection that ends can be made again
     bool waits_ = false;        ///< the sender waits until we read
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;

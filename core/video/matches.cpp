@@ -11,7 +11,7 @@
 
 namespace vvr::video {
 
-std::vector<std::string> matches_of(const std::string& pattern) {
+std::vector<std::string> expand_glob(const std::string& pattern) {
     // The system's function calls itself for each part of a path, however many there are.
     if (pattern.size() >= PATH_MAX) {
         constexpr std::size_t shown = 40;

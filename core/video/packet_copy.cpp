@@ -213,7 +213,7 @@ class PartCopy {
     PartCopy(const CopyPart& part, Demuxer& demuxer, double seconds)
         : piece_(part.piece), demuxer_(demuxer), video_(demuxer.stream()), seconds_(seconds) {}
 
-    void operator()(Muxer& muxer, bool joined, bool is_last, Copied& copied, const std::function<bool()>& stopped) {
+    void operator()(Muxer& muxer, bool joined, bool is_last, CopyResult& copied, const std::function<bool()>& stopped) {
         const AVFormatContext& from = demuxer_.format();
         const auto packet = av::make_packet();
         std::int64_t number = -1;  // of the last packet of the video
@@ -252,7 +252,7 @@ class PartCopy {
         return first - std::llround(seconds_ / av_q2d(stream.time_base));
     }
 
-    const Piece& piece_;
+    const PacketRange& piece_;
     Demuxer& demuxer_;
     const AVStream& video_;
     double seconds_;
@@ -260,15 +260,15 @@ class PartCopy {
 
 }  // namespace
 
-Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
+CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
                    const WriteAt& write_at, const std::function<bool()>& stopped) {
     const ContainerRow& container = container_of(path);
     const double zero = parts.front().begin + parts.front().piece.begin;
     std::unique_ptr<Muxer> muxer;
-    Copied copied;
+    CopyResult copied;
     for (const CopyPart& part : parts) {
         Demuxer demuxer(part.input, Demuxer::Kind::video, rate);
-        demuxer.take_all_streams();
+        demuxer.select_all_streams();
         const AVFormatContext& from = demuxer.format();
         if (!muxer) {
             check_container(container, from, path);

@@ -19,12 +19,12 @@ using Tags = std::vector<std::pair<std::string, std::string>>;
 /// A piece of one of the files that a copy is joined of.
 struct CopyPart {
     Input input;
-    Piece piece;
+    PacketRange piece;
     double begin = 0;  ///< second of the recording at which the file's first frame is shown
 };
 
 /// What was copied.
-struct Copied {
+struct CopyResult {
     std::int64_t packets = 0;           ///< of the video
     std::vector<std::string> left_out;  ///< streams that are neither picture, sound nor text, or covers
     bool stopped = false;               ///< before the end, as asked
@@ -37,7 +37,7 @@ struct Copied {
 /// \param stopped asked now and then whether to stop
 /// \throws Error usage where the container can't hold a stream, which names some that can, or where a file's streams
 ///         are others than those of the first; io
-Copied copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
+CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
                    const WriteAt& write_at, const std::function<bool()>& stopped);
 
 }  // namespace vvr::video

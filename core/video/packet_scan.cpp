@@ -43,7 +43,7 @@ void mark_uses(std::span<const StampedPacket> group, const std::vector<std::int6
 
 }  // namespace
 
-Start find_start(Demuxer& demuxer, double time) {
+SeekPoint find_seek_point(Demuxer& demuxer, double time) {
     const auto packet = av::make_packet();
     std::int64_t packets = 0;
     std::int64_t frames = 0;
@@ -140,9 +140,9 @@ std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts) {
     const auto is_used = [](PacketUse use) { return use != PacketUse::none; };
     const auto all = std::ranges::count_if(plan.uses, is_used);
     std::vector<DecodingPlan> cut;
-    FreshStart begin{0, std::numeric_limits<std::int64_t>::min()};
+    RandomAccessPoint begin{0, std::numeric_limits<std::int64_t>::min()};
     std::int64_t used = 0;
-    const auto end_at = [&](const FreshStart& end) {
+    const auto end_at = [&](const RandomAccessPoint& end) {
         DecodingPlan part{std::vector(plan.uses.size(), PacketUse::none), {}, {}};
         for (std::size_t i = begin.packet; i < end.packet; ++i) part.uses[i] = plan.uses[i];
         std::ranges::copy_if(plan.stamps, std::back_inserter(part.stamps),
@@ -151,7 +151,7 @@ std::vector<DecodingPlan> cut_plan(const DecodingPlan& plan, int parts) {
         begin = end;
     };
     std::size_t counted = 0;
-    for (const FreshStart& start : plan.starts) {
+    for (const RandomAccessPoint& start : plan.starts) {
         used += std::count_if(plan.uses.begin() + static_cast<std::ptrdiff_t>(counted),
                               plan.uses.begin() + static_cast<std::ptrdiff_t>(start.packet), is_used);
         counted = start.packet;

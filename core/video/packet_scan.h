@@ -10,14 +10,14 @@
 namespace vvr::video {
 
 /// Where decoding has to begin so that the first frame at or after a time comes out whole.
-struct Start {
+struct SeekPoint {
     std::int64_t packets = 0;  ///< packets to pass over undecoded; 0 = decode from the first
     std::int64_t frames = 0;   ///< frames before the time; only where `packets` isn't 0
 };
 
 /// \param demuxer at its first packet
 /// \param time on the container's clock, seconds
-Start find_start(Demuxer& demuxer, double time);
+SeekPoint find_seek_point(Demuxer& demuxer, double time);
 
 /// Key packets spread over a clip.
 struct KeyPackets {
@@ -57,7 +57,7 @@ enum class PacketUse : std::uint8_t {
 };
 
 /// A packet from which on decoding needs nothing that comes before it.
-struct FreshStart {
+struct RandomAccessPoint {
     std::size_t packet = 0;
     std::int64_t stamp = 0;  ///< no wanted frame of the packets before it is as late
 };
@@ -66,7 +66,7 @@ struct FreshStart {
 struct DecodingPlan {
     std::vector<PacketUse> uses;       ///< of every packet
     std::vector<std::int64_t> stamps;  ///< the wanted frames' time stamps, in order
-    std::vector<FreshStart> starts;    ///< after the first packet, in order
+    std::vector<RandomAccessPoint> starts;    ///< after the first packet, in order
 };
 
 /// The time stamps of the frames that a TimeSampler of `count` items would keep of all frames.

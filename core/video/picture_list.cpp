@@ -66,9 +66,9 @@ std::vector<std::string> pictures_in(const std::string& folder) {
     return pictures;
 }
 
-std::vector<std::string> matches_of_glob(const std::string& pattern) {
+std::vector<std::string> expand_glob_pattern(const std::string& pattern) {
     std::vector<std::string> files;
-    for (std::string& match : matches_of(pattern)) {
+    for (std::string& match : expand_glob(pattern)) {
         std::error_code ignored;
         if (fs::is_regular_file(match, ignored)) files.push_back(std::move(match));
     }
@@ -162,7 +162,7 @@ std::optional<std::vector<std::string>> list_pictures(const std::string& name) {
     } else if (name.find('%') != std::string::npos) {
         files = matches_of_pattern(name);
     } else {
-        files = matches_of_glob(name);
+        files = expand_glob_pattern(name);
     }
     if (files.empty()) {
         throw Error(ErrorKind::io,

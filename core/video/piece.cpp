@@ -138,11 +138,11 @@ std::size_t last_needed(const std::vector<VideoPacket>& packets, std::size_t fir
 
 }  // namespace
 
-Piece find_piece(const Input& input, double rate, const FrameSpan& span) {
+PacketRange find_packets(const Input& input, double rate, const FrameSpan& span) {
     const Scan scan(input, rate, span);
     const std::vector<VideoPacket>& packets = scan.packets();
     const std::vector<std::size_t> inside = packets_in(scan, span);
-    Piece piece;
+    PacketRange piece;
     if (inside.empty()) {
         piece.over = scan.end();
         return piece;

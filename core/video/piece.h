@@ -11,7 +11,7 @@ namespace vvr::video {
 
 /// A stretch of a clip that can be copied: packets of its video stream, from a key packet on. Times are seconds from
 /// the clip's first frame.
-struct Piece {
+struct PacketRange {
     std::int64_t first = 0;        ///< the key packet's number among the packets of the video stream
     std::int64_t last = 0;         ///< number of the last packet that is needed
     std::int64_t first_stamp = 0;  ///< the key frame's, in ticks of the stream; earlier ones are not shown
@@ -30,10 +30,10 @@ struct Piece {
 /// \param rate frames per second of what carries no times
 /// \throws Error not_video where the clip's packets don't say when they are shown, or no key frame comes before the
 /// span
-Piece find_piece(const Input& input, double rate, const FrameSpan& span);
+PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
 
 /// How long a clip is shown, by the packets of all of it, in seconds from its first frame that decodes.
-/// \throws Error as find_piece does
+/// \throws Error as find_packets does
 double length_of(const Input& input, double rate);
 
 /// Says that a span has no frame.

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 7> playlist_formats{
 }  // namespace
 
 bool is_playlist_name(const std::string& name) {
-    const std::string ending = ending_of(name);
+    const std::string ending = extension_of(name);
     return ending == ".m3u8" || ending == ".m3u";
 }
 

@@ -19,7 +19,7 @@ struct KnownRow {
     std::string_view pattern;
     Zone zone = Zone::local;
     NamedCamera camera = NamedCamera::whole;
-    Doubt doubt = Doubt::none;
+    Ambiguity doubt = Ambiguity::none;
 };
 
 constexpr std::string_view any_name = "a date and a time";
@@ -47,7 +47,7 @@ constexpr std::array known{
     KnownRow{"Synology", "{camera}-%Y%m%d-%H%M%S-{number}*"},
     KnownRow{"Blue Iris", "{camera}.%Y%m%d_%H%M%S*"},
     KnownRow{"UniFi", "{camera} %-m-%-d-%Y, %-H.%M.%S GMT%z*"},
-    KnownRow{"UniFi", "{camera} %-m-%-d-%Y, %-H.%M.%S*", local, NamedCamera::whole, Doubt::day_or_month},
+    KnownRow{"UniFi", "{camera} %-m-%-d-%Y, %-H.%M.%S*", local, NamedCamera::whole, Ambiguity::day_or_month},
     KnownRow{"ZoneMinder", "{camera}/%y/%m/%d/%H/%M/%S/{number}-video"},
     KnownRow{"ZoneMinder", "{camera}/%Y-%m-%d/{number}/{number}-video"},
     KnownRow{"Xiaomi", "%Y%m%d%H/%MM%SS_{epoch}"},
@@ -55,8 +55,8 @@ constexpr std::array known{
     KnownRow{"motion", "{number}-%Y%m%d%H%M%S"},
     KnownRow{"motion", "%Y-%m-%d/%H-%M-%S"},  // motionEye
     // When it was sent, and which of two numbers is the month, nobody reads off a name.
-    KnownRow{"", "WhatsApp *", local, NamedCamera::whole, Doubt::always},
-    KnownRow{"", "{unsure date}", local, NamedCamera::whole, Doubt::always},
+    KnownRow{"", "WhatsApp *", local, NamedCamera::whole, Ambiguity::always},
+    KnownRow{"", "{unsure date}", local, NamedCamera::whole, Ambiguity::always},
     // Date and time in the name, with the camera before them, behind them, or not at all.
     KnownRow{any_name, "{date}{join}{clock}{fraction}{zone}"},
     KnownRow{any_name, "{date}T{clock}%z"},
@@ -80,10 +80,10 @@ constexpr std::array known{
     KnownRow{any_folder, "{dated}/{hour}h/%M"},
     KnownRow{any_folder, "{dated}/{hour}/{named}/%M", local, folder},
     KnownRow{any_folder, "{dated}/{named}/{hour}/%M", local, folder},
-    KnownRow{any_folder, "{dated}/{hour}/%M?%S", local, NamedCamera::whole, Doubt::hour_again},
+    KnownRow{any_folder, "{dated}/{hour}/%M?%S", local, NamedCamera::whole, Ambiguity::repeated_hour},
     KnownRow{any_folder, "{dated}/{hour}/%Mm%Ss"},
-    KnownRow{any_folder, "{dated}/{hour}/{named}/%M?%S", local, folder, Doubt::hour_again},
-    KnownRow{any_folder, "{dated}/{named}/{hour}/%M?%S", local, folder, Doubt::hour_again},
+    KnownRow{any_folder, "{dated}/{hour}/{named}/%M?%S", local, folder, Ambiguity::repeated_hour},
+    KnownRow{any_folder, "{dated}/{named}/{hour}/%M?%S", local, folder, Ambiguity::repeated_hour},
     KnownRow{any_folder, "{dated}/{hour}/{minute}{until}"},
     KnownRow{any_folder, "{dated}/{clock}{set off}"},
     KnownRow{any_folder, "{dated}/{minute}{until}"},
@@ -103,7 +103,7 @@ bool is_digit(char c) {
 }
 
 /// Without ".mp4", but with the ".07" of "08.00.07".
-std::string_view without_ending(std::string_view path) {
+std::string_view without_extension(std::string_view path) {
     const auto dot = path.rfind('.');
     const auto slash = path.rfind('/');
     if (dot == std::string_view::npos || (slash != std::string_view::npos && dot < slash)) return path;
@@ -112,15 +112,15 @@ std::string_view without_ending(std::string_view path) {
     return number ? path : path.substr(0, dot);
 }
 
-bool is_in_doubt(const NameFields& name, Doubt doubt) {
+bool is_ambiguous(const NameFields& name, Ambiguity doubt) {
     switch (doubt) {
-        case Doubt::none:
+        case Ambiguity::none:
             return false;
-        case Doubt::day_or_month:
+        case Ambiguity::day_or_month:
             return name[NameField::day] <= 12 && name[NameField::day] != name[NameField::month];
-        case Doubt::hour_again:
+        case Ambiguity::repeated_hour:
             return name[NameField::hour] == name[NameField::minute];
-        case Doubt::always:
+        case Ambiguity::always:
             return true;
     }
     return true;
@@ -132,29 +132,29 @@ std::int64_t utc_of(const NamedTime& time, std::optional<std::int64_t> near) {
     return time.ahead ? time.clock - *time.ahead : utc_of_local(time.clock, near);
 }
 
-RecorderLayout::RecorderLayout(std::string_view name, std::string_view pattern, bool utc)
+NamingScheme::NamingScheme(std::string_view name, std::string_view pattern, bool utc)
     : name_(name), pattern_(pattern), utc_(utc) {}
 
-RecorderLayout::RecorderLayout(std::string_view name, RecorderPattern pattern, bool utc, Doubt doubt,
+NamingScheme::NamingScheme(std::string_view name, RecorderPattern pattern, bool utc, Ambiguity doubt,
                                NamedCamera camera)
-    : name_(name), pattern_(std::move(pattern)), utc_(utc), doubt_(doubt), camera_(camera) {}
+    : name_(name), pattern_(std::move(pattern)), utc_(utc), ambiguity_(doubt), camera_(camera) {}
 
-std::optional<RecorderName> RecorderLayout::read(std::string_view path) const {
-    const std::string_view stem = without_ending(path);
+std::optional<RecorderName> NamingScheme::read(std::string_view path) const {
+    const std::string_view stem = without_extension(path);
     auto name = read_stem(stem);
     return name || stem.size() == path.size() ? name : read_stem(path);
 }
 
-std::optional<RecorderName> RecorderLayout::read_stem(std::string_view stem) const {
+std::optional<RecorderName> NamingScheme::read_stem(std::string_view stem) const {
     std::optional<NameFields> fields = pattern_.read(stem);
     if (!fields) return std::nullopt;
     const bool own = name_ != given_by_user;
     if (own && fields->contradicts) return std::nullopt;
     RecorderName name{name_, std::move(fields->camera), camera_ != NamedCamera::whole};
     const bool counts = camera_ == NamedCamera::folder && std::ranges::all_of(name.camera, is_digit);
-    if (name.below && !counts && names_no_camera(name.camera)) name.camera.clear();
-    if (is_in_doubt(*fields, doubt_)) {
-        name.doubtful = true;
+    if (name.below && !counts && is_generic_name(name.camera)) name.camera.clear();
+    if (is_ambiguous(*fields, ambiguity_)) {
+        name.ambiguous = true;
         return name;
     }
     name.begin = fields->time(utc_);
@@ -165,10 +165,10 @@ std::optional<RecorderName> RecorderLayout::read_stem(std::string_view stem) con
 
 RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::filesystem::path& base) {
     // Each is made once for the whole run.
-    static const std::vector<RecorderLayout> layouts_of_recorders = [] {
-        std::vector<RecorderLayout> layouts;
+    static const std::vector<NamingScheme> layouts_of_recorders = [] {
+        std::vector<NamingScheme> layouts;
         for (const KnownRow& row : known) {
-            layouts.push_back(RecorderLayout(row.recorder,
+            layouts.push_back(NamingScheme(row.recorder,
                                              RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
                                              row.zone == Zone::utc, row.doubt, row.camera));
         }
@@ -189,7 +189,7 @@ std::string RecorderNames::whole(std::string_view path) const {
 RecorderName RecorderNames::read(std::string_view path) const {
     const std::string all = whole(path);
     RecorderName name;
-    for (const RecorderLayout& layout : layouts_) {
+    for (const NamingScheme& layout : layouts_) {
         std::optional<RecorderName> read = layout.read(all);
         if (!read) continue;
         if (name.layout.empty()) name.layout = std::move(read->layout);
@@ -198,9 +198,9 @@ RecorderName RecorderNames::read(std::string_view path) const {
             name.below = read->below;
         }
         name.begin = read->begin;
-        name.doubtful = read->doubtful;
+        name.ambiguous = read->ambiguous;
         // A pattern that tells the camera alone leaves the time to others.
-        if (name.begin || name.doubtful) break;
+        if (name.begin || name.ambiguous) break;
     }
     return name;
 }
@@ -210,7 +210,7 @@ std::string RecorderNames::camera_of(std::string_view path, std::size_t skipped)
     if (!name.camera.empty() && !name.below) return name.camera;
     std::string folders = camera_of_folders(whole(path), folder_.size() + skipped);
     if (name.camera.empty() || folders == name.camera || folders.ends_with('/' + name.camera)) return folders;
-    if (folders.empty() || names_no_camera(folders)) return name.camera;
+    if (folders.empty() || is_generic_name(folders)) return name.camera;
     return folders + '/' + name.camera;
 }
 

@@ -25,14 +25,14 @@ struct RecorderName {
     std::string camera;                ///< empty = it tells none
     bool below = false;                ///< the camera is one of those in its folder, which is a part of its name
     std::optional<NamedTime> begin{};  ///< of the recording
-    bool doubtful = false;             ///< nobody can read its time for sure
+    bool ambiguous = false;             ///< nobody can read its time for sure
 };
 
 /// What speaks against a time that a row reads.
-enum class Doubt {
+enum class Ambiguity {
     none,
     day_or_month,  ///< which of two numbers is the month: only days after the 12th are told
-    hour_again,    ///< 20/20-05 is 20:05 or 20:20:05
+    repeated_hour,    ///< 20/20-05 is 20:05 or 20:20:05
     always         ///< the name has a date that nobody can read for sure
 };
 
@@ -44,28 +44,28 @@ enum class NamedCamera {
 };
 
 /// A way to name files.
-class RecorderLayout {
+class NamingScheme {
   public:
     /// \param pattern for a path without its ending, or for as many of its last folders as the pattern has. Fields are
     ///        those of strftime (%Y %y %m %d %H %M %S, %s, %z; `%-m` is written without zeros), {camera}, {number} for
     ///        digits, `*` for any text, `?` for any character; %% is a percent sign
     /// \param utc whether times are in UTC
     /// \throws Error usage for an unknown field, or when no field tells the camera or the time
-    RecorderLayout(std::string_view name, std::string_view pattern, bool utc = false);
+    NamingScheme(std::string_view name, std::string_view pattern, bool utc = false);
 
     /// Nothing when the name is none of this layout.
     std::optional<RecorderName> read(std::string_view path) const;
 
   private:
     friend class RecorderNames;
-    RecorderLayout(std::string_view name, RecorderPattern pattern, bool utc, Doubt doubt, NamedCamera camera);
+    NamingScheme(std::string_view name, RecorderPattern pattern, bool utc, Ambiguity doubt, NamedCamera camera);
 
     std::optional<RecorderName> read_stem(std::string_view stem) const;
 
     std::string name_;
     RecorderPattern pattern_;
     bool utc_;
-    Doubt doubt_ = Doubt::none;
+    Ambiguity ambiguity_ = Ambiguity::none;
     NamedCamera camera_ = NamedCamera::whole;
 };
 
@@ -73,7 +73,7 @@ class RecorderLayout {
 class RecorderNames {
   public:
     /// \param base folder that paths are below; with it, a path says the same wherever one stands
-    /// \throws Error usage as RecorderLayout does
+    /// \throws Error usage as NamingScheme does
     explicit RecorderNames(std::span<const std::string> patterns = {}, const std::filesystem::path& base = {});
 
     /// \param path as many of its last folders are looked at as a layout has; which layout comes first decides
@@ -86,7 +86,7 @@ class RecorderNames {
   private:
     std::string whole(std::string_view path) const;
 
-    std::vector<RecorderLayout> layouts_;
+    std::vector<NamingScheme> layouts_;
     std::string folder_;  ///< with a `/` at its end; empty = none
 };
 

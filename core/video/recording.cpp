@@ -80,23 +80,23 @@ bool holds_pictures(const fs::path& folder) {
 }
 
 /// Whether a name has to be looked at as a whole by others: a stream, a sequence of pictures, nothing that is there.
-bool is_of_others(const std::string& name) {
+bool is_single_source(const std::string& name) {
     std::error_code none;
     const fs::file_status status = fs::status(name, none);
     if (name == "-" || (is_url(name) && !fs::exists(status))) return true;
     if (fs::is_directory(status)) return holds_pictures(name) || video_files_in(name).empty();
     if (fs::exists(status)) return !fs::is_regular_file(status);
-    const std::vector<std::string> found = matches_of(name);
+    const std::vector<std::string> found = expand_glob(name);
     return std::ranges::none_of(found, [](const std::string& match) {
         std::error_code ignored;
-        return is_video_name(match) || (fs::is_directory(match, ignored) && !is_of_others(match));
+        return is_video_name(match) || (fs::is_directory(match, ignored) && !is_single_source(match));
     });
 }
 
 /// Whether it is a text: a video may have any name.
 bool is_list(const std::string& name) {
     std::error_code none;
-    if (ending_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
+    if (extension_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
     std::array<char, 512> begin{};
     std::ifstream file(name, std::ios::binary);
     file.read(begin.data(), begin.size());
@@ -115,7 +115,7 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
     } else if (fs::exists(name, none)) {
         files.push_back(name);
     } else {
-        for (const std::string& match : matches_of(name)) add_files(match, files);
+        for (const std::string& match : expand_glob(name)) add_files(match, files);
     }
 }
 
@@ -140,7 +140,7 @@ double written_at(const std::string& path) {
 }
 
 /// A file whose name doesn't tell when it begins.
-struct Untold {
+struct UndatedSegment {
     std::size_t segment = 0;
     ClipHeader header;
     double written = 0;
@@ -165,33 +165,33 @@ bool follow_each_other(std::vector<std::pair<double, double>> spans, double shar
 }
 
 void set_times_of_containers(Recording& recording) {
-    std::vector<Untold> untold;
+    std::vector<UndatedSegment> untold;
     for (std::size_t i = 0; i < recording.segments.size(); ++i) {
         const Segment& segment = recording.segments[i];
         if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
     }
     if (untold.empty()) return;
     const auto try_times = [&](ClockSource source, double share,
-                               const std::function<std::optional<double>(const Untold&)>& begin_of) {
+                               const std::function<std::optional<double>(const UndatedSegment&)>& begin_of) {
         std::vector<std::pair<double, double>> spans;
-        for (const Untold& file : untold) {
+        for (const UndatedSegment& file : untold) {
             const auto begin = begin_of(file);
             if (!begin && file.header.length > 0) return false;
             if (begin) spans.emplace_back(*begin, *begin + file.header.length);
         }
         if (spans.empty() || !follow_each_other(spans, share)) return false;
-        for (const Untold& file : untold) {
+        for (const UndatedSegment& file : untold) {
             const auto begin = begin_of(file);
             if (!begin) continue;
             recording.segments[file.segment].begin = std::llround(*begin);
-            recording.segments[file.segment].begin_by = source;
+            recording.segments[file.segment].begin_source = source;
         }
         return true;
     };
     const std::string files = untold.size() == recording.segments.size()
                                   ? "its files' names do not tell"
                                   : fmt::format("the names of {} do not tell", counted(std::ssize(untold), "file"));
-    if (try_times(ClockSource::container, 0.4, [](const Untold& file) -> std::optional<double> {
+    if (try_times(ClockSource::container, 0.4, [](const UndatedSegment& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
@@ -202,7 +202,7 @@ void set_times_of_containers(Recording& recording) {
         return;
     }
     // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
-    if (try_times(ClockSource::modified, 0.05, [](const Untold& file) -> std::optional<double> {
+    if (try_times(ClockSource::modified, 0.05, [](const UndatedSegment& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
             return file.written - file.header.length;
         })) {
@@ -256,14 +256,14 @@ SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin
     return {begin, false, begin < *end};
 }
 
-Segment look_at_name(const std::string& path, const RecorderNames& layouts) {
+Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
     RecorderName told = layouts.read(whole_path(path));
     Segment segment{path};
     segment.camera = std::move(told.camera);
     segment.layout = std::move(told.layout);
     if (told.begin) {
         segment.begin = utc_of(*told.begin, std::llround(written_at(path)));
-        segment.begin_by = ClockSource::file_name;
+        segment.begin_source = ClockSource::file_name;
     }
     return segment;
 }
@@ -272,11 +272,11 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     if (names.size() == 1) {
         std::error_code none;
         const bool single = fs::is_regular_file(names.front(), none) && !is_list(names.front());
-        if (single || is_of_others(names.front())) return std::nullopt;
+        if (single || is_single_source(names.front())) return std::nullopt;
     }
     std::vector<std::string> files;
     for (const std::string& name : names) {
-        if (is_of_others(name)) refuse_part(name);
+        if (is_single_source(name)) refuse_part(name);
         add_files(name, files);
     }
     std::ranges::sort(files, natural_less);
@@ -286,7 +286,7 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
                     fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
     }
     Recording recording{name_of(names, files), {}, {}};
-    for (const std::string& file : files) recording.segments.push_back(look_at_name(file, layouts));
+    for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));
     recording.camera = find_camera(recording.name, recording.segments, layouts, join);
     if (!join) require_related(recording);
     set_times_of_containers(recording);

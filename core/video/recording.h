@@ -16,7 +16,7 @@ namespace vvr::video {
 struct Segment {
     std::string path;
     std::optional<std::int64_t> begin{};       ///< seconds since 1970 (UTC); none = it follows the one before
-    ClockSource begin_by = ClockSource::none;  ///< what tells that
+    ClockSource begin_source = ClockSource::none;  ///< what tells that
     std::string camera{};                      ///< empty = nobody knows
     std::string layout{};                      ///< whose name it is, as in RecorderName
 };
@@ -57,6 +57,6 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
                                         bool join = false);
 
 /// What the name of a single file tells.
-Segment look_at_name(const std::string& path, const RecorderNames& layouts);
+Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
 
 }  // namespace vvr::video

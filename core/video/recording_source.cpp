@@ -65,7 +65,7 @@ RecordingSource::RecordingSource(Recording recording, const SourceOptions& optio
     info_.name = recording_.name;
     info_.title = recording_.camera;
     info_.began = origin_;
-    info_.began_by = origin_by_;
+    info_.began_source = origin_source_;
     field_size_ = field_size_for(info_.size, options_.field_size);
     estimate_length();
 }
@@ -112,7 +112,7 @@ bool RecordingSource::open_next() {
         const bool is_first = index_ < 0;
         if (is_first) {
             origin_ = segment.begin;
-            origin_by_ = segment.begin_by;
+            origin_source_ = segment.begin_source;
         }
         begin_ = begin_of(segment, origin_, is_first ? std::nullopt : std::optional(last_ + frame_));
         frame_ = frame_duration(segment_->info());
@@ -147,7 +147,7 @@ void RecordingSource::count_overlap() {
     trimmed_.seconds += seconds;
 }
 
-std::string text_of(const LeftOut& left_out) {
+std::string text_of(const OmittedFrames& left_out) {
     const auto rest = left_out.files - std::ssize(left_out.first);
     return fmt::format(
         "{} {} left out whole, as other files show the same time: '{}'{}; {}, {:.1f} s; are they of another camera, or "

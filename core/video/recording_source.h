@@ -47,7 +47,7 @@ class RecordingSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     std::optional<std::int64_t> origin_;  ///< of the recording's clock, seconds since 1970 (UTC)
-    ClockSource origin_by_ = ClockSource::none;
+    ClockSource origin_source_ = ClockSource::none;
 
     std::size_t next_segment_ = 0;
     std::unique_ptr<FileSource> segment_;  ///< that is being read
@@ -59,7 +59,7 @@ class RecordingSource final : public FrameSource {
     std::int64_t index_ = -1;
     std::int64_t damaged_ = 0;   ///< in segments that have been read
     std::int64_t left_out_ = 0;  ///< frames of this segment at times that the one before has shown
-    LeftOut trimmed_;            ///< files that begin a little before the one before has ended
+    OmittedFrames trimmed_;            ///< files that begin a little before the one before has ended
     std::vector<std::string> problems_;
 };
 

@@ -24,20 +24,20 @@ inline constexpr Setting start{
     .help =
         "where in the clip to begin: 90s, 1h30m, 00:01:30, 250f; or by the clock on the wall, where that is known: "
         "2026-11-22 02:00, or @02:00 for the next time that it showed 02:00",
-    .otherwise = "0s",
-    .not_live = "a stream begins now"};
+    .default_text = "0s",
+    .not_live_reason = "a stream begins now"};
 inline constexpr Setting end{
     .name = "end",
     .unit = "TIME",
     .help = "where in the clip to end, in the same forms: the first frame that is no longer read",
-    .not_live = "--duration ends a stream"};
+    .not_live_reason = "--duration ends a stream"};
 
 inline constexpr Setting between{.name = "between",
                                  .unit = "TIME-TIME",
                                  .help =
                                      "only this part of each day, by the clock on the wall: 02:00-05:00; over "
                                      "midnight: 22:00-05:00",
-                                 .not_live = "a stream is drawn as it comes"};
+                                 .not_live_reason = "a stream is drawn as it comes"};
 
 inline constexpr Setting duration{"duration", "TIME", "stop after this time; without it, SIGTERM or SIGINT stops"};
 inline constexpr Setting lag{

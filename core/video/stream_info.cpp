@@ -76,7 +76,7 @@ ClipHeader header_of(const Demuxer& demuxer) {
     const double rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
     ClipHeader header;
     header.length = stated_duration(demuxer.format(), stream);
-    if (header.length > longest_clip) header.unbelievable = std::exchange(header.length, 0);
+    if (header.length > longest_clip) header.implausible_length = std::exchange(header.length, 0);
     header.frames = stream.nb_frames;
     header.created = creation_time(demuxer.format());
     if (header.frames <= 0) header.frames = std::llround(header.length * rate);

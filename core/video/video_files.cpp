@@ -12,7 +12,7 @@ namespace vvr::video {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string>& video_endings() {
+const std::vector<std::string>& video_extensions() {
     static const std::vector<std::string> endings{
         ".264", ".265", ".3gp",  ".asf", ".avi",   ".dav",  ".divx", ".dv",   ".flv", ".h264", ".h265", ".hevc",
         ".ivf", ".m2t", ".m2ts", ".m4v", ".mjpeg", ".mjpg", ".mkv",  ".mov",  ".mp4", ".mpeg", ".mpg",  ".mts",
@@ -21,7 +21,7 @@ const std::vector<std::string>& video_endings() {
 }
 
 bool is_video_name(const std::string& name) {
-    return std::ranges::binary_search(video_endings(), ending_of(name));
+    return std::ranges::binary_search(video_extensions(), extension_of(name));
 }
 
 std::vector<std::string> video_files_in(const fs::path& folder) {

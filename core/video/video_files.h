@@ -7,7 +7,7 @@
 namespace vvr::video {
 
 /// The endings that video files have, with their dots, in lower case and in order.
-const std::vector<std::string>& video_endings();
+const std::vector<std::string>& video_extensions();
 
 /// Whether a file's name has one of them.
 bool is_video_name(const std::string& name);

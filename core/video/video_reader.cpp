@@ -10,7 +10,7 @@ VideoReader::VideoReader(Input input, double rate, int threads)
     open({});
 }
 
-void VideoReader::open(const Start& start) {
+void VideoReader::open(const SeekPoint& start) {
     close();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, threads_);
@@ -32,15 +32,15 @@ void VideoReader::close() {
     demuxer_.reset();
 }
 
-void VideoReader::rewind(const Start& start) {
+void VideoReader::rewind(const SeekPoint& start) {
     start_ = start;
     given_ = 0;
     open(start);
 }
 
-Start VideoReader::find(double time) const {
+SeekPoint VideoReader::find(double time) const {
     Demuxer scan(input_, Demuxer::Kind::video, rate_);
-    return find_start(scan, origin() + time);
+    return find_seek_point(scan, origin() + time);
 }
 
 VideoReader::Timed VideoReader::next() {
@@ -48,7 +48,7 @@ VideoReader::Timed VideoReader::next() {
         auto image = decoder_->next();
         if (!image && !decoder_->stopped()) return {};
         if (!image) {
-            go_on_with_one_thread();
+            fall_back_to_one_thread();
             continue;
         }
         const double time = clock_(demuxer_->seconds(image->best_effort_timestamp));
@@ -66,9 +66,9 @@ VideoReader::Timed VideoReader::next() {
 }
 
 /// Decodes again from a little before the damage, passing over the frames that were given already.
-void VideoReader::go_on_with_one_thread() {
+void VideoReader::fall_back_to_one_thread() {
     threads_ = 1;
-    const auto near = given_ > 0 ? find(last_) : Start{};
+    const auto near = given_ > 0 ? find(last_) : SeekPoint{};
     if (near.packets > start_.packets) {
         open(near);
         pass_until_ = last_;

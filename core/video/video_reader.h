@@ -27,13 +27,13 @@ class VideoReader {
     Timed next();
 
     /// Begins again: at the first frame, or where `start` says. The clip's first frame has to have been read once.
-    void rewind(const Start& start = {});
+    void rewind(const SeekPoint& start = {});
 
     /// Gives back what reading takes, of a long clip above all its index. Until the next rewind there are no frames.
     void close();
 
     /// Where to begin for the first frame at or after `time`, in seconds.
-    Start find(double time) const;
+    SeekPoint find(double time) const;
 
     /// Packets and frames that were damaged since the last rewind, or `forget_damage`.
     std::int64_t damaged() const { return (decoder_ ? decoder_->damaged() : damaged_) - forgotten_; }
@@ -47,8 +47,8 @@ class VideoReader {
     double origin() const { return origin_.value_or(0); }
 
   private:
-    void open(const Start& start);
-    void go_on_with_one_thread();
+    void open(const SeekPoint& start);
+    void fall_back_to_one_thread();
 
     Input input_;
     double rate_;
@@ -60,7 +60,7 @@ class VideoReader {
     bool threaded_ = false;     ///< the decoder
     std::int64_t damaged_ = 0;  ///< when it was closed
 
-    Start start_;
+    SeekPoint start_;
     std::int64_t given_ = 0;  ///< frames since the last rewind
     double last_ = 0;         ///< time of the last of them
     std::int64_t forgotten_ = 0;

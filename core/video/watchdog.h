@@ -6,7 +6,7 @@
 namespace vvr::video {
 
 /// Ends reads of a live stream from outside: when somebody asks for it, or when nothing has come for too long. A reader
-/// asks `bites`, from any thread.
+/// asks `expired`, from any thread.
 class Watchdog {
   public:
     /// \param patience how long a read may take
@@ -20,7 +20,7 @@ class Watchdog {
     void stop() { stopped_ = true; }
 
     bool stopped() const { return stopped_; }
-    bool bites() const { return stopped_ || Clock::now() - fed_.load() > patience_; }
+    bool expired() const { return stopped_ || Clock::now() - fed_.load() > patience_; }
 
   private:
     using Clock = std::chrono::steady_clock;

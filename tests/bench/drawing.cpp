@@ -22,7 +22,7 @@ Drawing::Drawing(std::shared_ptr<gl::Context> context, const bricks::Volume& vol
       tiles_(gl::cut_tiles(job_.picture.size, job_.picture.tile_samples)) {
     drawing_.context = std::move(context);
     app::make_renderer(job_, volume.size(), job_.picture.tile_samples, drawing_);
-    const int textures = app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_pieces(bricks_).size()));
+    const int textures = app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_sub_bricks(bricks_).size()));
     drawing_.window = std::make_unique<gl::BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
     show();
     const video::Frame none;
@@ -43,8 +43,8 @@ void Drawing::draw() {
 }
 
 void Drawing::show() {
-    const std::int64_t pieces_of_brick = std::ssize(bricks::cut_into_pieces(std::array{bricks_.front()}));
-    window().show(*volume_, bricks::cut_into_pieces(bricks_), oldest_ * pieces_of_brick);
+    const std::int64_t pieces_of_brick = std::ssize(bricks::cut_into_sub_bricks(std::array{bricks_.front()}));
+    window().show(*volume_, bricks::cut_into_sub_bricks(bricks_), oldest_ * pieces_of_brick);
 }
 
 }  // namespace vvr::bench

@@ -30,7 +30,7 @@ bricks::Volume left_bag_volume(const std::string& filter, double scale) {
 double occupied_share(const bricks::Volume& volume) {
     std::int64_t lit = 0;
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
-        volume.layer(i).scalar.each_run([&](int, int, std::span<const std::uint8_t> values) {
+        volume.layer(i).scalar.for_each_run([&](int, int, std::span<const std::uint8_t> values) {
             lit += std::ranges::count_if(values, [](std::uint8_t value) { return value > 0; });
         });
     }

@@ -68,7 +68,7 @@ void main() { colour = vec4(value); }
 )";
 
 gl::ProgramSource bare_program(const char* name, const space::Layout& layout, std::string_view fragment) {
-    return {name, {gl::shader_piece(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
+    return {name, {gl::shader_chunk(layout.shader()), {"bare vertex shader", bare_vert}}, {{name, fragment}}};
 }
 
 /// A volume in k bricks, as the renderer holds it, and where it is seen from.

@@ -31,9 +31,9 @@ std::vector<std::byte> texels_of(const bricks::BrickLayers& layers) {
     const std::size_t count = layers.area() * static_cast<std::size_t>(layers.count());
     std::vector<std::byte> bytes(count * (layers.coloured() ? sizeof(bricks::ColouredTexel) : 1));
     if (layers.coloured()) {
-        layers.lay_out(0, std::span(reinterpret_cast<bricks::ColouredTexel*>(bytes.data()), count));
+        layers.fill_texels(0, std::span(reinterpret_cast<bricks::ColouredTexel*>(bytes.data()), count));
     } else {
-        layers.lay_out(0, std::span(reinterpret_cast<std::uint8_t*>(bytes.data()), count));
+        layers.fill_texels(0, std::span(reinterpret_cast<std::uint8_t*>(bytes.data()), count));
     }
     return bytes;
 }

@@ -34,7 +34,7 @@ std::vector<gl::ProgramSource> all_programs() {
     return programs;
 }
 
-std::filesystem::path write(const std::filesystem::path& path, const std::vector<gl::ShaderPiece>& pieces) {
+std::filesystem::path write(const std::filesystem::path& path, const std::vector<gl::ShaderChunk>& pieces) {
     std::ofstream(path) << gl::shader_text(pieces);
     return path;
 }
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
         const auto fragment = write(folder / fmt::format("{}.frag", number), program.fragment);
         std::string files;
         for (const auto* pieces : {&program.vertex, &program.fragment}) {
-            for (const gl::ShaderPiece& piece : *pieces) {
+            for (const gl::ShaderChunk& piece : *pieces) {
                 unused.erase(piece.file);
                 files += fmt::format(" {}", piece.file);
             }

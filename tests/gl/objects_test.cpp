@@ -43,7 +43,7 @@ void add(bricks::Volume& volume, std::int64_t index, std::span<const Owned> thin
 /// Tracks 0 to 7 are the objects 1 to 8 with a colour each; all others are nobody's.
 bricks::Identity as_they_come(std::size_t track, const bricks::Layer&) {
     if (track >= 8) return {};
-    return {scene::look_of(static_cast<int>(track), scene::Posture::moving), static_cast<std::uint16_t>(track + 1)};
+    return {scene::palette_index(static_cast<int>(track), scene::ObjectState::moving), static_cast<std::uint16_t>(track + 1)};
 }
 
 class Objects : public testing::TestWithParam<std::string> {
@@ -60,7 +60,7 @@ class Objects : public testing::TestWithParam<std::string> {
         layout_ = space::make_layout(GetParam(), space::shape_for(field_size));
         gl::Renderer renderer(*context_, *layout_, options_);
         renderer.set_transfer(solid);
-        renderer.set_looks(scene::looks_of(theme_));
+        renderer.set_palette(scene::object_palette(theme_));
         gl::BrickWindow window(context_->gl(), *layout_, volume.layers(), 2);
         const bricks::Identify identify = as_they_come;
         window.show(volume, bricks::cut_into(volume.layers(), bricks), 0, identify);

@@ -8,7 +8,7 @@
 namespace vvr {
 namespace {
 
-const std::vector<gl::ShaderPiece> vertex = {{"corner.vert", "void main() { gl_Position = vec4(0.0); }"}};
+const std::vector<gl::ShaderChunk> vertex = {{"corner.vert", "void main() { gl_Position = vec4(0.0); }"}};
 constexpr std::string_view half =
     "uniform float share;  // of a whole\nfloat half_of(float value) { return share * value; }";
 
@@ -38,7 +38,7 @@ TEST(Program, MisspeltUniformIsABug) {
     program.use();
     EXPECT_NO_THROW(program.set("share", 0.5F)) << "though the compiler leaves it out";
     EXPECT_THROW(program.set("shares", 0.5F), std::logic_error);
-    EXPECT_THROW(gl::shader_piece("volumes.frag"), std::logic_error);
+    EXPECT_THROW(gl::shader_chunk("volumes.frag"), std::logic_error);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Temporal final : public Filter {
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
-        const Light light = illumination_.compensates ? light_between(*input.previous, input.smooth) : Light{};
+        const IlluminationChange light = illumination_.compensates ? estimate_illumination(*input.previous, input.smooth) : IlluminationChange{};
         const std::optional<Planes> lit = illumination_.relit(*input.previous, input.smooth, light);
         return find_norm(norm_, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
     }

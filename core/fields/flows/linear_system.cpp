@@ -61,8 +61,8 @@ void LinearSystem::set(const Plane<float>& new_u, const Plane<float>& new_v) {
         std::ranges::copy(new_u.row(j), work_.row(u(), j));
         std::ranges::copy(new_v.row(j), work_.row(v(), j));
     }
-    work_.extend(u());
-    work_.extend(v());
+    work_.replicate_border(u());
+    work_.replicate_border(v());
 }
 
 // Step k works a row above step k - 1. Where it writes stands the flow of step k - 2, which nobody needs any more: its
@@ -90,8 +90,8 @@ void LinearSystem::relax(int steps) {
                                      .next_v = work_.row(next_v, first),
                                      .pitch = work_.pitch()},
                                     size().width, last - first);
-                work_.extend(next_u, first, last);
-                work_.extend(next_v, first, last);
+                work_.replicate_border(next_u, first, last);
+                work_.replicate_border(next_v, first, last);
             }
         }
         turn_ = (turn_ + together) % 2;
@@ -99,7 +99,7 @@ void LinearSystem::relax(int steps) {
     }
 }
 
-void LinearSystem::hand_down(LinearSystem& coarse) const {
+void LinearSystem::restrict_to(LinearSystem& coarse) const {
     coarse.reset(half(size()), a_ / 4);
     const int width = size().width;
     for (int j = 0; j < coarse.size().height; ++j) {
@@ -137,7 +137,7 @@ void LinearSystem::for_each_residual(Take take) const {
     }
 }
 
-void LinearSystem::hand_down_residual(LinearSystem& coarse) const {
+void LinearSystem::restrict_residual(LinearSystem& coarse) const {
     const int coarse_width = coarse.size().width;
     const std::size_t room = static_cast<std::size_t>(coarse_width + 63) / 32 * 64;
     const std::array upper{aligned_floats(room), aligned_floats(room)};
@@ -163,8 +163,8 @@ void LinearSystem::add(const LinearSystem& coarse) {
         kernels::add_interpolated(coarse.work_.row(coarse.v(), near), coarse.work_.row(coarse.v(), far),
                                   work_.row(v(), j), coarse.size().width);
     }
-    work_.extend(u());
-    work_.extend(v());
+    work_.replicate_border(u());
+    work_.replicate_border(v());
 }
 
 double LinearSystem::residual() const {
@@ -185,7 +185,7 @@ void Multigrid::load(const PlaneStack& derivatives, float a) {
     used_ = 1;
     while (std::max(grids_[used_ - 1].size().width, grids_[used_ - 1].size().height) > coarsest) {
         LinearSystem& coarse = grid(used_);
-        grids_[used_ - 1].hand_down(coarse);
+        grids_[used_ - 1].restrict_to(coarse);
         ++used_;
     }
 }
@@ -210,7 +210,7 @@ void Multigrid::cycle(std::size_t from) {
     const std::size_t last = used_ - 1;
     for (std::size_t k = from; k < last; ++k) {
         grids_[k].relax(2);
-        grids_[k].hand_down_residual(grids_[k + 1]);
+        grids_[k].restrict_residual(grids_[k + 1]);
     }
     grids_[last].relax(2 * coarsest);
     for (std::size_t k = last; k-- > from;) {

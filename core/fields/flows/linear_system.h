@@ -38,10 +38,10 @@ class LinearSystem {
 
     /// Makes `coarse` the same equations on a grid of half the size: J and f are means over 2×2 points, a is a quarter
     /// because the distance between points is twice as long.
-    void hand_down(LinearSystem& coarse) const;
+    void restrict_to(LinearSystem& coarse) const;
 
     /// Gives the coarser system the residual of this one as its f, and w = 0.
-    void hand_down_residual(LinearSystem& coarse) const;
+    void restrict_residual(LinearSystem& coarse) const;
 
     /// Adds the coarser system's w, interpolated linearly.
     void add(const LinearSystem& coarse);

@@ -53,7 +53,7 @@ class PlaneStack {
 
     /// Fills the border beside the rows `first` to `last` - 1 with the edges' values, above and below as well where
     /// these rows are the first or the last.
-    void extend(int plane, int first, int last) {
+    void replicate_border(int plane, int first, int last) {
         for (int j = first; j < last; ++j) {
             row(plane, j)[-1] = row(plane, j)[0];
             row(plane, j)[size_.width] = row(plane, j)[size_.width - 1];
@@ -62,7 +62,7 @@ class PlaneStack {
         if (last == size_.height) std::copy_n(row(plane, last - 1) - 1, size_.width + 2, row(plane, last) - 1);
     }
 
-    void extend(int plane) { extend(plane, 0, size_.height); }
+    void replicate_border(int plane) { replicate_border(plane, 0, size_.height); }
 
     void clear(int plane) {
         for (int j = -1; j <= size_.height; ++j) std::fill_n(row(plane, j) - 1, size_.width + 2, 0.F);

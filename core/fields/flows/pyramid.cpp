@@ -30,7 +30,7 @@ Size half(Size size) {
 }
 
 /// Half the size. The new points lie between the old ones, so four taps are symmetric: (1, 3, 3, 1)/8.
-Plane<float> reduced(const Plane<float>& plane) {
+Plane<float> downsampled(const Plane<float>& plane) {
     const Size size = half(plane.size());
     auto rows = Plane<float>::for_overwrite({plane.width(), size.height});
     const auto at = [](std::span<const float> values, int i) {
@@ -56,7 +56,7 @@ Plane<float> reduced(const Plane<float>& plane) {
 }
 
 /// A flow of half the size, brought to `size`: linear between points, and twice as long.
-Plane<float> enlarged(const Plane<float>& coarse, Size size) {
+Plane<float> upsampled(const Plane<float>& coarse, Size size) {
     auto fine = Plane<float>::for_overwrite(size);
     // A coarse row's worth of values, with its edges repeated.
     std::vector<float> down(static_cast<std::size_t>(coarse.width()) + 2);
@@ -104,7 +104,7 @@ class Pyramid final : public FlowMethod {
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override {
         FlowFrame frame{grey, {smoothed(grey, taps_)}};
         while (std::min(frame.levels.back().width(), frame.levels.back().height()) >= 2 * smallest_side) {
-            frame.levels.push_back(reduced(frame.levels.back()));
+            frame.levels.push_back(downsampled(frame.levels.back()));
         }
         return frame;
     }
@@ -119,7 +119,7 @@ class Pyramid final : public FlowMethod {
         for (std::size_t k = here.size(); k-- > 0;) {
             const Size size = parts[k].size;
             flow = k + 1 == here.size() ? Flow{Plane<float>(size), Plane<float>(size)}
-                                        : Flow{enlarged(flow.u, size), enlarged(flow.v, size)};
+                                        : Flow{upsampled(flow.u, size), upsampled(flow.v, size)};
             improve(flow, cut(here[k], parts[k]), next[k], parts[k]);
         }
         const Rect wanted{part.x - parts[0].x, part.y - parts[0].y, part.size};

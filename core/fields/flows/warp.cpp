@@ -25,7 +25,7 @@ class WideRows {
         return values_.data() + stride_ * static_cast<std::size_t>(std::clamp(j, 0, size_.height - 1)) + border;
     }
 
-    void repeat_edges(int j) {
+    void replicate_edges(int j) {
         std::fill_n(row(j) - border, border, row(j)[0]);
         std::fill_n(row(j) + size_.width, border, row(j)[size_.width - 1]);
     }
@@ -50,7 +50,7 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
         std::ranges::copy(flow.v.row(j), v.row(0));
         kernels::warp_row({next, part.x, part.y + j, here_rows.row(0), u.row(0), v.row(0), mean.row(j), change.row(j),
                            known.row(j), size.width});
-        mean.repeat_edges(j);
+        mean.replicate_edges(j);
     }
     for (int j = 0; j < size.height; ++j) {
         const float* const row = mean.row(j);

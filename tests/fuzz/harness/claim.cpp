@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const char* file : {"victim.png", "victim.html", "pictures/index.html"}) folder.write(file, "");
     const auto lock = std::filesystem::path("pictures") / fmt::format(".vvr-{:016x}.lock", fnv1a(name));
     folder.write(lock, name);
-    if (const auto claim = archive::Claim::take_over(folder.path() / lock)) {
+    if (const auto claim = archive::LockFile::take_over(folder.path() / lock)) {
         fuzz::require(is_plain_name(claim->second), "a claim is for a plain name");
     }
     folder.write(lock, name);

@@ -90,8 +90,8 @@ TEST_F(Archive, FindsClipsInFolders) {
     EXPECT_EQ(found(archive::ClipNames({"*.txt"})), (std::vector<std::string>{"notes.txt"}));
     const archive::Clip clip = archive::scan_archive(in(), out(), archive::ClipNames()).clips.front();
     EXPECT_EQ(clip.size, 1);
-    EXPECT_EQ(archive::look_at_clip(in(), "a.avi")->modified, clip.modified);
-    EXPECT_FALSE(archive::look_at_clip(in(), "z.avi"));
+    EXPECT_EQ(archive::stat_clip(in(), "a.avi")->modified, clip.modified);
+    EXPECT_FALSE(archive::stat_clip(in(), "z.avi"));
 }
 
 TEST_F(Archive, FollowsEachFolderOnce) {
@@ -235,9 +235,9 @@ TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
 }
 
 TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
-    const auto held = archive::Claim::try_take(out(), "index.html");
-    EXPECT_THROW(archive::Claim::wait_for(out(), "index.html", 50ms), Error);
-    EXPECT_NO_THROW(archive::Claim::wait_for(out(), "other.html", 50ms));
+    const auto held = archive::LockFile::try_take(out(), "index.html");
+    EXPECT_THROW(archive::LockFile::wait_for(out(), "index.html", 50ms), Error);
+    EXPECT_NO_THROW(archive::LockFile::wait_for(out(), "other.html", 50ms));
 }
 
 TEST_F(Archive, IndexesAnyTimesWithoutCountingDays) {
@@ -309,24 +309,24 @@ TEST_F(Archive, DecidesWhatIsToBeDone) {
 }
 
 TEST_F(Archive, IsClaimedByOneAtATime) {
-    auto first = archive::Claim::try_take(out(), "a.avi");
+    auto first = archive::LockFile::try_take(out(), "a.avi");
     ASSERT_TRUE(first);
-    EXPECT_FALSE(first->was_left_behind());
-    EXPECT_FALSE(archive::Claim::try_take(out(), "a.avi"));
-    EXPECT_TRUE(archive::Claim::try_take(out(), "b.avi"));
+    EXPECT_FALSE(first->is_stale());
+    EXPECT_FALSE(archive::LockFile::try_take(out(), "a.avi"));
+    EXPECT_TRUE(archive::LockFile::try_take(out(), "b.avi"));
     const fs::path file = fs::directory_iterator(out())->path();
-    EXPECT_TRUE(archive::Claim::is_claim(file));
-    EXPECT_FALSE(archive::Claim::take_over(file));
+    EXPECT_TRUE(archive::LockFile::is_lock_file(file));
+    EXPECT_FALSE(archive::LockFile::take_over(file));
     first.reset();
     EXPECT_TRUE(fs::is_empty(out())) << "a claim leaves no file";
-    EXPECT_TRUE(archive::Claim::try_take(out(), std::string(255, 'a')));
-    EXPECT_THROW(archive::Claim::try_take(out() / "none", "a"), Error);
+    EXPECT_TRUE(archive::LockFile::try_take(out(), std::string(255, 'a')));
+    EXPECT_THROW(archive::LockFile::try_take(out() / "none", "a"), Error);
 }
 
 TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     const pid_t child = ::fork();
     if (child == 0) {
-        const auto claim = archive::Claim::try_take(out(), "a.avi");
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
         ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
     }
     int status = 0;
@@ -335,15 +335,15 @@ TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
     write(out() / "a.avi.png");
     write(out() / "other.png");
     {
-        const auto claim = archive::Claim::try_take(out(), "a.avi");
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
         ASSERT_TRUE(claim);
-        EXPECT_TRUE(claim->was_left_behind());
+        EXPECT_TRUE(claim->is_stale());
         archive::tidy(out(), archive::list_outputs(out(), in()));
         EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
     }
     const pid_t other = ::fork();
     if (other == 0) {
-        const auto claim = archive::Claim::try_take(out(), "a.avi");
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
         ::_exit(claim ? 0 : 1);
     }
     ASSERT_EQ(::waitpid(other, &status, 0), other);
@@ -371,14 +371,14 @@ TEST_F(Archive, TakesOverNoClaimThatIsNone) {
     fs::remove(files.back());
     ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
     for (const fs::path& file : files) {
-        EXPECT_TRUE(archive::Claim::is_claim(file));
-        EXPECT_FALSE(archive::Claim::take_over(file)) << file;
+        EXPECT_TRUE(archive::LockFile::is_lock_file(file));
+        EXPECT_FALSE(archive::LockFile::take_over(file)) << file;
         EXPECT_TRUE(fs::exists(file)) << file;
     }
     archive::tidy(out(), archive::list_outputs(out(), in()));
     EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
     EXPECT_TRUE(fs::exists(out() / "photo.png"));
-    EXPECT_TRUE(archive::Claim::take_over(leave_claim("good", "good")));
+    EXPECT_TRUE(archive::LockFile::take_over(leave_claim("good", "good")));
 }
 
 TEST_F(Archive, ClaimsThroughNoLink) {
@@ -387,14 +387,14 @@ TEST_F(Archive, ClaimsThroughNoLink) {
         write(out() / "empty", "");
         fs::remove(file);
         fs::create_symlink(target, file);
-        EXPECT_THROW(archive::Claim::try_take(out(), "a.avi"), Error);
+        EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
         EXPECT_FALSE(fs::exists(out() / "nowhere"));
         EXPECT_TRUE(fs::is_empty(out() / "empty"));
         EXPECT_TRUE(fs::is_symlink(file));
     }
     fs::remove(file);
     ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
-    EXPECT_THROW(archive::Claim::try_take(out(), "a.avi"), Error);
+    EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
     EXPECT_TRUE(fs::exists(file));
 }
 
@@ -436,24 +436,24 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     fs::create_directories(in() / "unmounted");
     fs::create_directory_symlink("nowhere", in() / "linked");
     const auto fate = [&](const archive::Sidecar& sidecar, const archive::ClipNames& names = archive::ClipNames()) {
-        return archive::fate_of(in(), sidecar, archive::look_at_all(in(), out(), names, recorders), recorders);
+        return archive::source_state_of(in(), sidecar, archive::find_present(in(), out(), names, recorders), recorders);
     };
     for (const auto& [clip, expected, folder] : {
-             std::tuple{"there.avi", archive::Fate::there, ""},
-             {"gone.avi", archive::Fate::gone, ""},
-             {"gate/2026-11-20/y.avi", archive::Fate::gone, ""},
-             {"gate/2026-11-19/x.avi", archive::Fate::gone, ""},
-             {"2026-11-19/08/x.avi", archive::Fate::gone, ""},
-             {"unmounted/a.avi", archive::Fate::away, "unmounted"},
-             {"unmounted/deep/a.avi", archive::Fate::away, "unmounted"},
-             {"linked/a.avi", archive::Fate::away, "linked"},
-             {"no camera/b.avi", archive::Fate::away, "no camera"},
+             std::tuple{"there.avi", archive::SourceState::there, ""},
+             {"gone.avi", archive::SourceState::gone, ""},
+             {"gate/2026-11-20/y.avi", archive::SourceState::gone, ""},
+             {"gate/2026-11-19/x.avi", archive::SourceState::gone, ""},
+             {"2026-11-19/08/x.avi", archive::SourceState::gone, ""},
+             {"unmounted/a.avi", archive::SourceState::away, "unmounted"},
+             {"unmounted/deep/a.avi", archive::SourceState::away, "unmounted"},
+             {"linked/a.avi", archive::SourceState::away, "linked"},
+             {"no camera/b.avi", archive::SourceState::away, "no camera"},
          }) {
-        const archive::Whereabouts verdict = fate(done(clip));
+        const archive::SourceStatus verdict = fate(done(clip));
         EXPECT_EQ(verdict.fate, expected) << clip;
         EXPECT_EQ(verdict.folder, folder) << clip;
     }
-    EXPECT_EQ(fate(done("there.avi"), archive::ClipNames({}, {"*"})).fate, archive::Fate::there)
+    EXPECT_EQ(fate(done("there.avi"), archive::ClipNames({}, {"*"})).fate, archive::SourceState::there)
         << "left out by a run, and there";
 
     const auto day = [&](const std::string& date, const std::vector<std::string>& files) {
@@ -461,21 +461,21 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
         sidecar.day = archive::Sidecar::Day{"gate", date, 1, files};
         return fate(sidecar).fate;
     };
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), archive::Fate::gone);
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), archive::Fate::there)
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), archive::SourceState::gone);
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), archive::SourceState::there)
         << "one of its clips is left";
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::Fate::away);
-    EXPECT_EQ(day("2026-11-19", {}), archive::Fate::unknown) << "an older sidecar";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::SourceState::away);
+    EXPECT_EQ(day("2026-11-19", {}), archive::SourceState::unknown) << "an older sidecar";
     write(in() / "gate/2026-11-19 08-00-00.avi");
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::Fate::there) << "another clip of the day is there";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there) << "another clip of the day is there";
     write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
-    EXPECT_NO_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)));
+    EXPECT_NO_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)));
     fs::create_symlink("nowhere", in() / "broken.avi");
-    EXPECT_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)),
+    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
                  Error);
     fs::remove_all(in());
     fs::create_directories(in());
-    EXPECT_THROW(archive::check_can_prune(in(), archive::look_at_all(in(), out(), archive::ClipNames(), recorders)),
+    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
                  Error);
 
     const archive::Sidecar gone = done("gone.avi");

@@ -71,7 +71,7 @@ TEST(ArchiveNames, KnowTheCameraByItsFolders) {
 }
 
 TEST(ArchiveNames, TellClips) {
-    EXPECT_TRUE(std::ranges::is_sorted(video::video_endings()));
+    EXPECT_TRUE(std::ranges::is_sorted(video::video_extensions()));
     const archive::ClipNames videos;
     for (const char* name : {"a.avi", "cam/b.MP4", "c.d.mkv", "e.ts"}) EXPECT_TRUE(videos.matches(name)) << name;
     for (const char* name : {"a.avi.png", "avi", ".avi", "cam.avi/b", "c.txt", "d.jpg", "e"}) {
@@ -93,7 +93,7 @@ TEST(ArchiveShards, ShareOutEveryClipOnce) {
     for (int k = 0; k < 7000; ++k) {
         int holders = 0;
         for (std::uint64_t shard = 0; shard < 7; ++shard) {
-            if (!archive::Shard{shard, 7}.holds("cam/" + std::to_string(k) + ".avi")) continue;
+            if (!archive::Shard{shard, 7}.contains("cam/" + std::to_string(k) + ".avi")) continue;
             ++holders;
             ++clips[shard];
         }

@@ -17,7 +17,7 @@ using test::frame;
 template <class Texel>
 std::vector<Texel> texels_of(const bricks::BrickLayers& layers, std::int64_t layer) {
     std::vector<Texel> texels(layers.area());
-    layers.lay_out(layer, std::span(texels));
+    layers.fill_texels(layer, std::span(texels));
     return texels;
 }
 
@@ -53,7 +53,7 @@ TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     EXPECT_EQ(layers.box(), (PixelBox{100 - 57, 0, 100 - 15, 60 - 39}));
     EXPECT_EQ(layers.area(), 42U * 21U);
     std::vector<std::uint8_t> texels(4 * layers.area(), 7);
-    layers.lay_out(0, texels);
+    layers.fill_texels(0, texels);
     std::size_t lit = 0;
     for (const std::uint8_t texel : texels) lit += texel != 0 ? 1U : 0U;
     EXPECT_EQ(lit, 2U) << "and the neighbours' layers, of which one is there too, are the third and the fourth";
@@ -106,7 +106,7 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
             other.pixels()[place()] = static_cast<std::uint8_t>(random());
         }
         bricks::SparsePlane sparse(plain);
-        sparse.keep_greater(bricks::SparsePlane(other));
+        sparse.keep_maximum(bricks::SparsePlane(other));
         std::ranges::transform(plain.pixels(), other.pixels(), plain.pixels().begin(), std::ranges::max);
         EXPECT_EQ(sparse.size(), size);
         EXPECT_EQ(sparse.greatest(), std::ranges::max(plain.pixels()));
@@ -115,11 +115,11 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
         for (int j = 0; j < size.height; ++j) {
             for (int i = 0; i < size.width; ++i) {
                 ASSERT_EQ(sparse.at(i, j), plain.at(i, j)) << i << ", " << j;
-                if (plain.at(i, j) != 0) lit = hull_of(lit, {i, j, i + 1, j + 1});
+                if (plain.at(i, j) != 0) lit = bounding_box(lit, {i, j, i + 1, j + 1});
             }
         }
-        EXPECT_TRUE(sparse.box().holds(lit));
-        EXPECT_TRUE((PixelBox{0, 0, size.width, size.height}).holds(sparse.box()));
+        EXPECT_TRUE(sparse.box().contains(lit));
+        EXPECT_TRUE((PixelBox{0, 0, size.width, size.height}).contains(sparse.box()));
         plain.pixels()[0] = static_cast<std::uint8_t>(plain.pixels()[0] ^ 1);
         EXPECT_NE(sparse, bricks::SparsePlane(plain));
     }

@@ -27,10 +27,10 @@ TEST(Cut, ByLengthLeavesTheRestToTheLast) {
 }
 
 TEST(Cut, IntoPiecesStaysWithinBricks) {
-    EXPECT_EQ(bricks::cut_into_pieces(std::vector<bricks::Brick>{{0, 32}, {32, 33}, {65, 100}}),
+    EXPECT_EQ(bricks::cut_into_sub_bricks(std::vector<bricks::Brick>{{0, 32}, {32, 33}, {65, 100}}),
               (std::vector<bricks::Brick>{{0, 32}, {32, 16}, {48, 17}, {65, 25}, {90, 25}, {115, 25}, {140, 25}}));
-    EXPECT_EQ(bricks::cut_into_pieces(std::vector<bricks::Brick>{{7, 1}}), (std::vector<bricks::Brick>{{7, 1}}));
-    EXPECT_TRUE(bricks::cut_into_pieces(std::vector<bricks::Brick>{}).empty());
+    EXPECT_EQ(bricks::cut_into_sub_bricks(std::vector<bricks::Brick>{{7, 1}}), (std::vector<bricks::Brick>{{7, 1}}));
+    EXPECT_TRUE(bricks::cut_into_sub_bricks(std::vector<bricks::Brick>{}).empty());
 }
 
 }  // namespace

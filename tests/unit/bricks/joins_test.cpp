@@ -75,7 +75,7 @@ TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
     for (int i = 0; i < frames; ++i) fields.push_back(walkers(i));
     for (const std::int64_t layers : {40, 80, 160}) {
         bricks::Volume volume(fields.front().scalar.size(), layers);
-        volume.give_room_to_motion();
+        volume.use_nonuniform_layers();
         for (const fields::Field& field : fields) volume.add(field, {}, {}, true);
         volume.settle();
         ASSERT_EQ(volume.layers(), layers);
@@ -94,7 +94,7 @@ TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
 TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     constexpr std::int64_t capacity = 100;
     bricks::Volume volume({96, 64}, capacity);
-    volume.give_room_to_motion();
+    volume.use_nonuniform_layers();
     const auto visit = [](int i) { return (2000 <= i && i < 2150) || (9000 <= i && i < 9150); };
     for (int i = 0; i < 15'000; ++i) {
         volume.add(visit(i) ? walkers(i) : frame(i, {96, 64}, 0), {}, {}, visit(i));
@@ -107,7 +107,7 @@ TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     }
     // A gap takes little time to add, and little room.
     bricks::Volume gap({96, 64}, capacity);
-    gap.give_room_to_motion();
+    gap.use_nonuniform_layers();
     gap.add(walkers(0), {}, {}, true);
     gap.add_gap(1, 10'000'000, 0.1, 0.1);
     gap.add(walkers(10'000'001), {}, {}, true);

@@ -77,7 +77,7 @@ TEST_F(Files, EachVersionOfLandlockKeepsThem) {
 }
 
 TEST_F(Files, TheFilterTakesSocketsAndLeavesFiles) {
-    if (workers::why_no_call_filter() != 0) GTEST_SKIP() << "this kernel has no seccomp filters";
+    if (workers::call_filter_error() != 0) GTEST_SKIP() << "this kernel has no seccomp filters";
     const workers::CallFilter filter(false);
     const auto met = [&](const std::function<long()>& call) {
         return error_behind([&] { return filter.enforce(); }, call);
@@ -92,8 +92,8 @@ TEST_F(Files, TheFilterTakesSocketsAndLeavesFiles) {
 TEST(Sandbox, OffIsNone) {
     const workers::Sandbox off(workers::SandboxMode::off, {});
     EXPECT_TRUE(off.is_whole());
-    const workers::Confinement walls = off.around({"/nowhere"}, "/nowhere");
-    EXPECT_EQ(error_behind([&] { return walls.enter(); }, [] { return ::socket(AF_UNIX, SOCK_STREAM, 0); }), 0);
+    const workers::Confinement confinement = off.around({"/nowhere"}, "/nowhere");
+    EXPECT_EQ(error_behind([&] { return confinement.enter(); }, [] { return ::socket(AF_UNIX, SOCK_STREAM, 0); }), 0);
 }
 
 TEST(Sandbox, ItsSummaryTellsOfBothWalls) {
@@ -103,7 +103,7 @@ TEST(Sandbox, ItsSummaryTellsOfBothWalls) {
 #else
     EXPECT_NE(sandbox.summary().find("Landlock"), std::string::npos);
     EXPECT_NE(sandbox.summary().find("seccomp"), std::string::npos);
-    EXPECT_EQ(sandbox.is_whole(), workers::find_landlock().abi > 0 && workers::why_no_call_filter() == 0);
+    EXPECT_EQ(sandbox.is_whole(), workers::find_landlock().abi > 0 && workers::call_filter_error() == 0);
 #endif
 }
 

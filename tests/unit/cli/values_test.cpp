@@ -46,10 +46,10 @@ TEST(ParseTime, AsksForTheUnitOfANumberAlone) {
 
 TEST(ParsePlace, TakesTimesOfTheClockOnTheWall) {
     const std::int64_t at = 1'795'312'800;  // 2026-11-22 02:00:00
-    const auto asked = [](const char* text) { return std::get<video::AskedTime>(options::parse_place(text)); };
-    EXPECT_EQ(asked("2026-11-22 02:00"), (video::AskedTime{at, true, "2026-11-22 02:00"}));
+    const auto asked = [](const char* text) { return std::get<video::RequestedTime>(options::parse_place(text)); };
+    EXPECT_EQ(asked("2026-11-22 02:00"), (video::RequestedTime{at, true, "2026-11-22 02:00"}));
     EXPECT_EQ(asked("2026-11-22T02:00:07").seconds, at + 7);
-    EXPECT_EQ(asked("@02:00"), (video::AskedTime{7200, false, "@02:00"}));
+    EXPECT_EQ(asked("@02:00"), (video::RequestedTime{7200, false, "@02:00"}));
     EXPECT_EQ(asked("@23:59:59").seconds, 86'399);
     EXPECT_EQ(std::get<app::Time>(options::parse_place("02:00")), (app::Time{120, app::Time::Unit::seconds}))
         << "an offset, as ever";

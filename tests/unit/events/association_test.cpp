@@ -25,10 +25,10 @@ struct Stage {
     Plane<std::uint8_t> field = Plane<std::uint8_t>(size);
     Plane<Bgr> colour = Plane<Bgr>(size, {90, 90, 90});
 
-    events::Sight sight() const { return {field, grey_, colour}; }
+    events::FrameView sight() const { return {field, grey_, colour}; }
 
     void paint(const PixelBox& box, const Bgr& paint) {
-        const PixelBox there = common(box, {0, 0, size.width, size.height});
+        const PixelBox there = intersection(box, {0, 0, size.width, size.height});
         for (int j = there.top; j < there.bottom; ++j) {
             for (int i = there.left; i < there.right; ++i) {
                 field.at(i, j) = 200;
@@ -116,11 +116,11 @@ Tracked tracked(const PixelBox& box, const Bgr& colour) {
     return {std::move(patch), look};
 }
 
-events::Expected expected(const Tracked& track, const glm::ivec2& shift, bool was_merged = false) {
+events::PredictedTrack expected(const Tracked& track, const glm::ivec2& shift, bool was_merged = false) {
     return {&track.patch, shift, &track.look, was_merged, {track.patch.box.width(), track.patch.box.height()}};
 }
 
-events::Assignment associate_with(const Stage& stage, const std::vector<events::Expected>& tracks) {
+events::Assignment associate_with(const Stage& stage, const std::vector<events::PredictedTrack>& tracks) {
     const events::Blobs blobs = events::find_blobs(stage.field, {1, 1}, 4);
     std::vector<events::Appearance> looks;
     for (const events::Patch& patch : blobs.patches) looks.emplace_back(patch, stage.sight());
@@ -135,8 +135,8 @@ TEST(Associate, FollowsMotionAndBeginsWhatIsNew) {
     const events::Assignment result = associate_with(stage, {expected(one, {4, 0})});
     EXPECT_EQ(result.tracks[0], std::vector<std::size_t>{0});
     EXPECT_TRUE(result.tracks[1].empty());
-    EXPECT_FALSE(result.piece_of[1]);
-    EXPECT_FALSE(result.out_of[1]);
+    EXPECT_FALSE(result.fragment_of[1]);
+    EXPECT_FALSE(result.split_from[1]);
 }
 
 TEST(Associate, LetsTwoShareABlob) {
@@ -167,11 +167,11 @@ TEST(Associate, TakesALegForAPieceAndAnotherPersonForNone) {
     Stage stage;
     stage.paint({10, 10, 20, 24}, red);
     stage.paint({10, 32, 20, 40}, red);
-    EXPECT_EQ(associate_with(stage, {expected(one, {0, 0})}).piece_of[1], 0U);
+    EXPECT_EQ(associate_with(stage, {expected(one, {0, 0})}).fragment_of[1], 0U);
     Stage wide;
     wide.paint({8, 10, 18, 40}, red);
     wide.paint({26, 10, 36, 40}, blue);
-    EXPECT_FALSE(associate_with(wide, {expected(one, {0, 0})}).piece_of[1]);
+    EXPECT_FALSE(associate_with(wide, {expected(one, {0, 0})}).fragment_of[1]);
 }
 
 TEST(ShareBlob, FindsEachByItsLooksAndGivesItItsPixels) {
@@ -187,11 +187,11 @@ TEST(ShareBlob, FindsEachByItsLooksAndGivesItItsPixels) {
     const events::Patch blob = events::find_blobs(now.field, {1, 1}, 4).patches.front();
     const std::vector<const events::Template*> templates{&first, &second};
     const std::vector<glm::ivec2> shifts{{13, 0}, {-10, 1}};
-    const std::vector<events::Share> shares = events::share_blob(blob, now.sight(), templates, shifts);
+    const std::vector<events::TemplateMatch> shares = events::split_blob(blob, now.sight(), templates, shifts);
     EXPECT_EQ(shares[0].shift, glm::ivec2(14, 0));
     EXPECT_EQ(shares[1].shift, glm::ivec2(-11, 0));
-    EXPECT_GT(shares[1].likeness, 0.95) << "it is in front";
-    EXPECT_NEAR(shares[0].likeness, 5.0 / 8, 0.1) << "three of its columns are hidden";
+    EXPECT_GT(shares[1].similarity, 0.95) << "it is in front";
+    EXPECT_NEAR(shares[0].similarity, 5.0 / 8, 0.1) << "three of its columns are hidden";
     EXPECT_EQ(shares[0].patch.area + shares[1].patch.area, blob.area);
     EXPECT_EQ(shares[1].patch.area, 8 * 30);
 }

@@ -23,7 +23,7 @@ events::Event walker(double begin, double end, const glm::dvec2& from, const glm
     events::Event event;
     event.first = at(begin);
     event.last = at(end);
-    event.box = hull_of(box(from), box(to));
+    event.box = bounding_box(box(from), box(to));
     event.path = {{event.first, from}, {event.last, to}};
     event.portrait = events::Portrait{event.first, box(from), 1};
     return event;
@@ -84,7 +84,7 @@ TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {
             for (std::size_t b = 0; b < events.size(); ++b) {
                 const bool at_once = events[a].first.seconds <= events[b].last.seconds &&
                                      events[b].first.seconds <= events[a].last.seconds;
-                if (a != b && at_once && events[a].box.meets(events[b].box)) near.push_back(b);
+                if (a != b && at_once && events[a].box.intersects(events[b].box)) near.push_back(b);
             }
             for (const std::size_t b : near) EXPECT_NE(colours[a], colours[b]) << scene << ": " << a << ", " << b;
         }

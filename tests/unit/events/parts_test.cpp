@@ -178,7 +178,7 @@ TEST(EventFinder, NothingStandsWhileThereIsNoSignal) {
         EXPECT_EQ(events[0].last.frame, 199);
         EXPECT_EQ(events[1].first.frame, 200 + gap) << "what is there after the gap is seen from then on";
         EXPECT_EQ(events[1].last.frame, 399 + gap);
-        EXPECT_NEAR(events::still_seconds(events[0]) + events::still_seconds(events[1]), 16, 0.1);
+        EXPECT_NEAR(events::stationary_seconds(events[0]) + events::stationary_seconds(events[1]), 16, 0.1);
         for (const events::Event& event : events) {
             for (const events::PathPoint& point : event.path) {
                 EXPECT_TRUE(point.at.frame < 200 || point.at.frame >= 200 + gap);

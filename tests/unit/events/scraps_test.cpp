@@ -31,27 +31,27 @@ void add(std::vector<events::Event>& events, int count, const PixelBox& box) {
     for (int k = 0; k < count; ++k) events.push_back(event_in(box));
 }
 
-TEST(Scraps, ADozenInOnePartDominate) {
+TEST(Clutter, ADozenInOnePartDominate) {
     std::vector<events::Event> events = small_events(12, 250, 20, 20);
     add(events, 12, {0, 100, 384, 160});
-    const auto scraps = events::find_scraps(events, field);
+    const auto scraps = events::find_clutter(events, field);
     ASSERT_TRUE(scraps);
     EXPECT_EQ(scraps->count, 12);
     EXPECT_EQ(scraps->box, (PixelBox{250, 20, 320, 72}));
 }
 
-TEST(Scraps, FewerThanADozenAreFew) {
-    EXPECT_FALSE(events::find_scraps(small_events(11, 250, 20, 20), field));
-    EXPECT_FALSE(events::find_scraps({}, field));
+TEST(Clutter, FewerThanADozenAreFew) {
+    EXPECT_FALSE(events::find_clutter(small_events(11, 250, 20, 20), field));
+    EXPECT_FALSE(events::find_clutter({}, field));
 }
 
-TEST(Scraps, LessThanHalfOfAllEventsDoNotDominate) {
+TEST(Clutter, LessThanHalfOfAllEventsDoNotDominate) {
     std::vector<events::Event> events = small_events(12, 250, 20, 20);
     add(events, 13, {0, 100, 384, 160});
-    EXPECT_FALSE(events::find_scraps(events, field));
+    EXPECT_FALSE(events::find_clutter(events, field));
 }
 
-TEST(Scraps, ThoseOfAllPartsOfThePictureAreLeftAlone) {
+TEST(Clutter, ThoseOfAllPartsOfThePictureAreLeftAlone) {
     // Far people walk everywhere: no region is without them.
     std::vector<events::Event> events;
     for (int k = 0; k < 40; ++k) {
@@ -59,16 +59,16 @@ TEST(Scraps, ThoseOfAllPartsOfThePictureAreLeftAlone) {
         const int y = 70 * (k / 10);
         events.push_back(event_in({x, y, x + 10, y + 12}));
     }
-    EXPECT_FALSE(events::find_scraps(events, field));
+    EXPECT_FALSE(events::find_clutter(events, field));
 }
 
-TEST(Scraps, WhatGoesFarIsNone) {
+TEST(Clutter, WhatGoesFarIsNone) {
     std::vector<events::Event> events;
     add(events, 30, {200, 20, 200 + most, 20 + most});
-    EXPECT_TRUE(events::find_scraps(events, field));
+    EXPECT_TRUE(events::find_clutter(events, field));
     events.clear();
     add(events, 30, {200, 20, 200 + most + 1, 30});
-    EXPECT_FALSE(events::find_scraps(events, field));
+    EXPECT_FALSE(events::find_clutter(events, field));
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace vvr {
 namespace {
 
 /// Where a simplified way has an object at a time.
-std::pair<double, double> place_at(const std::vector<events::WayPoint>& way, int time) {
+std::pair<double, double> place_at(const std::vector<events::Waypoint>& way, int time) {
     for (std::size_t k = 1; k < way.size(); ++k) {
-        const events::WayPoint& a = way[k - 1];
-        const events::WayPoint& b = way[k];
+        const events::Waypoint& a = way[k - 1];
+        const events::Waypoint& b = way[k];
         if (time > b.time) continue;
         const double share = static_cast<double>(time - a.time) / (b.time - a.time);
         return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
@@ -25,7 +25,7 @@ TEST(Way, KeepsEveryMomentsPlaceWithinTheTolerance) {
     std::mt19937 random(7);
     std::normal_distribution<double> step(0, 9);
     for (int round = 0; round < 50; ++round) {
-        std::vector<events::WayPoint> way;
+        std::vector<events::Waypoint> way;
         double x = 500;
         double y = 500;
         for (int time = 0; time < 300; time += 5) {
@@ -33,11 +33,11 @@ TEST(Way, KeepsEveryMomentsPlaceWithinTheTolerance) {
             x += step(random);
             y += step(random);
         }
-        const std::vector<events::WayPoint> few = events::simplified(way, 12);
+        const std::vector<events::Waypoint> few = events::simplified(way, 12);
         EXPECT_LT(few.size(), way.size());
         EXPECT_EQ(few.front(), way.front());
         EXPECT_EQ(few.back(), way.back());
-        for (const events::WayPoint& point : way) {
+        for (const events::Waypoint& point : way) {
             const auto [there, down] = place_at(few, point.time);
             EXPECT_LE(std::hypot(there - point.x, down - point.y), 12 + 1e-9);
         }
@@ -45,13 +45,13 @@ TEST(Way, KeepsEveryMomentsPlaceWithinTheTolerance) {
 }
 
 TEST(Way, KeepsAStayAndAStraightWayInFewPoints) {
-    std::vector<events::WayPoint> way;
+    std::vector<events::Waypoint> way;
     for (int k = 0; k <= 100; ++k) way.push_back({k, k < 50 ? 10 * k : 500, 100});
-    const std::vector<events::WayPoint> few = events::simplified(way, 2);
-    EXPECT_EQ(few, (std::vector<events::WayPoint>{{0, 0, 100}, {50, 500, 100}, {100, 500, 100}}));
+    const std::vector<events::Waypoint> few = events::simplified(way, 2);
+    EXPECT_EQ(few, (std::vector<events::Waypoint>{{0, 0, 100}, {50, 500, 100}, {100, 500, 100}}));
     EXPECT_EQ(events::simplified({}, 2).size(), 0U);
-    EXPECT_EQ(events::simplified(std::vector<events::WayPoint>{{1, 2, 3}}, 2).size(), 1U);
-    const std::vector<events::WayPoint> one_time{{5, 0, 0}, {5, 900, 0}, {5, 0, 0}};
+    EXPECT_EQ(events::simplified(std::vector<events::Waypoint>{{1, 2, 3}}, 2).size(), 1U);
+    const std::vector<events::Waypoint> one_time{{5, 0, 0}, {5, 900, 0}, {5, 0, 0}};
     EXPECT_EQ(events::simplified(one_time, 2).size(), 3U);
 }
 
@@ -63,10 +63,10 @@ TEST(Way, IsAsExactAsAReport) {
     for (int k = 0; k < 10'000; ++k) {
         const glm::dvec2 place(anywhere(random), anywhere(random));
         const double seconds = anywhere(random);
-        EXPECT_EQ(events::way_point(seconds, place, {768, 576}),
-                  events::way_point(told(seconds), {told(place.x), told(place.y)}, {768, 576}));
+        EXPECT_EQ(events::waypoint(seconds, place, {768, 576}),
+                  events::waypoint(told(seconds), {told(place.x), told(place.y)}, {768, 576}));
     }
-    EXPECT_EQ(events::way_point(1.25, {191.5, 287.5}, {768, 576}), (events::WayPoint{13, 250, 500}));
+    EXPECT_EQ(events::waypoint(1.25, {191.5, 287.5}, {768, 576}), (events::Waypoint{13, 250, 500}));
 }
 
 }  // namespace

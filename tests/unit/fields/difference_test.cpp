@@ -201,9 +201,9 @@ TEST(Illumination, NothingToLearnFromIsNoChange) {
     const fields::Planes black{Plane<std::uint8_t>(size, 0), {}};
     const fields::Planes white{Plane<std::uint8_t>(size, 255), {}};
     const fields::Planes tiny{Plane<std::uint8_t>({2, 1}, 100), {}};
-    EXPECT_EQ(fields::light_between(black, white), fields::Light{});
-    EXPECT_EQ(fields::light_between(white, white), fields::Light{});
-    EXPECT_EQ(fields::light_between(tiny, tiny), fields::Light{});
+    EXPECT_EQ(fields::estimate_illumination(black, white), fields::IlluminationChange{});
+    EXPECT_EQ(fields::estimate_illumination(white, white), fields::IlluminationChange{});
+    EXPECT_EQ(fields::estimate_illumination(tiny, tiny), fields::IlluminationChange{});
 }
 
 TEST(Shadows, AreNotObjectsAndDarkThingsAre) {

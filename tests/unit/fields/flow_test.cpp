@@ -218,11 +218,11 @@ TEST(Parts, OthersDifferByLessThanCanBeSeen) {
 
 TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     Plane<std::uint8_t> object({320, 240});
-    EXPECT_TRUE(fields::parts_about(object, 10).empty());
+    EXPECT_TRUE(fields::regions_around(object, 10).empty());
     object.at(50, 60) = 1;
     object.at(250, 200) = 1;
     object.at(255, 203) = 1;
-    const std::vector<fields::Rect> parts = fields::parts_about(object, 10);
+    const std::vector<fields::Rect> parts = fields::regions_around(object, 10);
     ASSERT_EQ(parts.size(), 2U);
     for (const auto& [x, y] : {std::pair{50, 60}, std::pair{250, 200}, std::pair{255, 203}}) {
         const bool inside = std::ranges::any_of(parts, [&](const fields::Rect& p) {
@@ -232,12 +232,12 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
     }
     object.at(0, 0) = 1;
     object.at(319, 239) = 1;
-    for (const fields::Rect& p : fields::parts_about(object, 60)) {
+    for (const fields::Rect& p : fields::regions_around(object, 60)) {
         EXPECT_GE(p.x, 0);
         EXPECT_LE(p.x + p.size.width, 320);
         EXPECT_LE(p.y + p.size.height, 240);
     }
-    EXPECT_EQ(fields::parts_about(Plane<std::uint8_t>({320, 240}, 1), 5),
+    EXPECT_EQ(fields::regions_around(Plane<std::uint8_t>({320, 240}, 1), 5),
               std::vector<fields::Rect>{test::whole({320, 240})});
 }
 

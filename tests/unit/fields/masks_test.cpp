@@ -31,10 +31,10 @@ TEST(Blobs, FaintOnesGo) {
     paint(plane, 65, 15, 2, 2, 50);
     Plane<std::uint8_t> strong(size, 50);
     Plane<std::uint8_t> four = plane;
-    fields::remove_faint_blobs(four, strong, 4, 20);
+    fields::apply_hysteresis(four, strong, 4, 20);
     EXPECT_EQ(lit(four), 400) << "the one with four strong pixels stays whole";
     EXPECT_EQ(four.at(15, 15), 0);
-    fields::remove_faint_blobs(plane, strong, 5, 20);
+    fields::apply_hysteresis(plane, strong, 5, 20);
     EXPECT_EQ(lit(plane), 0);
 }
 
@@ -73,7 +73,7 @@ TEST(Shadows, WhatIsEnclosedByAThingIsPartOfIt) {
             if (shadow.at(i, j) != 0) taken.push_back({i, j, shadow.at(i, j)});
         }
     }
-    fields::give_back_enclosed(object, taken, 16, 20);
+    fields::restore_enclosed(object, taken, 16, 20);
     EXPECT_EQ(std::ranges::count(object.pixels(), 30), 50);
     EXPECT_EQ(object.at(30, 20), 30);
     EXPECT_EQ(object.at(45, 38), 0);

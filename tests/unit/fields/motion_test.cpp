@@ -11,7 +11,7 @@ namespace {
 /// Whether something moves in each of so many frames, ten per second: a block that moves from `begin` to `end` and then
 /// lies where it is, and noise.
 std::vector<bool> motion(int frames, int begin, int end) {
-    fields::Motion moves;
+    fields::MotionDetector moves;
     std::vector<bool> told;
     int place = 0;
     for (int i = 0; i < frames; ++i) {
@@ -26,7 +26,7 @@ std::vector<bool> motion(int frames, int begin, int end) {
     return told;
 }
 
-TEST(Motion, IsToldForAsLongAsSomethingMovesAndASecondMore) {
+TEST(MotionDetector, IsToldForAsLongAsSomethingMovesAndASecondMore) {
     const std::vector<bool> told = motion(200, 50, 90);
     for (int i = 0; i < 200; ++i) {
         const bool moves = told[static_cast<std::size_t>(i)];
@@ -35,7 +35,7 @@ TEST(Motion, IsToldForAsLongAsSomethingMovesAndASecondMore) {
     }
 }
 
-TEST(Motion, IsNoneOfWhatLiesThere) {
+TEST(MotionDetector, IsNoneOfWhatLiesThere) {
     for (const bool moves : motion(100, 0, 0)) EXPECT_FALSE(moves);
 }
 

@@ -60,7 +60,7 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
     const video::Frame here = rough(0, 0);
     const fields::Stabilizer stabilizer(planes_of(here));
     video::Frame frame = rough(5, -3);
-    const fields::Visible visible = stabilizer.align(frame, {5, -3});
+    const fields::VisibleArea visible = stabilizer.align(frame, {5, -3});
     EXPECT_EQ(visible.left, 0);
     EXPECT_EQ(visible.right, size.width - 5);
     EXPECT_EQ(visible.top, 3);
@@ -71,7 +71,7 @@ TEST(Stabilizer, AlignsAndTellsWhatItDoesNotSee) {
         }
     }
     Plane<std::uint8_t> plane(size, 7);
-    fields::clear_beside(visible, plane);
+    fields::clear_outside_overlap(visible, plane);
     EXPECT_EQ(std::ranges::count(plane.pixels(), 7), (size.width - 5) * (size.height - 3));
     EXPECT_EQ(plane.at(0, 2), 0);
     EXPECT_EQ(plane.at(0, 3), 7);

@@ -24,8 +24,8 @@ TEST(MostTelling, WhatWasLeftOrTakenThenTheLongest) {
         event_of(events::EventKind::left, 5, 9), event_of(events::EventKind::taken, 5, 30),
         event_of(events::EventKind::stood, 0, 30)};
     events[4].stays.push_back({at(5), at(20), {10, 20}, {}});
-    EXPECT_EQ(glance::most_telling(events), (std::vector<std::size_t>{3, 2, 4, 0, 1}));
-    EXPECT_TRUE(glance::most_telling({}).empty());
+    EXPECT_EQ(glance::by_importance(events), (std::vector<std::size_t>{3, 2, 4, 0, 1}));
+    EXPECT_TRUE(glance::by_importance({}).empty());
 }
 
 TEST(PlaceAt, IsOnThePath) {
@@ -46,16 +46,16 @@ TEST(Words, SayWhatItDidAndWhen) {
     events::Event event = event_of(events::EventKind::stood, 6, 28.4);
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
-    EXPECT_EQ(glance::deeds_of(event).front(), "stood 14 s");
+    EXPECT_EQ(glance::activity_texts(event).front(), "stood 14 s");
     EXPECT_EQ(glance::times_of(event, {}).front(), "0:06–0:28");
     EXPECT_EQ(glance::times_of(event, 1'795'248'017).front(), "08:00:23–08:00:45");
-    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
-    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
-    EXPECT_EQ(glance::deeds_of(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
+    EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
+    EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
+    EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
     event = event_of(events::EventKind::moved, 0, 5);
     event.path.back().place = {12, 20};
     event.path_length = 80;
-    EXPECT_EQ(glance::deeds_of(event).front(), "to and fro");
+    EXPECT_EQ(glance::activity_texts(event).front(), "to and fro");
 }
 
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {

@@ -38,7 +38,7 @@ TEST(PortraitRow, HasNoOverlapAndNoCrossingWhateverTheEvents) {
         const std::vector<glance::PlacedPortrait> placed = glance::place_portraits(wanted, row, gap, {});
         ASSERT_FALSE(placed.empty());
         for (std::size_t i = 0; i < placed.size(); ++i) {
-            EXPECT_TRUE(row.holds(placed[i].still));
+            EXPECT_TRUE(row.contains(placed[i].still));
             EXPECT_EQ(placed[i].still.width(), row.height());
             if (i == 0) continue;
             EXPECT_GE(placed[i].still.left, placed[i - 1].still.right + gap - 1);

@@ -23,7 +23,7 @@ TEST(StripBars, OfOneRowAreNotThereAtTheSameTime) {
             const double first = time(random);
             events.push_back(event_of(first, first + time(random) / 5));
         }
-        const std::vector<std::size_t> order = glance::most_telling(events);
+        const std::vector<std::size_t> order = glance::by_importance(events);
         const std::vector<glance::StripBar> bars = glance::strip_bars(events, order, 8, 2);
         EXPECT_GE(bars.size(), 8U);
         for (const glance::StripBar& a : bars) {
@@ -39,12 +39,12 @@ TEST(StripBars, OfOneRowAreNotThereAtTheSameTime) {
 
 TEST(StripBars, WithoutRoomAreNone) {
     const std::vector<events::Event> events{event_of(0, 5)};
-    EXPECT_TRUE(glance::strip_bars(events, glance::most_telling(events), 0, 1).empty());
+    EXPECT_TRUE(glance::strip_bars(events, glance::by_importance(events), 0, 1).empty());
 }
 
 TEST(QuietTimes, AreThoseInWhichNobodyIsThere) {
     const std::vector<events::Event> events{event_of(5, 20), event_of(3, 8), event_of(30, 40)};
-    const std::vector<glance::Quiet> quiet = glance::quiet_times(events, 0, 50);
+    const std::vector<glance::IdlePeriod> quiet = glance::idle_periods(events, 0, 50);
     ASSERT_EQ(quiet.size(), 3U);
     EXPECT_EQ(quiet[0].begin, 0);
     EXPECT_EQ(quiet[0].end, 3);
@@ -52,8 +52,8 @@ TEST(QuietTimes, AreThoseInWhichNobodyIsThere) {
     EXPECT_EQ(quiet[1].end, 30);
     EXPECT_EQ(quiet[2].begin, 40);
     EXPECT_EQ(quiet[2].end, 50);
-    EXPECT_EQ(glance::quiet_times({}, 0, 50).size(), 1U);
-    EXPECT_TRUE(glance::quiet_times(std::vector{event_of(0, 50)}, 0, 50).empty());
+    EXPECT_EQ(glance::idle_periods({}, 0, 50).size(), 1U);
+    EXPECT_TRUE(glance::idle_periods(std::vector{event_of(0, 50)}, 0, 50).empty());
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
     const PixelBox hollow = glance::hollow_of(*layout, camera, picture, area, 4.0 / 3);
     EXPECT_GT(hollow.width(), 120);
     EXPECT_NEAR(hollow.width() * 3.0 / 4, hollow.height(), 1);
-    EXPECT_TRUE(area.holds(hollow));
+    EXPECT_TRUE(area.contains(hollow));
     // No corner of a cut through the volume lies in it.
     for (int i = 0; i <= 64; ++i) {
         for (const double x : {0.0, 1.0}) {

@@ -97,7 +97,7 @@ TEST_P(AnimationTest, LeavesNothingUnlessItIsClosed) {
     EXPECT_EQ(files(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Endings, AnimationTest, testing::ValuesIn(image::animation_endings()),
+INSTANTIATE_TEST_SUITE_P(Endings, AnimationTest, testing::ValuesIn(image::animation_extensions()),
                          [](const auto& tested) { return tested.param.substr(1); });
 
 TEST(Animation, KnowsItsEndings) {

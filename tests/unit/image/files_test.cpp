@@ -162,7 +162,7 @@ TEST_P(ImageFormatTest, FullDiskLeavesNothing) {
     EXPECT_EQ(files(), 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(image::picture_endings()),
+INSTANTIATE_TEST_SUITE_P(Formats, ImageFormatTest, testing::ValuesIn(image::picture_file_extensions()),
                          [](const auto& format) { return format.param.substr(1); });
 
 TEST_F(ImageTest, AlphaIsKeptWhereTheFormatHasIt) {
@@ -325,14 +325,14 @@ TEST_F(ImageTest, WritesAFileInPiecesAtAnyPlace) {
 }
 
 TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
-    const image::FilmFormat format{"mp4", "mpeg4", "b=1000000"};
+    const image::VideoFormat format{"mp4", "mpeg4", "b=1000000"};
     const auto shade = [](int k) { return Plane<Bgr>({32, 16}, Bgr{40, 80, static_cast<std::uint8_t>(20 * k)}); };
-    image::FilmEncoder memory(format, "a", {32, 16}, 10, 10, 5);
+    image::VideoEncoder memory(format, "a", {32, 16}, 10, 10, 5);
     for (int k = 0; k < 8; ++k) memory.add(shade(k), k);
     const std::vector<std::byte> wanted = memory.finish();
     EXPECT_EQ(memory.bytes(), wanted.size());
     image::replace_file(file("film"), [&](const WriteAt& write_at) {
-        image::FilmEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
+        image::VideoEncoder film(format, "a", {32, 16}, 10, 10, 5, write_at);
         for (int k = 0; k < 8; ++k) film.add(shade(k), k);
         EXPECT_TRUE(film.finish().empty());
     });
@@ -342,7 +342,7 @@ TEST_F(ImageTest, AFilmInAFileIsThatInMemory) {
 TEST_F(ImageTest, WhatAFilmsFileThrowsComesThrough) {
     const auto full = [](std::int64_t, std::span<const std::byte>) { throw Error(ErrorKind::io, "the disk is full"); };
     const Error error = error_of([&] {
-        image::FilmEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
+        image::VideoEncoder film({"mp4", "mpeg4", ""}, "a", {32, 16}, 10, 10, 5, full);
         film.add(Plane<Bgr>({32, 16}), 0);
         film.finish();
     });

@@ -93,7 +93,7 @@ TEST(Text, CoversThePixelsThatItSays) {
                    std::max(ink.bottom, j + 1)};
         }
     }
-    EXPECT_TRUE(label.box.holds(ink)) << ink.left << " " << ink.top << " " << ink.right << " " << ink.bottom;
+    EXPECT_TRUE(label.box.contains(ink)) << ink.left << " " << ink.top << " " << ink.right << " " << ink.bottom;
     EXPECT_NEAR(ink.width(), label.box.width(), 3);
     EXPECT_NEAR(ink.height(), label.box.height(), 3);
     EXPECT_EQ(label.box.left, 30);
@@ -141,7 +141,7 @@ bricks::Volume clip_with_gap() {
 /// Three minutes of motion, each after an hour of nothing, a frame per second.
 bricks::Volume day_with_pauses(std::int64_t capacity) {
     bricks::Volume volume({32, 24}, capacity);
-    volume.give_room_to_motion();
+    volume.use_nonuniform_layers();
     for (int i = 0; i < 3 * 3780; ++i) {
         fields::Field field;
         field.index = i;
@@ -189,7 +189,7 @@ TEST(BusyTime, TicksStandWhereSomethingMoves) {
     for (std::size_t i = 1; i < ticks.size(); ++i) {
         EXPECT_GT(volume.t_of_seconds(ticks[i].seconds) - volume.t_of_seconds(ticks[i - 1].seconds), 0.8 / 9 - 1e-9);
     }
-    for (const bricks::Squeezed& stretch : bricks::squeezed_stretches(volume)) {
+    for (const bricks::CompressedIdle& stretch : bricks::compressed_stretches(volume)) {
         for (const labels::TimeTick& tick : ticks) {
             const double t = volume.t_of_seconds(tick.seconds);
             EXPECT_FALSE(stretch.t_begin < t && t < stretch.t_end) << tick.text;
@@ -340,8 +340,8 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
     for (const labels::Label& label : lettering.labels) boxes.push_back(label.box);
     for (const labels::ColourBar& bar : lettering.bars) boxes.push_back(bar.box);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        EXPECT_TRUE(picture.holds(boxes[i])) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].meets(boxes[j])) << i << " " << j;
+        EXPECT_TRUE(picture.contains(boxes[i])) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].intersects(boxes[j])) << i << " " << j;
     }
     ASSERT_FALSE(lettering.labels.empty());
     EXPECT_TRUE(std::ranges::any_of(
@@ -352,7 +352,7 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
     for (const labels::TimeTick& tick : ticks) {
         for (const labels::Label& label : lettering.labels) {
             // The strip of times has texts of its own.
-            if (label.text != tick.text || !framing.sheet.between.holds(label.box)) continue;
+            if (label.text != tick.text || !framing.sheet.between.contains(label.box)) continue;
             ++on_the_ruler;
             const double t = volume.t_of_seconds(tick.seconds);
             const glm::dvec2 mark = framing.camera.pixel(layout->p_from_c({framing.edge.x, framing.edge.y, t}), size);

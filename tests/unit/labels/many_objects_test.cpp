@@ -75,26 +75,26 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> pictures;
     for (const labels::PastedPicture& pasted : lettering.pictures) {
-        pictures.push_back(pasted.box.grown(pasted.border, pasted.border));
+        pictures.push_back(pasted.box.inflated(pasted.border, pasted.border));
     }
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        EXPECT_TRUE(picture.holds(pictures[i])) << i;
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i].meets(pictures[j])) << i << " " << j;
+        EXPECT_TRUE(picture.contains(pictures[i])) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i].intersects(pictures[j])) << i << " " << j;
         for (const labels::Label& label : lettering.labels) {
-            EXPECT_FALSE(pictures[i].meets(label.box)) << i << " " << label.text;
+            EXPECT_FALSE(pictures[i].intersects(label.box)) << i << " " << label.text;
         }
     }
     const int readable = size.width >= 1280 ? 11 : 9;
     for (std::size_t i = 0; i < lettering.labels.size(); ++i) {
         const labels::Label& label = lettering.labels[i];
-        EXPECT_TRUE(picture.holds(label.box)) << label.text;
+        EXPECT_TRUE(picture.contains(label.box)) << label.text;
         EXPECT_GE(label.size, readable) << label.text;
         for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_FALSE(label.box.meets(lettering.labels[j].box)) << label.text << " " << lettering.labels[j].text;
+            EXPECT_FALSE(label.box.intersects(lettering.labels[j].box)) << label.text << " " << lettering.labels[j].text;
         }
     }
     for (const labels::Badge& badge : lettering.badges) {
-        EXPECT_TRUE(picture.holds(badge.box)) << badge.label.text;
+        EXPECT_TRUE(picture.contains(badge.box)) << badge.label.text;
         EXPECT_GE(badge.label.size, readable) << badge.label.text;
     }
     if (size.width >= 640) {

@@ -81,7 +81,7 @@ TEST(TellingStill, IsOfWhatWasLeftAndHasAFrameAroundIt) {
     const std::vector<events::Event> events{event_of(events::EventKind::moved, 0, 99, {5, 5}),
                                             event_of(events::EventKind::left, 60, 80, {20, 15}),
                                             event_of(events::EventKind::stood, 20, 50, {5, 5})};
-    const auto still = page::telling_still(all, events, field);
+    const auto still = page::best_still(all, events, field);
     ASSERT_TRUE(still);
     EXPECT_EQ(still->frame, 70);
     EXPECT_TRUE(has_mark(*still));
@@ -91,12 +91,12 @@ TEST(TellingStill, IsOfWhatWasLeftAndHasAFrameAroundIt) {
 
 TEST(TellingStill, IsTheMiddleWhereNothingHappened) {
     const std::vector<page::Still> all = stills();
-    EXPECT_EQ(page::telling_still(all, {}, field)->frame, 50);
-    EXPECT_FALSE(has_mark(*page::telling_still(all, {}, field)));
-    EXPECT_FALSE(page::telling_still({}, {}, field));
+    EXPECT_EQ(page::best_still(all, {}, field)->frame, 50);
+    EXPECT_FALSE(has_mark(*page::best_still(all, {}, field)));
+    EXPECT_FALSE(page::best_still({}, {}, field));
     // Nothing shows its time: no frame around a place where it is not.
     const std::vector<events::Event> brief{event_of(events::EventKind::moved, 33, 36, {5, 5})};
-    EXPECT_FALSE(has_mark(*page::telling_still(all, brief, field)));
+    EXPECT_FALSE(has_mark(*page::best_still(all, brief, field)));
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ TEST(PageText, IsFilledOnce) {
     EXPECT_THROW(page::fill("{{x", {{"x", ""}}), std::out_of_range);
 }
 
-double worst_of(const std::vector<page::SteadyFrames>& times, const std::vector<double>& truth) {
+double worst_of(const std::vector<page::ConstantRateFrames>& times, const std::vector<double>& truth) {
     double worst = 0;
     std::size_t frame = 0;
-    for (const page::SteadyFrames& steady : times) {
+    for (const page::ConstantRateFrames& steady : times) {
         for (std::int64_t k = 0; k < steady.count; ++k, ++frame) {
             EXPECT_EQ(steady.first + k, static_cast<std::int64_t>(frame));
             worst = std::max(worst, std::abs(steady.at(steady.first + k) - truth[frame]));
@@ -81,10 +81,10 @@ double worst_of(const std::vector<page::SteadyFrames>& times, const std::vector<
     return worst;
 }
 
-TEST(TimeLine, IsShortForASteadyClip) {
+TEST(Timeline, IsShortForASteadyClip) {
     for (const double rate : {25.0, 30000.0 / 1001, 59.94}) {
         for (const double rounding : {0.0, 1e-3}) {
-            page::TimeLine line;
+            page::Timeline line;
             std::vector<double> truth;
             for (int i = 0; i < 200'000; ++i) {
                 const double exact = i / rate;
@@ -92,14 +92,14 @@ TEST(TimeLine, IsShortForASteadyClip) {
                 line.add(i, truth.back());
             }
             EXPECT_EQ(line.stretches().size(), 1U) << rate << " rounded to " << rounding;
-            EXPECT_LE(worst_of(line.stretches(), truth), page::TimeLine::tolerance * 1.001);
+            EXPECT_LE(worst_of(line.stretches(), truth), page::Timeline::tolerance * 1.001);
         }
     }
 }
 
-TEST(TimeLine, IsExactForAClipThatVaries) {
+TEST(Timeline, IsExactForAClipThatVaries) {
     std::mt19937 random(1);
-    page::TimeLine line;
+    page::Timeline line;
     std::vector<double> truth;
     double now = 3;
     for (int i = 0; i < 5000; ++i) {
@@ -107,11 +107,11 @@ TEST(TimeLine, IsExactForAClipThatVaries) {
         line.add(i, now);
         now += i % 700 < 400 ? 0.04 : 0.001 * static_cast<double>(random() % 200);  // sometimes not at all
     }
-    EXPECT_LE(worst_of(line.stretches(), truth), page::TimeLine::tolerance * 1.001);
+    EXPECT_LE(worst_of(line.stretches(), truth), page::Timeline::tolerance * 1.001);
 }
 
-TEST(TimeLine, OfOneFrame) {
-    page::TimeLine line;
+TEST(Timeline, OfOneFrame) {
+    page::Timeline line;
     EXPECT_TRUE(line.stretches().empty());
     line.add(7, 2.5);
     ASSERT_EQ(line.stretches().size(), 1U);

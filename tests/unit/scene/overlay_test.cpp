@@ -27,20 +27,20 @@ bricks::Volume dot_at(int column, int row, int frame) {
 
 TEST(Boxes, HoldTheLayoutAndWhatIsSeen) {
     const auto layout = space::make_horseshoe({0.45, 1, 0.4});
-    const scene::AxisBox all = scene::layout_box(*layout);
+    const scene::BoundingBox all = scene::layout_bounds(*layout);
     EXPECT_LT(glm::distance(all.low, glm::dvec3(-1, 0, 0)), 1e-9);
     EXPECT_LT(glm::distance(all.high, glm::dvec3(1, 0.4, 1)), 1e-9);
 
     const bricks::BrickCells cells = bricks::brick_cells(bricks::BrickLayers(dot_at(10, 40, 32), {0, 64}), 1, *layout);
     const std::vector<bricks::PlacedCells> bricks = {{&cells}};
-    const scene::AxisBox seen = scene::visible_box(bricks, *layout, scene::default_transfer_function());
+    const scene::BoundingBox seen = scene::visible_bounds(bricks, *layout, scene::default_transfer_function());
     const glm::dvec3 dot = layout->p_from_c({1 - 10.5 / 64, 1 - 40.5 / 48, 32.5 / 64});
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_LT(seen.low[axis], dot[axis]);
         EXPECT_GT(seen.high[axis], dot[axis]);
         EXPECT_LT(seen.high[axis] - seen.low[axis], 0.35) << "a few cells, not the whole";
     }
-    EXPECT_TRUE(scene::visible_box(bricks, *layout, scene::default_transfer_function().scaled(0)).empty());
+    EXPECT_TRUE(scene::visible_bounds(bricks, *layout, scene::default_transfer_function().scaled(0)).empty());
     EXPECT_TRUE(scene::box_edges({}, green).empty());
 }
 
@@ -53,7 +53,7 @@ TEST(Boxes, HaveTwelveEdges) {
 }
 
 TEST(SliceOutlines, AreClosedPolygonsAcrossTheView) {
-    const scene::AxisBox box{{-1, 0, 0}, {1, 0.4, 1}};
+    const scene::BoundingBox box{{-1, 0, 0}, {1, 0.4, 1}};
     const auto layout = space::make_horseshoe({0.45, 1, 0.4});
     for (const double azimuth : {0.0, 25.0}) {
         const space::Camera camera = space::fit_camera({azimuth, 30, 30}, scene::outline_points(*layout), {640, 480});

@@ -94,11 +94,11 @@ TEST(ObjectColours, StandOutFromTheBackgroundAndFromWhatIsNobodys) {
             EXPECT_GE(contrast(colour, theme.background), 3) << theme.name;
             EXPECT_GT(chroma(colour), 30) << "grey is for what belongs to no object";
             for (const Eyes& by : eyes) {
-                EXPECT_GT(glm::distance(lab(colour, by), lab(theme.nobody, by)), 12) << theme.name << ", " << by.name;
+                EXPECT_GT(glm::distance(lab(colour, by), lab(theme.unowned, by)), 12) << theme.name << ", " << by.name;
             }
         }
-        EXPECT_LT(chroma(theme.nobody), 6) << theme.name;
-        EXPECT_LT(contrast(theme.nobody, theme.background), 5) << theme.name;
+        EXPECT_LT(chroma(theme.unowned), 6) << theme.name;
+        EXPECT_LT(contrast(theme.unowned, theme.background), 5) << theme.name;
     }
 }
 

@@ -29,9 +29,9 @@ TEST(TransferFile, HoldsPoints) {
     ASSERT_EQ(transfer.points().size(), 3U);
     EXPECT_EQ(transfer.points()[1].value, 100);
     EXPECT_EQ(transfer.points()[1].colour, glm::dvec3(1, 0.5, 0.25));
-    EXPECT_NEAR(std::exp(-transfer.at(100).w * scene::opacity_length), 0.5, 1e-12) << "so much goes through";
+    EXPECT_NEAR(std::exp(-transfer.at(100).w * scene::opacity_unit_distance), 0.5, 1e-12) << "so much goes through";
     EXPECT_EQ(transfer.at(0).w, 0);
-    EXPECT_NEAR(std::exp(-transfer.at(255).w * scene::opacity_length), 0.001, 1e-9)
+    EXPECT_NEAR(std::exp(-transfer.at(255).w * scene::opacity_unit_distance), 0.001, 1e-9)
         << "1 is nearly opaque, not infinite";
 }
 

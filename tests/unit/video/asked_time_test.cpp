@@ -31,7 +31,7 @@ Clock clock_of(std::int64_t begin) {
     return clock;
 }
 
-video::FrameSpan asked(std::optional<video::AskedTime> start, std::optional<video::AskedTime> end = {},
+video::FrameSpan asked(std::optional<video::RequestedTime> start, std::optional<video::RequestedTime> end = {},
                        std::optional<video::DayPart> between = {}) {
     video::FrameSpan span;
     span.asked = {std::move(start), std::move(end), std::move(between)};
@@ -54,19 +54,19 @@ struct InZone {
     }
 };
 
-TEST(AskedTime, IsASecondOfTheClip) {
-    const video::AskedTime dated{evening + 6 * 3600, true, "2026-11-22 02:00"};
-    const video::AskedTime of_day{2 * 3600, false, "@02:00"};
+TEST(RequestedTime, IsASecondOfTheClip) {
+    const video::RequestedTime dated{evening + 6 * 3600, true, "2026-11-22 02:00"};
+    const video::RequestedTime of_day{2 * 3600, false, "@02:00"};
     EXPECT_EQ(video::seconds_of(dated, clock_of(evening)), 6 * hour);
     EXPECT_EQ(video::seconds_of(of_day, clock_of(evening)), 6 * hour) << "the next that comes is tomorrow's";
     EXPECT_EQ(video::seconds_of({20 * 3600, false, ""}, clock_of(evening)), 0) << "its own first second counts";
     EXPECT_EQ(video::seconds_of(of_day, clock_of(evening), 6 * hour + 1), 30 * hour) << "after a start, the next again";
 
     const video::FrameSpan span =
-        video::resolve(asked(of_day, video::AskedTime{5 * 3600, false, "@05:00"}), clock_of(evening), night());
+        video::resolve(asked(of_day, video::RequestedTime{5 * 3600, false, "@05:00"}), clock_of(evening), night());
     EXPECT_EQ(span.start, 6 * hour);
     EXPECT_EQ(span.end, 9 * hour);
-    EXPECT_EQ(span.asked, video::AskedSpan{});
+    EXPECT_EQ(span.asked, video::RequestedSpan{});
     EXPECT_EQ(video::day_times_of(span, clock_of(evening), night()),
               "2026-11-22 02:00:00 to 2026-11-22 05:00:00 (by file name)");
     video::FrameSpan offset;
@@ -75,11 +75,11 @@ TEST(AskedTime, IsASecondOfTheClip) {
               "2026-11-21 22:00:00 to the end at 2026-11-22 08:00:00 (by file name)")
         << "what 02:00:00 without an @ means";
     EXPECT_EQ(video::day_times_of(offset, std::nullopt, night()), "");
-    EXPECT_EQ(video::resolve(asked(video::AskedTime{evening - 60, true, ""}), clock_of(evening), night()).start, 0)
+    EXPECT_EQ(video::resolve(asked(video::RequestedTime{evening - 60, true, ""}), clock_of(evening), night()).start, 0)
         << "before it begins is its beginning";
 }
 
-TEST(AskedTime, FollowsSummerTime) {
+TEST(RequestedTime, FollowsSummerTime) {
     const InZone berlin("Europe/Berlin");
     // From 2026-03-28 23:30 for eight hours: at 2:00 clocks are put forward to 3:00.
     const Clock forward = local_clock(1'774'737'000, 8 * hour, ClockSource::file_name);
@@ -122,7 +122,7 @@ TEST(Between, IsAPartOfEachDay) {
     EXPECT_EQ(between(19, 21, night()).end, hour);
 
     video::FrameSpan later =
-        asked(video::AskedTime{evening + 4 * 3600, true, ""}, {}, video::DayPart{22 * 3600, 5 * 3600, ""});
+        asked(video::RequestedTime{evening + 4 * 3600, true, ""}, {}, video::DayPart{22 * 3600, 5 * 3600, ""});
     later = video::resolve(later, clock_of(evening), night());
     EXPECT_EQ(later.start, 4 * hour) << "within the other limits";
     EXPECT_EQ(later.end, 9 * hour);
@@ -133,8 +133,8 @@ std::string refusal(const video::FrameSpan& span, const WallClock& clock, const 
     return test::error_text(ErrorKind::usage, [&] { video::resolve(span, clock, info); });
 }
 
-TEST(AskedTime, NeedsAClock) {
-    const video::AskedTime two{7200, false, "@02:00"};
+TEST(RequestedTime, NeedsAClock) {
+    const video::RequestedTime two{7200, false, "@02:00"};
     EXPECT_PRED2(contains, refusal(asked(two), std::nullopt, night()),
                  "start @02:00: nothing tells at which time of day 'gate' was recorded; say when it begins with "
                  "--start-time DATETIME, or how its name tells it with --names, or count from its beginning");
@@ -145,16 +145,16 @@ TEST(AskedTime, NeedsAClock) {
                  "between 00:00-00:01: nothing tells");
 }
 
-TEST(AskedTime, HasToBeInTheClip) {
+TEST(RequestedTime, HasToBeInTheClip) {
     const Clock clock = clock_of(evening);
-    EXPECT_PRED2(contains, refusal(asked(video::AskedTime{12 * 3600, false, "@12:00"}), clock, night()),
+    EXPECT_PRED2(contains, refusal(asked(video::RequestedTime{12 * 3600, false, "@12:00"}), clock, night()),
                  "start: there is nothing of @12:00 in 'gate', which begins at 2026-11-21 20:00:00 and ends at "
                  "2026-11-22 08:00:00 (by file name)");
-    const video::AskedTime before{evening - 60, true, "2026-11-21 19:59"};
+    const video::RequestedTime before{evening - 60, true, "2026-11-21 19:59"};
     EXPECT_PRED2(contains, refusal(asked({}, before), clock, night()),
                  "end: there is nothing of 2026-11-21 19:59 in 'gate'");
-    const video::AskedTime later{evening + 7200, true, "2026-11-21 22:00"};
-    const video::AskedTime sooner{evening + 3600, true, "2026-11-21 21:00"};
+    const video::RequestedTime later{evening + 7200, true, "2026-11-21 22:00"};
+    const video::RequestedTime sooner{evening + 3600, true, "2026-11-21 21:00"};
     EXPECT_PRED2(contains, refusal(asked(later, sooner), clock, night()),
                  "end: 2026-11-21 21:00 is not after the start, 2026-11-21 22:00:00");
     EXPECT_PRED2(contains, refusal(asked({}, {}, video::DayPart{12 * 3600, 13 * 3600, "12:00-13:00"}), clock, night()),

@@ -17,7 +17,7 @@ TEST(LiveClock, GoesByTheReadersClockWhereStampsSayNothing) {
     video::LiveClock clock(0.04);
     clock(100.0, 0);
     clock(100.04, 0.04);
-    clock.begin_anew();
+    clock.restart();
     EXPECT_NEAR(clock(7.0, 12.04), 12.04, 1e-9);  // another connection, 12 s later
     EXPECT_NEAR(clock(7.04, 12.08), 12.08, 1e-9);
     EXPECT_NEAR(clock(2.0, 12.12), 12.12, 1e-9);   // the camera's clock went back

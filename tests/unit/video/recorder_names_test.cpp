@@ -201,7 +201,7 @@ TEST(RecorderNames, AreThoseOfTheUserFirst) {
 TEST(RecorderNames, RefuseWrongPatterns) {
     const auto refusal = [](const std::string& pattern) -> std::string {
         try {
-            video::RecorderLayout("--names", pattern);
+            video::NamingScheme("--names", pattern);
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::usage);
             return error.what();
