@@ -1,8 +1,58 @@
 #include "cli/console.h"
 
-#include "cli/report_errors.h"
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "cli/exit_status.h"
+#include "core/base/file_io.h"
 
 namespace vvr::cli {
+
+void print(std::string_view text) {
+    write_standard_output(std::as_bytes(std::span(text)));
+}
+
+namespace {
+
+constexpr std::string_view clear_line = "\r\033[K";
+
+void write_stderr(std::string_view text) {
+    // A terminal that went away is no reason to stop.
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, std::int64_t total) : what_(std::move(what)), total_(total) {}
+
+Progress::~Progress() {
+    write_stderr(clear_line);
+}
+
+void Progress::set(std::int64_t done) {
+    if (Clock::now() < next_) return;
+    next_ = Clock::now() + std::chrono::milliseconds(100);
+    if (total_ <= 0) {
+        write_stderr(fmt::format("{}{} {}", clear_line, what_, done));
+        return;
+    }
+    constexpr std::int64_t width = 30;
+    const std::int64_t filled = std::min(width, width * done / total_);
+    write_stderr(fmt::format("{}{} [{:=<{}}{:{}}] {}/{}", clear_line, what_, "", filled, "", width - filled, done,
+                             std::max(done, total_)));
+}
+
+bool stderr_is_terminal() {
+    const char* terminal = std::getenv("TERM");
+    return ::isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
 
 Console::Console(const Environment& environment, bool bar)
     : environment_(environment), bar_(bar && !environment.quiet && stderr_is_terminal()) {}

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include "cli/commands/command.h"
+#include "cli/exit_status.h"
 #include "cli/log.h"
-#include "cli/report_errors.h"
 #include "cli/signals.h"
-#include "cli/workers/worker_begin.h"
-#include "core/base/machine_memory.h"
-#include "gl/shader_cache.h"
+#include "cli/workers/worker.h"
+#include "core/base/memory.h"
+#include "gl/context.h"
 
 int main(int argc, char** argv) {
     vvr::workers::begin_worker();

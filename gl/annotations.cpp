@@ -4,10 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "gl/attribute.h"
 #include "gl/check.h"
-#include "gl/program_sources.h"
-#include "gl/smooth_texture.h"
+#include "gl/objects.h"
+#include "gl/program.h"
 
 namespace vvr::gl {
 

@@ -6,7 +6,7 @@
 
 #include "core/scene/scene.h"
 #include "core/space/camera.h"
-#include "gl/pixel_data_target.h"
+#include "gl/framebuffer.h"
 #include "gl/program.h"
 
 namespace vvr::gl {

@@ -1,10 +1,124 @@
 #include "gl/brick_window.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "core/base/error.h"
+#include "gl/check.h"
+
 namespace vvr::gl {
+
+namespace {
+
+/// How the texels of a brick are stored.
+struct Storage {
+    GLint internal;
+    GLenum format;
+};
+
+Storage storage_of(const bricks::BrickLayers& layers) {
+    return layers.coloured() ? Storage{GL_RGBA8, GL_RGBA} : Storage{GL_R8, GL_RED};
+}
+
+// Texels that are laid out at a time: they stay in the second-level cache until they are in the texture.
+constexpr std::size_t slab_bytes = 512 * 1024;
+
+/// Lays out `count` layers from `first` on and puts them into the texture that is bound.
+template <class Texel>
+void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
+    const auto slab = std::max<std::int64_t>(1, static_cast<std::int64_t>(slab_bytes / sizeof(Texel) / layers.area()));
+    std::vector<Texel> texels;
+    for (const std::int64_t end = first + count; first < end; first += slab) {
+        const std::int64_t depth = std::min(slab, end - first);
+        texels.resize(static_cast<std::size_t>(depth) * layers.area());
+        layers.fill_texels(first, texels);
+        gl.TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, static_cast<GLint>(first), layers.box().width(), layers.box().height(),
+                         static_cast<GLsizei>(depth), storage_of(layers).format, GL_UNSIGNED_BYTE, texels.data());
+    }
+}
+
+void upload_part(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (layers.coloured()) {
+        upload_layers<bricks::ColouredTexel>(gl, layers, first, count);
+    } else {
+        upload_layers<std::uint8_t>(gl, layers, first, count);
+    }
+}
+
+}  // namespace
+
+BrickTextures::BrickTextures(const GladGLContext& gl, int count) : gl_(&gl), slots_(static_cast<std::size_t>(count)) {}
+
+void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layers) {
+    const GladGLContext& gl = *gl_;
+    const int width = layers.box().width();
+    const int height = layers.box().height();
+    GLint largest = 0;
+    gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
+        throw Error(ErrorKind::limit,
+                    fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
+                                "choose smaller fields or shorter bricks",
+                                width, height, layers.brick().count, largest),
+                    {"field-size", "brick"});
+    }
+
+    Slot* found = find(number);
+    if (found == nullptr) found = find(unused);
+    Slot& slot = found != nullptr ? *found : slots_[next_++ % slots_.size()];
+    const bool fits = slot.texture && slot.box.width() == width && slot.box.height() == height &&
+                      slot.layers == layers.count() && slot.coloured == layers.coloured();
+    if (!fits) slot.texture = GlTexture(gl);
+    gl.BindTexture(GL_TEXTURE_3D, slot.texture.id());
+    if (!fits) {
+        const GLint sampling = layers.interpolated() ? GL_LINEAR : GL_NEAREST;
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, sampling);
+        gl.TexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, sampling);
+        for (const GLenum axis : std::array<GLenum, 3>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+            gl.TexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+        }
+        const Storage storage = storage_of(layers);
+        gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internal, width, height, static_cast<GLsizei>(layers.count()), 0,
+                      storage.format, GL_UNSIGNED_BYTE, nullptr);
+    }
+    upload_part(gl, layers, 0, layers.count());
+    check_gl(gl, fmt::format("uploading brick {} ({}x{}, {} layers)", number, width, height, layers.brick().count));
+    slot.number = number;
+    slot.box = layers.box();
+    slot.layers = layers.count();
+    slot.coloured = layers.coloured();
+}
+
+void BrickTextures::update_border_layers(std::int64_t number, const bricks::BrickLayers& layers) {
+    const Slot* const slot = find(number);
+    if (slot == nullptr) return;
+    if (slot->box != layers.box()) return upload(number, layers);
+    gl_->BindTexture(GL_TEXTURE_3D, slot->texture.id());
+    for (const std::int64_t layer : {std::int64_t{0}, slot->layers - 1}) upload_part(*gl_, layers, layer, 1);
+    check_gl(*gl_, fmt::format("uploading the ends of brick {}", number));
+}
+
+void BrickTextures::keep_only(std::int64_t first, std::int64_t end) {
+    for (Slot& slot : slots_) {
+        if (slot.number < first || slot.number >= end) slot.number = unused;
+    }
+}
+
+BrickTextures::Slot* BrickTextures::find(std::int64_t number) {
+    const auto slot = std::ranges::find(slots_, number, &Slot::number);
+    return slot == slots_.end() ? nullptr : &*slot;
+}
+
+void BrickTextures::bind(std::int64_t number, const bricks::BrickLayers& layers) {
+    if (find(number) == nullptr) upload(number, layers);
+    gl_->BindTexture(GL_TEXTURE_3D, find(number)->texture.id());
+}
 
 BrickWindow::BrickWindow(const GladGLContext& gl, const space::Layout& layout, std::int64_t layers, int textures,
                          double margin)

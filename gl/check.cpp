@@ -1,9 +1,11 @@
 #include "gl/check.h"
 
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "gl/memory.h"
+#include "core/base/memory.h"
 
 namespace vvr::gl {
 
@@ -54,6 +56,16 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     const std::string failure = fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing);
     throw_if_out_of_memory(failure);
     throw Error(ErrorKind::backend, failure);
+}
+
+void throw_if_out_of_memory(std::string_view failure) {
+    constexpr std::int64_t taken = 256'000'000;  // by a driver, its compiler and a small picture
+    if (is_memory_available(taken)) return;
+    throw Error(ErrorKind::limit,
+                fmt::format("out of memory for OpenGL: {}; allow the program more, or try a smaller picture or smaller "
+                            "fields",
+                            failure),
+                {"size", "field-size"});
 }
 
 }  // namespace vvr::gl

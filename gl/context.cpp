@@ -2,13 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <dlfcn.h>
+#include <pwd.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/base/choice.h"
 #include "core/base/error.h"
-#include "gl/backend.h"
-#include "gl/memory.h"
+#include "core/base/memory.h"
+#include "gl/check.h"
 
 namespace vvr::gl {
 
@@ -107,6 +116,59 @@ std::vector<BackendReport> probe_backends() {
         reports.push_back(std::move(report));
     }
     return reports;
+}
+
+Library::Library(const std::vector<std::string>& names) {
+    std::string why;
+    for (const std::string& name : names) {
+        // Mesa and its LLVM register handlers that must outlive us: a real dlclose crashes at exit with some drivers.
+        constexpr int how = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
+        if (void* handle = while_loading([&] { return dlopen(name.c_str(), how); })) {
+            handle_ = std::shared_ptr<void>(handle, [](void* library) { dlclose(library); });
+            name_ = name;
+            return;
+        }
+        why = dlerror();
+    }
+    throw Error(ErrorKind::backend, fmt::format("cannot load {}: {}", fmt::join(names, " or "), why));
+}
+
+void* Library::symbol(const char* name) const {
+    void* address = dlsym(handle_.get(), name);
+    if (address == nullptr) throw Error(ErrorKind::backend, fmt::format("{} has no function {}", name_, name));
+    return address;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder in which Mesa would make one for its shaders.
+std::optional<fs::path> cache_folder() {
+    for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"}) {
+        if (const char* const folder = std::getenv(name)) return folder;
+    }
+    if (const char* const home = std::getenv("HOME")) return fs::path(home) / ".cache";
+    const passwd* const user = ::getpwuid(::getuid());
+    return user == nullptr || user->pw_dir == nullptr ? std::nullopt : std::optional(fs::path(user->pw_dir) / ".cache");
+}
+
+/// Mesa makes the folder itself, but not those above.
+bool can_be_written(const fs::path& folder) {
+    std::error_code none;
+    const fs::path there = fs::exists(folder, none) ? folder : folder.parent_path();
+    return fs::is_directory(there, none) && ::access(there.c_str(), W_OK) == 0;
+}
+
+}  // namespace
+
+void choose_shader_cache() {
+    const std::optional<fs::path> folder = cache_folder();
+    if (folder && can_be_written(*folder)) {
+        ::setenv("MESA_SHADER_CACHE_DIR", folder->c_str(), 0);
+    } else {
+        ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    }
 }
 
 }  // namespace vvr::gl

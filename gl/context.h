@@ -76,4 +76,43 @@ bool may_use_gpu(std::string_view backend);
 /// Tries each backend in turn.
 std::vector<BackendReport> probe_backends();
 
+/// One way to get an OpenGL context; gl/context.cpp holds the table.
+struct Backend {
+    std::string name;
+    std::string what;
+    std::unique_ptr<Context> (*open)(int device, bool debug);
+    std::vector<std::string> (*devices)();  ///< what `device` counts; empty for a backend without devices
+    std::string advice;                     ///< the command that makes it work on Debian
+    bool gpu = false;                       ///< opens the devices of a graphics card
+};
+
+Backend egl_hardware_backend();
+Backend egl_software_backend();
+Backend osmesa_backend();
+
+/// A shared library opened at run time. It stays loaded until the program ends.
+class Library {
+  public:
+    /// Opens the first of `names` that is there. \throws Error backend with the loader's own text
+    explicit Library(const std::vector<std::string>& names);
+
+    /// The function `name`, cast to its type. \throws Error backend when the library lacks it
+    template <class Function>
+    Function function(const char* name) const {
+        return reinterpret_cast<Function>(symbol(name));
+    }
+
+  private:
+    void* symbol(const char* name) const;
+
+    std::shared_ptr<void> handle_;
+    std::string name_;
+};
+
+/// Mesa keeps compiled shaders in the user's folder of caches, and says so on stderr where it can't: for a user without
+/// a home, as a service has. There it is told to do without. Elsewhere MESA_SHADER_CACHE_DIR is the folder from then
+/// on, for Mesa and for the workers that inherit it: Mesa would ask libc for the user's home, and libc crashes there
+/// where memory is short. Changes the environment: call it before any thread.
+void choose_shader_cache();
+
 }  // namespace vvr::gl

@@ -9,9 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
-#include "core/base/loading.h"
-#include "gl/backend.h"
-#include "gl/library.h"
+#include "core/base/memory.h"
+#include "gl/context.h"
 
 namespace vvr::gl {
 

@@ -1,11 +1,12 @@
 #include "gl/flow_geometry.h"
 
+#include <array>
 #include <cstddef>
 
-#include "gl/attribute.h"
+#include "core/scene/flow_geometry.h"
 #include "gl/check.h"
-#include "gl/light.h"
-#include "gl/program_sources.h"
+#include "gl/objects.h"
+#include "gl/program.h"
 
 namespace vvr::gl {
 
@@ -74,6 +75,96 @@ void FlowGeometry::draw_glyphs(const Program& program, const space::Camera& came
     gl.DrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, glyph_count_);
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the arrows");
+}
+
+TracelineStrips::TracelineStrips(const GladGLContext& gl)
+    : gl_(&gl),
+      program_(gl, traceline_program(Channels::colour)),
+      zebra_(mipmapped_repeating_texture(gl, scene::zebra_texels())),
+      vertex_array_(gl),
+      corners_(gl),
+      points_(gl) {
+    gl.BindVertexArray(vertex_array_.id());
+    constexpr std::array<glm::vec2, 4> corners = {glm::vec2{0, -1}, {1, -1}, {0, 1}, {1, 1}};
+    gl.BindBuffer(GL_ARRAY_BUFFER, corners_.id());
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
+    set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
+
+    // Each piece of line is an instance that sees four points in a row of the one buffer: its own two, and those
+    // beside them for the direction at its ends.
+    gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
+    const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
+        set_attribute<scene::TraceVertex>(gl, attribute, size, point * sizeof(scene::TraceVertex) + offset,
+                                          Per::instance);
+    };
+    static_assert(offsetof(scene::TraceVertex, along) == offsetof(scene::TraceVertex, p) + sizeof(glm::vec3));
+    static_assert(offsetof(scene::TraceVertex, speed) == offsetof(scene::TraceVertex, length) + sizeof(float));
+    static_assert(offsetof(scene::TraceVertex, frame) == offsetof(scene::TraceVertex, speed) + sizeof(float));
+    for (std::size_t point = 0; point < 4; ++point) {
+        instance(static_cast<GLuint>(1 + point), 4, point, offsetof(scene::TraceVertex, p));
+    }
+    instance(5, 3, 1, offsetof(scene::TraceVertex, length));
+    instance(6, 3, 2, offsetof(scene::TraceVertex, length));
+    gl.BindVertexArray(0);
+    check_gl(gl, "setting up the tracelines");
+}
+
+void TracelineStrips::upload(const scene::Tracelines& lines) {
+    pieces_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
+    if (pieces_ == 0) return;
+    // The first and the last point come twice, so that the outermost pieces have points beside them.
+    const auto size = static_cast<GLsizeiptr>(sizeof(scene::TraceVertex));
+    const auto bytes = static_cast<GLsizeiptr>(lines.size()) * size;
+    gl_->BindBuffer(GL_ARRAY_BUFFER, points_.id());
+    gl_->BufferData(GL_ARRAY_BUFFER, bytes + 2 * size, nullptr, GL_STATIC_DRAW);
+    gl_->BufferSubData(GL_ARRAY_BUFFER, 0, size, &lines.front());
+    gl_->BufferSubData(GL_ARRAY_BUFFER, size, bytes, lines.data());
+    gl_->BufferSubData(GL_ARRAY_BUFFER, size + bytes, size, &lines.back());
+    check_gl(*gl_, "uploading the tracelines");
+}
+
+void TracelineStrips::draw(const space::Camera& camera, Size picture, const TraceStyle& style,
+                           const GlyphStyle& colours, double phase) const {
+    program_.use();
+    program_.set("shade", style.shade);
+    program_.set("phase", static_cast<float>(phase));
+    program_.set("slow_colour", colours.slow_colour);
+    program_.set("fast_colour", colours.fast_colour);
+    program_.set("to_light", to_light(camera));
+    program_.set("zebra", 0);
+    gl_->ActiveTexture(GL_TEXTURE0);
+    gl_->BindTexture(GL_TEXTURE_1D, zebra_.id());
+    draw_lines(program_, camera, picture, style, colours);
+}
+
+void TracelineStrips::draw_pixel_data(const space::Camera& camera, Size picture, const TraceStyle& style,
+                                      const GlyphStyle& colours) {
+    if (!pixel_data_program_) pixel_data_program_ = Program(*gl_, traceline_program(Channels::pixel_data));
+    pixel_data_program_->use();
+    draw_lines(*pixel_data_program_, camera, picture, style, colours);
+}
+
+void TracelineStrips::draw_lines(const Program& program, const space::Camera& camera, Size picture,
+                                 const TraceStyle& style, const GlyphStyle& colours) const {
+    if (pieces_ == 0) return;
+    const GladGLContext& gl = *gl_;
+    program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
+    program.set("eye", glm::vec3(camera.eye));
+    program.set("forward", glm::vec3(camera.forward));
+    program.set("perspective", camera.perspective ? 1 : 0);
+    program.set("half_width", style.width / 2);
+    const double pixel = 2 / (camera.projection[1][1] * picture.height);
+    program.set("least_width", static_cast<float>(style.least_width * pixel / 2));
+    program.set("stripe_length", style.stripe_length);
+    program.set("speed_range", colours.speed_range);
+
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_BLEND);
+    gl.BindVertexArray(vertex_array_.id());
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, pieces_);
+    gl.BindVertexArray(0);
+    check_gl(gl, "drawing the tracelines");
 }
 
 }  // namespace vvr::gl

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/scene/glyph.h"
+#include "core/scene/flow_geometry.h"
 #include "core/space/camera.h"
 #include "gl/program.h"
 #include "gl/render_options.h"
@@ -36,6 +36,37 @@ class FlowGeometry {
     GlBuffer instances_;
     GLsizei index_count_ = 0;
     GLsizei glyph_count_ = 0;
+};
+
+/// Draws tracelines as strips of real width that face the camera, lit as tubes, with the zebra texture moving along
+/// them (§6.2.1). Stripes are of equal length on all lines, so long lines have more of them and not longer ones.
+class TracelineStrips {
+  public:
+    explicit TracelineStrips(const GladGLContext& gl);
+
+    /// Replaces the lines that are drawn.
+    void upload(const scene::Tracelines& lines);
+
+    /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
+    void draw(const space::Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
+              double phase) const;
+
+    /// Draws into a PixelDataTarget.
+    void draw_pixel_data(const space::Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours);
+
+  private:
+    /// With the program in use.
+    void draw_lines(const Program& program, const space::Camera& camera, Size picture, const TraceStyle& style,
+                    const GlyphStyle& colours) const;
+
+    const GladGLContext* gl_;
+    Program program_;
+    std::optional<Program> pixel_data_program_;  ///< made when it is first used
+    GlTexture zebra_;
+    GlVertexArray vertex_array_;
+    GlBuffer corners_;
+    GlBuffer points_;
+    GLsizei pieces_ = 0;
 };
 
 }  // namespace vvr::gl

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <glad/gl.h>
+
+#include "core/base/plane.h"
 
 namespace vvr::gl {
 
@@ -68,5 +73,29 @@ using GlRenderbuffer = GlObject<GenTraits<&GladGLContext::GenRenderbuffers, &Gla
 using GlProgram = GlObject<ProgramTraits>;
 using GlVertexShader = GlObject<ShaderTraits<GL_VERTEX_SHADER>>;
 using GlFragmentShader = GlObject<ShaderTraits<GL_FRAGMENT_SHADER>>;
+
+/// What an attribute of the vertex array in use advances with.
+enum class Per { vertex, instance };
+
+/// Gives the vertex array in use an attribute of `size` floats.
+/// \tparam Vertex what the buffer in use holds
+/// \param offset in bytes, in the Vertex
+template <class Vertex>
+void set_attribute(const GladGLContext& gl, GLuint attribute, GLint size, std::size_t offset, Per per) {
+    gl.EnableVertexAttribArray(attribute);
+    gl.VertexAttribPointer(attribute, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), std::bit_cast<const void*>(offset));
+    if (per == Per::instance) gl.VertexAttribDivisor(attribute, 1);
+}
+
+/// A texture with mip levels, of bytes as one channel or of a picture's colours. The levels are computed on the CPU:
+/// for glGenerateMipmap Mesa's software rasteriser compiles shaders of its own, which takes a quarter of a second in
+/// each run.
+///
+/// \throws Error limit when there is no memory for it, backend for anything else, as check_gl does
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture);
+GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<Bgr>& picture);
+
+/// A one-dimensional one that repeats, of a row of bytes.
+GlTexture mipmapped_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row);
 
 }  // namespace vvr::gl

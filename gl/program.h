@@ -9,7 +9,10 @@
 
 #include <glm/glm.hpp>
 
+#include "core/space/camera.h"
+#include "core/space/layout.h"
 #include "gl/objects.h"
+#include "gl/render_options.h"
 
 namespace vvr::gl {
 
@@ -64,5 +67,34 @@ class Program {
     GlProgram program_;
     std::map<std::string, GLint, std::less<>> uniforms_;  ///< locations of those that the pieces declare
 };
+
+}  // namespace vvr::gl
+
+// Every program that the renderer uses: which files in glsl/ its shaders are made of.
+namespace vvr::gl {
+
+/// What a program draws: a picture's colours, or the data of each pixel (gl/framebuffer.h).
+enum class Channels { colour, pixel_data };
+
+ProgramSource arrow_program(Channels channels);
+ProgramSource traceline_program(Channels channels);
+ProgramSource frame_program(Channels channels);
+ProgramSource line_program();
+ProgramSource floor_program();
+
+/// Joins the samples of each pixel.
+ProgramSource resolve_program();
+
+ProgramSource volume_program(const space::Layout& layout, VolumeColour colour, VolumeShading shading,
+                             Channels channels);
+
+/// Sets the uniforms that the layout's shader declares, in the program in use.
+void set_layout(const Program& program, const space::Layout& layout);
+
+/// The direction to the light that all is drawn in: above and behind the viewer's left shoulder.
+inline glm::vec3 to_light(const space::Camera& camera) {
+    const glm::dvec3 right = glm::cross(glm::dvec3(0, 1, 0), camera.forward);
+    return glm::vec3(glm::normalize(glm::dvec3(0, 1.4, 0) - camera.forward - 0.4 * right));
+}
 
 }  // namespace vvr::gl

@@ -9,7 +9,6 @@
 
 #include "core/image/picture.h"
 #include "core/scene/scene.h"
-#include "core/scene/time_table.h"
 #include "core/scene/transfer_function.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
@@ -18,9 +17,7 @@
 #include "gl/context.h"
 #include "gl/flow_geometry.h"
 #include "gl/framebuffer.h"
-#include "gl/pixel_data_target.h"
 #include "gl/render_options.h"
-#include "gl/traceline_strips.h"
 #include "gl/volume_slicer.h"
 
 namespace vvr::gl {

@@ -1,19 +1,79 @@
 #include "gl/volume_slicer.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <memory>
 #include <numbers>
+#include <numeric>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
-#include "gl/attribute.h"
+#include <glad/gl.h>
+
 #include "gl/check.h"
-#include "gl/drawing_order.h"
-#include "gl/fence.h"
-#include "gl/light.h"
-#include "gl/program_sources.h"
+#include "gl/objects.h"
+#include "gl/program.h"
 
 namespace vvr::gl {
+
+struct DeleteSync {
+    const GladGLContext* gl = nullptr;
+    void operator()(GLsync sync) const { gl->DeleteSync(sync); }
+};
+
+/// A mark in the stream of commands, at which one can wait until OpenGL has come that far. Its context must be current
+/// when it goes.
+class Fence {
+  public:
+    Fence() = default;  ///< OpenGL is past it already
+
+    /// Sets a mark behind all commands until now, and has OpenGL begin with them.
+    explicit Fence(const GladGLContext& gl) : sync_(gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), DeleteSync{&gl}) {
+        gl.Flush();
+    }
+
+    void wait() const {
+        if (sync_) sync_.get_deleter().gl->ClientWaitSync(sync_.get(), 0, GL_TIMEOUT_IGNORED);
+    }
+
+  private:
+    std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteSync> sync_;
+};
+
+std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
+                                     std::span<const bricks::PlacedCells> bricks, std::span<const double> standing) {
+    std::vector<std::size_t> by_time(standing.size());
+    std::iota(by_time.begin(), by_time.end(), std::size_t{0});
+    std::ranges::sort(by_time, {}, [&](std::size_t i) { return standing[i]; });
+
+    // A picture is a section of no thickness; between pictures without bricks there are sections of nothing.
+    std::vector<double> borders = {bricks.empty() ? 0 : bricks.front().t_begin};
+    std::vector<std::optional<DrawnPart>> sections;
+    const auto add = [&](std::optional<DrawnPart> part, double t_end) {
+        sections.push_back(part);
+        borders.push_back(t_end);
+    };
+    auto next = by_time.begin();
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        const double middle = (bricks[i].t_begin + bricks[i].t_end) / 2;
+        for (; next != by_time.end() && standing[*next] < middle; ++next) add(DrawnPart{true, *next}, borders.back());
+        add(DrawnPart{false, i}, bricks[i].t_end);
+    }
+    for (; next != by_time.end(); ++next) {
+        if (standing[*next] > borders.back()) add(std::nullopt, standing[*next]);
+        add(DrawnPart{true, *next}, borders.back());
+    }
+    std::vector<DrawnPart> order;
+    if (sections.empty()) return order;
+    for (const int section : layout.back_to_front(from, borders)) {
+        const auto& part = sections[static_cast<std::size_t>(section)];
+        if (part) order.push_back(*part);
+    }
+    return order;
+}
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "core/base/clock_source.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
+#include "core/base/wall_clock.h"
 #include "core/labels/time_ticks.h"
 #include "core/store/manifest.h"
 #include "core/video/recorder_names.h"

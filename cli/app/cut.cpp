@@ -9,9 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/event_times.h"
 #include "cli/app/footage.h"
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/render_clip.h"
 #include "cli/app/write_piece.h"
 #include "core/base/error.h"

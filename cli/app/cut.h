@@ -6,7 +6,7 @@
 
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
-#include "core/video/asked_time.h"
+#include "core/video/frame_span.h"
 
 namespace vvr::app {
 
@@ -17,7 +17,7 @@ struct CutJob {
     std::optional<std::int64_t> event;  ///< its number, from 1
     std::optional<Time> from;           ///< none = from the beginning
     std::optional<Time> to;             ///< the first frame that is no longer in it; none = to the end
-    video::RequestedSpan asked{};           ///< instead of these: by the clock on the wall
+    video::RequestedSpan asked{};       ///< instead of these: by the clock on the wall
     double margin = 0;                  ///< seconds before and after
     bool exact = false;                 ///< encodes the frames of the piece anew, without sound
     std::filesystem::path path;         ///< a file; without an ending, or a folder: the rest of the name is chosen

@@ -4,17 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/record.h"
 #include "cli/app/settings.h"
-#include "cli/app/shown_name.h"
-#include "cli/app/tell_problems.h"
-#include "cli/app/used_settings.h"
 #include "core/base/error.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
+#include "core/fields/field_source.h"
 #include "core/fields/flow.h"
-#include "core/fields/pipeline.h"
-#include "core/store/data_folder.h"
+#include "core/store/extraction.h"
 
 namespace vvr::app {
 

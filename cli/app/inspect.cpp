@@ -1,29 +1,213 @@
 #include "cli/app/inspect.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
-#include "cli/app/find_frame.h"
-#include "cli/app/inspection.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/shown_name.h"
-#include "cli/app/tell_problems.h"
+#include "cli/app/input.h"
+#include "cli/app/job.h"
 #include "core/base/error.h"
-#include "core/fields/pipeline.h"
+#include "core/base/text.h"
+#include "core/base/wall_clock.h"
+#include "core/fields/field.h"
+#include "core/fields/field_source.h"
 #include "core/fields/region.h"
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
+#include "core/image/picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
 #include "core/page/region_editor.h"
+#include "core/video/frame.h"
+#include "core/video/frame_source.h"
 #include "core/video/scaler.h"
 
 namespace vvr::app {
+
+/// The frame of that number, or the one shown at that time. Counts the frames that decode, from the first on, whatever
+/// the container says. Leaves the clip at its first frame.
+/// \throws Error usage that says how long the clip is, where it ends before
+Moment find_frame(video::FrameSource& clip, const Time& time);
+
+/// The picture of one frame's fields, and whether its captions found a font.
+struct Inspection {
+    image::Picture picture;
+    bool captions = true;
+};
+
+/// Fig. 4: the difference object, the flow as green lines and the seeds, side by side over the dimmed frame.
+/// \param frame in colour
+Inspection inspect(const video::Frame& frame, const fields::Field& field);
+
+Moment find_frame(video::FrameSource& clip, const Time& time) {
+    const bool by_number = time.unit == Time::Unit::frames;
+    Moment found;
+    double before = 0;
+    bool past = false;
+    while (const auto frame = clip.next()) {
+        past = frame->index > 0 && (by_number ? static_cast<double>(frame->index) : frame->pts) > time.value;
+        if (past) break;
+        before = found.seconds;
+        found = {frame->index, frame->pts};
+    }
+    clip.rewind();
+    // The last frame is on show for as long as the one before it was.
+    const double end = found.seconds + (found.seconds - before);
+    const bool shown =
+        by_number ? time.value <= static_cast<double>(found.frame) : time.value <= found.seconds || time.value < end;
+    if (past || shown) return found;
+    throw Error(ErrorKind::usage,
+                fmt::format("frame: '{}' has {}, the last at {:.3f} s; choose an earlier one", clip.info().name,
+                            counted(found.frame + 1, "frame"), found.seconds),
+                {"frame"});
+}
+
+namespace {
+
+constexpr int whole_width = 1280;
+constexpr int gap = 14;
+constexpr int caption_height = 62;
+constexpr int text_size = 19;
+constexpr int panel_width = (whole_width - 4 * gap) / 3;
+
+constexpr image::Rgba paper{1, 1, 1, 1};
+constexpr image::Rgba ink{0.12F, 0.13F, 0.15F, 1};
+constexpr image::Rgba pale_ink{0.42F, 0.44F, 0.47F, 1};
+constexpr image::Rgba green{0.25F, 0.95F, 0.30F, 1};
+constexpr image::Rgba yellow{1, 0.86F, 0.20F, 1};
+constexpr image::Rgba orange{1, 0.45F, 0.05F, 1};
+
+// Lines and arrows are where things are so many frames later.
+constexpr double frames_ahead = 4;
+constexpr int line_interval = 5;  // field pixels
+constexpr double least_flow = 0.25;
+
+/// One of the three pictures: where it stands, and how field pixels map to it.
+struct Panel {
+    int left = 0;
+    double scale = 1;
+
+    glm::dvec2 at(double x, double y) const { return {left + (x + 0.5) * scale - 0.5, gap + (y + 0.5) * scale - 0.5}; }
+};
+
+image::Rgba colour_of(const Bgr& pixel) {
+    return {static_cast<float>(pixel[2]) / 255, static_cast<float>(pixel[1]) / 255, static_cast<float>(pixel[0]) / 255,
+            1};
+}
+
+/// Grey and dark, so that lines stand out.
+image::Rgba dimmed(const Bgr& pixel) {
+    const image::Rgba colour = colour_of(pixel);
+    const float grey = 0.42F * (0.30F * colour[0] + 0.59F * colour[1] + 0.11F * colour[2]) + 0.05F;
+    return {grey, grey, grey, 1};
+}
+
+/// Fills a panel with what `shade` makes of field pixels, linear between them.
+template <class Shade>
+void fill(image::Picture& picture, const Panel& panel, Size field, Shade shade) {
+    Plane<image::Rgba> shades(field);
+    for (int j = 0; j < field.height; ++j) {
+        for (int i = 0; i < field.width; ++i) shades.at(i, j) = shade(i, j);
+    }
+    const int height = picture.pixels.height() - gap - caption_height;
+    for (int j = 0; j < height; ++j) {
+        const double y = std::clamp((j + 0.5) / panel.scale - 0.5, 0.0, field.height - 1.0);
+        const int top = static_cast<int>(y);
+        const int below = std::min(top + 1, field.height - 1);
+        for (int i = 0; i < panel_width; ++i) {
+            const double x = std::clamp((i + 0.5) / panel.scale - 0.5, 0.0, field.width - 1.0);
+            const int left = static_cast<int>(x);
+            const int right = std::min(left + 1, field.width - 1);
+            const auto across = static_cast<float>(x - left);
+            picture.pixels.at(panel.left + i, gap + j) = glm::mix(
+                glm::mix(shades.at(left, top), shades.at(right, top), across),
+                glm::mix(shades.at(left, below), shades.at(right, below), across), static_cast<float>(y - top));
+        }
+    }
+}
+
+void draw_flow(image::Picture& picture, const Panel& panel, const fields::Flow& flow) {
+    for (int y = line_interval / 2; y < flow.u.height(); y += line_interval) {
+        for (int x = line_interval / 2; x < flow.u.width(); x += line_interval) {
+            const double u = flow.u.at(x, y);
+            const double v = flow.v.at(x, y);
+            if (std::hypot(u, v) < least_flow) continue;
+            image::draw_line(picture, panel.at(x, y), panel.at(x + frames_ahead * u, y + frames_ahead * v), 1.3, green);
+        }
+    }
+}
+
+void draw_seeds(image::Picture& picture, const Panel& panel, const std::vector<fields::Seed>& seeds) {
+    for (const fields::Seed& seed : seeds) {
+        const glm::dvec2 from = panel.at(seed.x, seed.y);
+        const glm::dvec2 to = panel.at(seed.x + frames_ahead * seed.u, seed.y + frames_ahead * seed.v);
+        const glm::dvec2 back = (from - to) * std::min(0.4, 6 / std::max(glm::distance(from, to), 1e-9));
+        const glm::dvec2 aside(-back.y, back.x);
+        image::draw_line(picture, from, to, 1.4, yellow);
+        image::draw_line(picture, to, to + back + 0.6 * aside, 1.4, yellow);
+        image::draw_line(picture, to, to + back - 0.6 * aside, 1.4, yellow);
+        image::draw_line(picture, from, from, 4.6, orange);
+    }
+}
+
+/// What reached over a panel's edge goes.
+void clear_margins(image::Picture& picture) {
+    Plane<image::Rgba>& pixels = picture.pixels;
+    const int bottom = pixels.height() - caption_height;
+    for (int j = 0; j < pixels.height(); ++j) {
+        for (int i = 0; i < pixels.width(); ++i) {
+            const bool beside = i % (panel_width + gap) < gap || i >= 3 * (panel_width + gap);
+            if (beside || j < gap || j >= bottom) pixels.at(i, j) = paper;
+        }
+    }
+}
+
+}  // namespace
+
+Inspection inspect(const video::Frame& frame, const fields::Field& field) {
+    const Size size = field.scalar.size();
+    const double scale = static_cast<double>(panel_width) / size.width;
+    const int height = std::max(1, static_cast<int>(std::lround(size.height * scale)));
+    Inspection result;
+    result.picture.pixels = Plane<image::Rgba>({whole_width, gap + height + caption_height}, paper);
+
+    std::array<Panel, 3> panels{};
+    for (int k = 0; k < 3; ++k) panels[static_cast<std::size_t>(k)] = {gap + k * (panel_width + gap), scale};
+    fill(result.picture, panels[0], size, [&](int i, int j) {
+        const float strength = static_cast<float>(field.scalar.at(i, j)) / 255;
+        if (strength <= 0) return dimmed(frame.colour.at(i, j));
+        return glm::mix(colour_of(frame.colour.at(i, j)), orange, 0.25F + 0.45F * strength);
+    });
+    for (const std::size_t k : {1U, 2U}) {
+        fill(result.picture, panels[k], size, [&](int i, int j) { return dimmed(frame.colour.at(i, j)); });
+    }
+    if (!field.flow.u.empty()) draw_flow(result.picture, panels[1], field.flow);
+    draw_seeds(result.picture, panels[2], field.seeds);
+    clear_margins(result.picture);
+
+    const std::array<std::string, 3> captions{"(a) difference object",
+                                              field.flow.u.empty() ? "(b) no flow" : "(b) flow",
+                                              fmt::format("(c) {}", counted(std::ssize(field.seeds), "seed"))};
+    const std::array<std::string, 3> notes{fmt::format("frame {}, {:.3f} s", field.index, field.pts),
+                                           fmt::format("lines as long as {} frames", frames_ahead),
+                                           fmt::format("arrows as long as {} frames", frames_ahead)};
+    const int base = gap + height;
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+        const int middle = panels[k].left + panel_width / 2;
+        const bool written =
+            image::draw_text_centred(result.picture, middle, base + 27, captions[k], text_size, ink) &&
+            image::draw_text_centred(result.picture, middle, base + 49, notes[k], text_size * 3 / 4, pale_ink);
+        result.captions = result.captions && written;
+    }
+    return result;
+}
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include "cli/app/job.h"
 
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -8,17 +9,41 @@
 #include "cli/app/settings.h"
 #include "cli/app/volume_paint.h"
 #include "core/base/error.h"
-#include "core/base/standard_output.h"
+#include "core/base/file_io.h"
+#include "core/base/file_name.h"
+#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
-#include "core/fields/pipeline.h"
 #include "core/fields/reference.h"
-#include "core/image/animation_file.h"
+#include "core/image/film.h"
 #include "core/image/picture_file.h"
 #include "core/image/text.h"
-#include "core/scene/transfer_file.h"
+#include "core/scene/transfer_function.h"
 
 namespace vvr::app {
+
+image::NamePattern name_of(const OutputOptions& options) {
+    return options.plain_name ? image::NamePattern::literal(options.path) : image::NamePattern(options.path);
+}
+
+bool is_series(const OutputOptions& options) {
+    return options.slide || (!options.animate && name_of(options).has_field());
+}
+
+bool is_page(const std::filesystem::path& path) {
+    const std::string ending = extension_of(path);
+    return ending == ".html" || ending == ".htm";
+}
+
+const std::filesystem::path& page_of(const OutputOptions& options) {
+    return is_page(options.path) ? options.path : options.page;
+}
+
+int pictures_of(const OutputOptions& options) {
+    if (options.path.empty() && options.golden.path.empty()) return 0;
+    if (options.slide) return *options.slide;
+    return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
+}
 
 namespace {
 

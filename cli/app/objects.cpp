@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/events/event_options.h"
-#include "core/scene/object_looks.h"
+#include "core/scene/theme.h"
 
 namespace vvr::app {
 
@@ -52,8 +52,8 @@ bricks::Identify objects_of(std::span<const events::Event> events, const bricks:
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
         const scene::ObjectState posture = !stays ? scene::ObjectState::moving
-                                       : dark ? scene::ObjectState::marked
-                                              : scene::ObjectState::still;
+                                           : dark ? scene::ObjectState::marked
+                                                  : scene::ObjectState::still;
         return bricks::Identity{scene::palette_index(object.colour, posture), object.number};
     };
 }

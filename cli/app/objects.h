@@ -6,11 +6,11 @@
 #include <optional>
 #include <span>
 
-#include "core/bricks/identity.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 #include "core/events/colouring.h"
 #include "core/events/event.h"
-#include "core/events/labels.h"
+#include "core/events/patch.h"
 
 // Whose the voxels of a volume are.
 namespace vvr::app {

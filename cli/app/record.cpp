@@ -1,14 +1,78 @@
 #include "cli/app/record.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "cli/app/settings.h"
-#include "cli/app/used_settings.h"
+#include "cli/app/volume_paint.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
 #include "core/image/text.h"
+#include "core/scene/theme.h"
 
 namespace vvr::app {
+
+namespace {
+
+/// The row of a table that the settings name; nothing where they name none, or one of another version of vvr.
+template <class Rows>
+auto row_of(const Rows& rows, const std::string& name) {
+    const auto row = std::ranges::find(rows, name, [](const auto& one) { return std::string(one.name); });
+    return row == std::ranges::end(rows) ? nullptr : &*row;
+}
+
+std::string threshold_of(const image::Metadata& settings) {
+    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
+    return filter == nullptr ? "" : fmt::to_string(filter->traits.threshold);
+}
+
+template <auto Member>
+std::string of_solver(const image::Metadata& settings) {
+    const fields::SolverRow* const solver = row_of(fields::flow_solvers(), value_of(settings, setting::solver.name));
+    return solver == nullptr ? "" : fmt::to_string(solver->defaults.*Member);
+}
+
+/// Empty where a second filter brings a transfer function of its own: no one name stands for both.
+std::string transfer_of(const image::Metadata& settings) {
+    const ColourRow* const colour = row_of(colour_rows(), value_of(settings, setting::colour.name));
+    if (colour != nullptr && !colour->filter.empty()) return "";
+    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
+    if (filter != nullptr && !filter->transfer.empty()) return std::string(filter->transfer);
+    const scene::Theme* const theme = row_of(scene::themes(), value_of(settings, setting::theme.name));
+    return theme == nullptr ? "" : std::string(theme->transfer);
+}
+
+/// A setting whose default depends on another one, and the value that it has then.
+struct Decided {
+    const Setting& setting;
+    std::string (*value)(const image::Metadata& settings);
+};
+
+constexpr std::array decided{
+    Decided{setting::threshold, threshold_of},
+    Decided{setting::alpha, of_solver<&fields::SolverSettings::alpha>},
+    Decided{setting::iterations, of_solver<&fields::SolverSettings::iterations>},
+    Decided{setting::pre_smooth, of_solver<&fields::SolverSettings::pre_smooth>},
+    Decided{setting::transfer, transfer_of},
+    Decided{setting::seed_flags, [](const image::Metadata&) { return std::string(); }},
+};
+
+}  // namespace
+
+image::Metadata used_settings(const image::Metadata& settings) {
+    image::Metadata used;
+    for (const auto& [name, value] : settings) {
+        const auto row = std::ranges::find(decided, name, [](const Decided& one) { return one.setting.name; });
+        const bool is_open = row != decided.end() && value == row->setting.default_text;
+        std::string text = is_open ? row->value(settings) : value;
+        if (!text.empty()) used.emplace_back(name, std::move(text));
+    }
+    return used;
+}
 
 void put(image::Metadata& settings, std::string_view name, const std::string& value) {
     const auto known = std::ranges::find(settings, name, &image::Metadata::value_type::first);

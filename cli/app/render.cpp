@@ -9,20 +9,18 @@
 #include <fmt/format.h>
 
 #include "cli/app/golden.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/page_output.h"
-#include "cli/app/picture_output.h"
+#include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/app/record.h"
 #include "cli/app/render_series.h"
-#include "cli/app/report_text.h"
-#include "cli/app/tell_problems.h"
+#include "cli/app/report.h"
+#include "cli/app/write.h"
 #include "core/base/error.h"
-#include "core/base/standard_output.h"
-#include "core/base/words.h"
+#include "core/base/file_io.h"
+#include "core/base/text.h"
 #include "core/image/atomic_file.h"
 #include "core/image/text.h"
-#include "core/page/telling_still.h"
+#include "core/page/stills.h"
 
 namespace vvr::app {
 
@@ -82,7 +80,8 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
 /// Sees the fields on their way, to keep what a page and a still show of them.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
-    const auto film = page_of(output).empty() ? page::WatchedFields::EncodedVideo::none : page::WatchedFields::EncodedVideo::preview;
+    const auto film =
+        page_of(output).empty() ? page::WatchedFields::EncodedVideo::none : page::WatchedFields::EncodedVideo::preview;
     auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), film);
     page::WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);

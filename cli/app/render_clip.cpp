@@ -11,19 +11,18 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/advice.h"
-#include "cli/app/build_scene.h"
-#include "cli/app/layers.h"
+#include "cli/app/draw.h"
+#include "cli/app/input.h"
 #include "cli/app/objects.h"
-#include "cli/app/render_thread.h"
-#include "cli/app/shown_name.h"
+#include "cli/app/plan.h"
+#include "cli/app/report.h"
 #include "cli/app/volume_paint.h"
 #include "core/base/error.h"
-#include "core/base/machine_memory.h"
+#include "core/base/memory.h"
 #include "core/events/event_finder.h"
 #include "core/fields/filter.h"
 #include "core/fields/motion.h"
-#include "core/scene/object_looks.h"
+#include "core/scene/theme.h"
 
 namespace vvr::app {
 
@@ -185,7 +184,7 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
         if (!event.in_scene || event.tracks.empty()) continue;
         for (const std::size_t track : event.tracks) volume.remove_track(track);
         volume.insert_track(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
-                      event.last.seconds);
+                            event.last.seconds);
     }
 }
 
@@ -260,8 +259,9 @@ void draw_pictures(const RenderJob& job, const Products& products, Fields& field
     report.keyframes = fields.keyframes.size();
     report.stages.end("scene");
 
-    const std::vector<bricks::Brick> pieces =
-        job.look.show.has(Part::volume) ? sub_bricks_of(bricks, fields.keyframes, volume) : std::vector<bricks::Brick>{};
+    const std::vector<bricks::Brick> pieces = job.look.show.has(Part::volume)
+                                                  ? sub_bricks_of(bricks, fields.keyframes, volume)
+                                                  : std::vector<bricks::Brick>{};
     const int textures = textures_of(products, static_cast<int>(pieces.size()));
     drawing.window = std::make_unique<gl::BrickWindow>(drawing.context->gl(), layout, volume.layers(), textures,
                                                        half_pixel(job, drawing));

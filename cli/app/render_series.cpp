@@ -10,12 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/advice.h"
-#include "cli/app/build_scene.h"
-#include "cli/app/layers.h"
+#include "cli/app/draw.h"
+#include "cli/app/input.h"
 #include "cli/app/objects.h"
-#include "cli/app/render_thread.h"
-#include "cli/app/shown_name.h"
+#include "cli/app/plan.h"
+#include "cli/app/report.h"
 #include "cli/app/volume_paint.h"
 #include "core/events/event_finder.h"
 #include "core/fields/filter.h"

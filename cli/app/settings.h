@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/fields/settings.h"
 #include "core/base/setting.h"
+#include "core/fields/settings.h"
 
 /// The settings of a RenderJob beside those of its fields.
 namespace vvr::setting {

@@ -14,14 +14,14 @@
 
 #include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
 #include "core/fields/filter.h"
 #include "core/fields/flo_file.h"
-#include "core/fields/seed_file.h"
+#include "core/fields/seed_list.h"
 #include "core/fields/seeds.h"
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
-#include "core/store/stored_fields.h"
+#include "core/store/extraction.h"
 
 namespace vvr::app {
 

@@ -6,8 +6,8 @@
 #include "cli/app/settings.h"
 #include "core/base/choice.h"
 #include "core/fields/filter.h"
-#include "core/scene/hues.h"
-#include "core/scene/transfer_file.h"
+#include "core/scene/theme.h"
+#include "core/scene/transfer_function.h"
 
 namespace vvr::app {
 

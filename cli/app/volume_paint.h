@@ -7,7 +7,7 @@
 #include "cli/app/job.h"
 #include "core/fields/field.h"
 #include "core/video/frame.h"
-#include "gl/volume_look.h"
+#include "gl/render_options.h"
 
 namespace vvr::app {
 

@@ -1,32 +1,66 @@
 #include "cli/app/watch.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <ctime>
+#include <deque>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "cli/app/latency.h"
-#include "cli/app/layers.h"
-#include "cli/app/open_fields.h"
-#include "cli/app/page_output.h"
-#include "cli/app/picture_output.h"
+#include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/app/record.h"
 #include "cli/app/render_series.h"
-#include "cli/app/shown_name.h"
-#include "core/base/words.h"
+#include "cli/app/write.h"
+#include "core/base/text.h"
 #include "core/image/text.h"
 #include "core/labels/time_ticks.h"
-#include "core/page/recent_moments.h"
+#include "core/page/moments.h"
 #include "core/video/input.h"
 #include "core/video/recorder_names.h"
 #include "core/video/recording.h"
 
 namespace vvr::app {
+
+/// How long pictures took from the last frame that they show to the disk: of the last thousand, so that days of them
+/// need no memory.
+class Latency {
+  public:
+    void add(double seconds);
+
+    /// 0 where there was none.
+    double median() const;
+    double longest() const;
+
+  private:
+    static constexpr std::size_t kept = 1000;
+
+    std::deque<double> last_;
+};
+
+void Latency::add(double seconds) {
+    last_.push_back(seconds);
+    if (last_.size() > kept) last_.pop_front();
+}
+
+double Latency::median() const {
+    if (last_.empty()) return 0;
+    std::vector<double> sorted(last_.begin(), last_.end());
+    const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+    std::ranges::nth_element(sorted, middle);
+    return *middle;
+}
+
+double Latency::longest() const {
+    return last_.empty() ? 0 : std::ranges::max(last_);
+}
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
 #include "core/fields/field_source.h"
-#include "core/page/recent_moments.h"
+#include "core/page/moments.h"
 #include "core/video/live_source.h"
 
 namespace vvr::app {

@@ -12,12 +12,10 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
-#include "core/base/shown_text.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film_encoder.h"
+#include "core/image/film.h"
 #include "core/video/container.h"
-#include "core/video/copy_check.h"
 #include "core/video/frame_source.h"
 #include "core/video/packet_copy.h"
 #include "core/video/recorder_names.h"
@@ -285,7 +283,7 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
     const double end = std::min(job.span.end.value_or(last.end), last.end);
     const video::Tags tags = tags_of(job, frame->pts, std::isfinite(end) ? end : frame->pts);
     image::VideoEncoder film({std::string(encoding.muxer), encoding.encoder, encoding.options, false, tags},
-                            job.path.string(), frames.info().size, ticks, rate, 2 * rate, write_at);
+                             job.path.string(), frames.info().size, ticks, rate, 2 * rate, write_at);
     video::Scaler scale(frames.size(), true);
     Encoded encoded{0, 0, frame->pts, frame->pts};
     std::int64_t last_tick = -1;

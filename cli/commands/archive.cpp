@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/options/job_options.h"
-#include "core/archive/names.h"
-#include "core/base/read_file.h"
-#include "core/base/sha256.h"
+#include "core/archive/output_files.h"
+#include "core/base/digest.h"
+#include "core/base/file_io.h"
 #include "gl/context.h"
 
 namespace vvr::commands {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/environment.h"
+#include "cli/console.h"
 #include "cli/exit_status.h"
 #include "cli/options/command_line.h"
 

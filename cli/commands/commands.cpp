@@ -7,12 +7,12 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands/command.h"
-#include "cli/options/files_stay.h"
+#include "cli/console.h"
+#include "cli/options/output.h"
 #include "cli/options/talk.h"
-#include "cli/print.h"
 #include "cli/versions.h"
+#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/suggest.h"
 
 namespace vvr::commands {
 

@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/show_comparison.h"
+#include "cli/app/golden.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/output.h"
-#include "cli/print.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
-#include "core/image/difference_view.h"
+#include "core/image/comparison.h"
 #include "core/image/picture_file.h"
 
 namespace vvr::commands {

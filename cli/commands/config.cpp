@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "cli/commands/command.h"
+#include "cli/console.h"
 #include "cli/options/presets.h"
 #include "cli/options/talk.h"
-#include "cli/print.h"
 #include "core/base/error.h"
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 
 namespace vvr::commands {
 

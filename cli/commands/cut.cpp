@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
@@ -100,7 +100,8 @@ class Cut final : public Command {
 
   private:
     /// A time of the clip, or one by the clock on the wall.
-    static void set(const std::string& given, std::optional<app::Time>& time, std::optional<video::RequestedTime>& asked) {
+    static void set(const std::string& given, std::optional<app::Time>& time,
+                    std::optional<video::RequestedTime>& asked) {
         const auto place = options::parse_place(given);
         time = std::holds_alternative<app::Time>(place) ? std::optional(std::get<app::Time>(place)) : std::nullopt;
         asked = time ? std::nullopt : std::optional(std::get<video::RequestedTime>(place));

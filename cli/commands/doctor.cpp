@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/command.h"
+#include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/print.h"
 #include "cli/versions.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"

@@ -1,6 +1,6 @@
 #include "cli/app/extract.h"
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"

@@ -2,15 +2,14 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/app/clip_list.h"
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/plan.h"
 #include "cli/commands/command.h"
+#include "cli/console.h"
 #include "cli/options/job_options.h"
-#include "cli/print.h"
-#include "core/base/clock_source.h"
 #include "core/base/json_text.h"
-#include "core/base/shown_text.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
+#include "core/base/wall_clock.h"
 #include "core/labels/time_ticks.h"
 
 namespace vvr::commands {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/app/settings.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/commands/command.h"
 #include "cli/console.h"
 #include "cli/options/job_options.h"

@@ -6,7 +6,7 @@
 #include <vvr/failure.h>
 
 #include "core/base/error.h"
-#include "core/base/out_of_memory.h"
+#include "core/base/memory.h"
 
 namespace vvr {
 

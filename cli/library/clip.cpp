@@ -3,7 +3,7 @@
 
 #include <vvr/clip.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/library/as_failure.h"
 #include "core/video/frame_source.h"
 

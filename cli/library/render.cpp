@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/open_fields.h"
+#include "cli/app/input.h"
 #include "cli/library/as_failure.h"
 #include "cli/library/image_of.h"
 #include "cli/options/job_options.h"

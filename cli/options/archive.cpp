@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/options/parse_value.h"
-#include "core/archive/names.h"
+#include "core/archive/output_files.h"
 #include "core/base/error.h"
 #include "core/video/video_files.h"
 
@@ -43,7 +43,8 @@ void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
     constexpr Group workers = Group::workers;
     line.path(archive, options.out, text::output,
               {.letter = 'o', .help = fmt::format("{}; it is made if it isn't there", archive::index_name)});
-    line.list(archive, options.match, text::match, {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
+    line.list(archive, options.match, text::match,
+              {.help = fmt::format("{}", fmt::join(video::video_extensions(), " "))});
     line.list(archive, options.exclude, text::exclude);
     line.choice(archive, workers::groupings, workers::groupings.front().name, text::per,
                 [&options](const workers::GroupingRow& row) { options.per = row.grouping; });

@@ -7,15 +7,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/console.h"
 #include "cli/options/config_file.h"
 #include "cli/options/help.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
-#include "cli/print.h"
+#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/read_file.h"
-#include "core/base/shown_text.h"
-#include "core/base/suggest.h"
+#include "core/base/file_io.h"
+#include "core/base/text.h"
 
 namespace vvr::options {
 

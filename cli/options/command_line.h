@@ -16,9 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/options/command_names.h"
-#include "cli/options/find_config.h"
-#include "cli/options/group.h"
+#include "cli/options/config_choice.h"
 #include "cli/options/help.h"
 #include "core/base/choice.h"
 #include "core/base/setting.h"

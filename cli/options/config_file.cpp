@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "cli/options/presets.h"
+#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/suggest.h"
 
 namespace vvr::options {
 

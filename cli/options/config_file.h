@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/options/command_names.h"
+#include "cli/options/config_choice.h"
 
 namespace vvr::options {
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <variant>
 
-#include "cli/app/time.h"
+#include "cli/app/job.h"
 #include "core/base/plane.h"
 #include "core/base/setting.h"
-#include "core/video/asked_time.h"
+#include "core/video/frame_span.h"
 
 /// Texts of the command line to values. Each function throws Error usage with what it was given and what it takes.
 namespace vvr::options {
@@ -44,7 +44,7 @@ app::Time parse_time(std::string_view text);
 /// `2026-11-21 08:00:00` or `2026-11-21T08:00`, in seconds since 1970 on that clock; nothing for any other text.
 std::optional<std::int64_t> parse_date_time(std::string_view text);
 
-/// A place in a clip: a time as above, or one by the clock on the wall, which `seconds_of` (core/video/asked_time.h)
+/// A place in a clip: a time as above, or one by the clock on the wall, which `seconds_of` (core/video/frame_span.h)
 /// turns into seconds of the clip: `2026-11-22 02:00`, or `@02:00` for the next time that the clock shows that.
 /// Without the @, 02:00 is two minutes from the beginning.
 std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text);

@@ -11,9 +11,9 @@
 #include "cli/options/output.h"
 #include "cli/options/parse_value.h"
 #include "core/base/error.h"
-#include "core/base/read_file.h"
+#include "core/base/file_io.h"
 #include "core/fields/reference.h"
-#include "core/image/animation_file.h"
+#include "core/image/film.h"
 #include "core/image/picture_file.h"
 
 namespace vvr::options {

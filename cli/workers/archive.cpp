@@ -2,25 +2,41 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cli/print.h"
+#include "cli/console.h"
 #include "cli/workers/archive_run.h"
-#include "cli/workers/told_by_name.h"
-#include "core/archive/names.h"
-#include "core/archive/own_file.h"
+#include "core/archive/output_files.h"
 #include "core/base/error.h"
-#include "core/base/machine_memory.h"
-#include "core/base/shown_text.h"
+#include "core/base/memory.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/base/words.h"
+#include "core/base/wall_clock.h"
 #include "core/image/atomic_file.h"
+#include "core/labels/time_ticks.h"
+#include "core/video/recorder_names.h"
 
 namespace vvr::workers {
+
+/// Which camera a clip of an archive is of and when it begins, and what tells that, for people: "camera gate,
+/// 2026-11-21 20:00:00 by file name (Frigate)".
+/// \param clip its path below the archive's folder
+std::string describe_name(const std::string& clip, const video::RecorderNames& names);
+
+std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
+    const video::RecorderName name = names.read(clip);
+    const std::string camera = names.camera_of(clip);
+    std::string text = camera.empty() ? "camera not known" : "camera " + shown_text(archive::text_of_path(camera));
+    if (!name.begin) return fmt::format("{}, {}", text, row_of(ClockSource::none).words);
+    const std::int64_t utc = video::utc_of(*name.begin);
+    return fmt::format("{}, {} {} ({})", text, labels::format_clock(utc + local_offset(utc)),
+                       row_of(ClockSource::file_name).words, name.layout);
+}
 
 namespace {
 

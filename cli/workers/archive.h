@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/environment.h"
+#include "cli/console.h"
 #include "cli/exit_status.h"
 #include "cli/workers/sandbox.h"
-#include "core/archive/shard.h"
+#include "core/archive/clips.h"
 
 namespace vvr::workers {
 

@@ -20,7 +20,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.h"
-#include "core/archive/own_file.h"
+#include "core/archive/output_files.h"
 #include "core/archive/prune.h"
 #include "core/base/version.h"
 #include "core/image/atomic_file.h"

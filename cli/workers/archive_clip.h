@@ -10,7 +10,7 @@
 #include "cli/signals.h"
 #include "cli/workers/worker.h"
 #include "core/archive/claim.h"
-#include "core/archive/days.h"
+#include "core/archive/clips.h"
 #include "core/archive/verdict.h"
 #include "core/base/error.h"
 #include "core/video/recorder_names.h"
@@ -54,7 +54,8 @@ class ClipTask {
     archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
   private:
-    ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before, archive::LockFile claim);
+    ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
+             archive::LockFile claim);
 
     std::filesystem::path folder() const;
     std::filesystem::path staging() const;

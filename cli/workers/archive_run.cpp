@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "cli/print.h"
-#include "cli/workers/pool.h"
+#include "cli/console.h"
+#include "cli/workers/worker.h"
 #include "core/archive/index.h"
-#include "core/archive/own_file.h"
+#include "core/archive/output_files.h"
 #include "core/archive/prune.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr::workers {

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/environment.h"
+#include "cli/console.h"
 #include "cli/workers/archive_clip.h"
-#include "core/archive/scan.h"
-#include "core/archive/shard.h"
+#include "core/archive/clips.h"
 #include "core/video/recorder_names.h"
 
 namespace vvr::workers {

@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,10 +25,40 @@
 
 #include <fmt/format.h>
 
-#include "cli/workers/worker_begin.h"
+#include "cli/workers/system_calls.h"
 #include "core/base/error.h"
 
 namespace vvr::workers {
+
+namespace {
+
+constexpr std::string_view open_mark = ":open";
+constexpr std::string_view shut_mark = ":shut";
+constexpr int not_begun = 127;
+
+}  // namespace
+
+std::string worker_value(int ready, bool confined) {
+    return fmt::format("{}{}", ready, confined ? shut_mark : open_mark);
+}
+
+void begin_worker() {
+    const char* const variable = std::getenv(worker_variable.data());
+    if (variable == nullptr) return;
+    const std::string value = variable;
+    ::unsetenv(worker_variable.data());
+    int ready = -1;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), ready);
+    const std::string_view mark(end, static_cast<std::size_t>(value.data() + value.size() - end));
+    if (error != std::errc() || ready <= STDERR_FILENO || (mark != open_mark && mark != shut_mark)) return;
+    if (mark == shut_mark && !block_startup_calls()) {
+        constexpr std::string_view words = "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
+        [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, words.data(), words.size());
+        ::_exit(not_begun);
+    }
+    [[maybe_unused]] const ssize_t told = ::write(ready, "", 1);
+    ::close(ready);
+}
 
 namespace {
 
@@ -145,19 +181,20 @@ Worker::Worker(const std::vector<std::string>& arguments, int threads, const Wor
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     Pipe said;
     Pipe ready;
-    std::vector<std::string> variables = environment_for(threads, worker_value(ready.in.get(), confinement.filters_calls()));
+    std::vector<std::string> variables =
+        environment_for(threads, worker_value(ready.in.get(), confinement.filters_calls()));
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
     const ChildSetup birth{::getpid(),
-                      said.in.get(),
-                      nothing.get(),
-                      ready.in.get(),
-                      inherited,
-                      limits,
-                      confinement,
-                      argument_pointers.data(),
-                      variable_pointers.data()};
+                           said.in.get(),
+                           nothing.get(),
+                           ready.in.get(),
+                           inherited,
+                           limits,
+                           confinement,
+                           argument_pointers.data(),
+                           variable_pointers.data()};
     process_ = ::fork();
     if (process_ == 0) birth.run();
     if (process_ < 0) refuse("fork", errno);
@@ -232,6 +269,81 @@ void Worker::reap(bool wait) {
     end_.began = ::read(ready_, &mark, 1) == 1;
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+}
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience = 800ms;  // with workers that are asked to end
+
+}  // namespace
+
+WorkerPool::WorkerPool(int most, cli::Signals& signals)
+    : most_(most), signals_(signals), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+    if (wake_ < 0) {
+        throw Error(ErrorKind::limit, fmt::format("cannot wait for workers: {}; allow the program more open files",
+                                                  std::generic_category().message(errno)));
+    }
+    signals_.set_exit_hook([this] {
+        ending_ = true;
+        ::eventfd_write(wake_, 1);
+        for (auto waited = std::chrono::milliseconds::zero(); !ended_ && waited < 2 * patience; waited += 10ms)
+            std::this_thread::sleep_for(10ms);
+    });
+}
+
+WorkerPool::~WorkerPool() {
+    // A signal that came just now waits for the workers, and would wait for this thread in vain.
+    if (ending_) end_all();
+    signals_.set_exit_hook({});
+    ::close(wake_);
+}
+
+void WorkerPool::add(std::unique_ptr<Worker> worker, Done done) {
+    jobs_.push_back({std::move(worker), std::move(done)});
+}
+
+void WorkerPool::wait_until_below(int count) {
+    for (;;) {
+        if (ending_) end_all();
+        std::list<Job> over;
+        for (auto job = jobs_.begin(); job != jobs_.end();) {
+            const auto next = std::next(job);
+            if (job->worker->update()) over.splice(over.end(), jobs_, job);
+            job = next;
+        }
+        for (const Job& job : over) job.done(job.worker->end());
+        if (std::ssize(jobs_) < count) return;
+        if (over.empty()) sleep();
+    }
+}
+
+void WorkerPool::sleep() const {
+    std::vector<pollfd> waits{{wake_, POLLIN, 0}};
+    bool closed = false;
+    for (const Job& job : jobs_) {
+        pollfd wait{job.worker->descriptor(), POLLIN, 0};
+        // One that has closed its stderr is about to end, and there is nothing more to wait on.
+        if (::poll(&wait, 1, 0) > 0 && (wait.revents & POLLHUP) != 0) {
+            closed = true;
+        } else {
+            waits.push_back(wait);
+        }
+    }
+    ::poll(waits.data(), waits.size(), closed ? 2 : 250);
+}
+
+void WorkerPool::end_all() {
+    for (const Job& job : jobs_) job.worker->interrupt();
+    const auto begin = std::chrono::steady_clock::now();
+    while (!jobs_.empty() && std::chrono::steady_clock::now() - begin < patience) {
+        std::erase_if(jobs_, [](const Job& job) { return job.worker->update(); });
+        std::this_thread::sleep_for(5ms);
+    }
+    jobs_.clear();
+    ended_ = true;
+    for (;;) ::pause();  // the signal ends the program
 }
 
 }  // namespace vvr::workers

@@ -1,15 +1,33 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <sys/types.h>
 
+#include "cli/signals.h"
 #include "cli/workers/sandbox.h"
 
 namespace vvr::workers {
+
+/// The environment variable by which a worker is told that it is one.
+inline constexpr std::string_view worker_variable = "VVR_WORKER";
+
+/// What that variable says.
+/// \param ready a descriptor that the worker inherits, to say that it has begun
+/// \param confined whether a CallFilter is around it
+std::string worker_value(int ready, bool confined);
+
+/// In a worker: gives up what it needed to begin, and tells its parent that it has begun. So whatever comes later, a
+/// worker that never began is known from one that a clip has ended. Elsewhere: nothing.
+void begin_worker();
 
 /// What a worker may take. 0 = as much as it likes.
 struct WorkerLimits {
@@ -70,6 +88,42 @@ class Worker {
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;
     WorkerResult end_;
+};
+
+/// Workers at work, so many at a time. A signal ends them before it ends the program.
+class WorkerPool {
+  public:
+    /// Told of a worker's end.
+    using Done = std::function<void(const WorkerResult&)>;
+
+    WorkerPool(int most, cli::Signals& signals);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    void add(std::unique_ptr<Worker> worker, Done done);
+
+    /// Waits until there is room for one more.
+    void wait_for_room() { wait_until_below(most_); }
+
+    void wait_for_all() { wait_until_below(1); }
+
+  private:
+    struct Job {
+        std::unique_ptr<Worker> worker;
+        Done done;
+    };
+
+    void wait_until_below(int count);
+    void sleep() const;
+    [[noreturn]] void end_all();
+
+    int most_;
+    cli::Signals& signals_;
+    std::list<Job> jobs_;
+    int wake_;  ///< an eventfd: a signal has come
+    std::atomic<bool> ending_ = false;
+    std::atomic<bool> ended_ = false;
 };
 
 }  // namespace vvr::workers

@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_lock.h"
-#include "core/base/fnv.h"
-#include "core/base/plain_name.h"
+#include "core/base/file_io.h"
+#include "core/base/file_name.h"
 
 namespace vvr::archive {
 

@@ -20,7 +20,7 @@ class LockFile {
     /// Waits until nobody else has it. A signal ends the wait, as it ends the program.
     /// \throws Error io, also when another program has it for longer than `patience`
     static LockFile wait_for(const std::filesystem::path& folder, const std::string& name,
-                          std::chrono::milliseconds patience = std::chrono::minutes(5));
+                             std::chrono::milliseconds patience = std::chrono::minutes(5));
 
     /// Takes over the claim of a killed program, and says the name that it is for. Nothing when another program has
     /// it, or when the file is not a claim: not a regular file, or without the plain name from which its own name is

@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/archive/limits.h"
+#include "core/archive/output_files.h"
 #include "core/base/json_text.h"
-#include "core/base/local_time.h"
+#include "core/base/wall_clock.h"
 #include "core/page/text.h"
 #include "index_files.h"
 #include "index_script.h"

@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 
 #include "core/archive/claim.h"
-#include "core/archive/days.h"
+#include "core/archive/clips.h"
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr::archive {
@@ -35,7 +35,7 @@ bool is_time_folder(std::string_view folder) {
 /// The folder of a clip that is not there, if it may be a disk that is not mounted: one that is empty, a link that
 /// leads nowhere, or a camera's own at the top of the archive of which no clip is left.
 std::optional<std::string> missing_folder(const fs::path& in, const std::string& clip, const Present& present,
-                                        const video::RecorderNames& recorders) {
+                                          const video::RecorderNames& recorders) {
     fs::path missing;
     fs::path folder = fs::path(clip).parent_path();
     std::error_code none;
@@ -139,7 +139,7 @@ void tidy(const fs::path& out, const Outputs& outputs) {
 }
 
 Present find_present(const fs::path& in, const fs::path& out, const ClipNames& names,
-                    const video::RecorderNames& recorders) {
+                     const video::RecorderNames& recorders) {
     Present present{scan_archive(in, out, names.with_all()), {}, {}};
     // Without a time to wait for, none is left out.
     const Settling all{std::chrono::system_clock::now(), std::chrono::nanoseconds(0)};
@@ -150,7 +150,7 @@ Present find_present(const fs::path& in, const fs::path& out, const ClipNames& n
 }
 
 SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const Present& present,
-                    const video::RecorderNames& recorders) {
+                             const video::RecorderNames& recorders) {
     if (present.days.contains(sidecar.clip.path)) return {};
     if (sidecar.day && sidecar.day->files.empty()) return {SourceState::unknown, {}};
     std::set<fs::path> looked_at;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/archive/clip_names.h"
-#include "core/archive/scan.h"
+#include "core/archive/clips.h"
 #include "core/archive/sidecar.h"
 #include "core/video/recorder_names.h"
 
@@ -50,7 +49,7 @@ struct Present {
 /// Looks at all clips. That one is still being written, excluded or of a time that can't be makes none of them gone.
 /// \throws Error io when the folder can't be read
 Present find_present(const std::filesystem::path& in, const std::filesystem::path& out, const ClipNames& names,
-                    const video::RecorderNames& recorders);
+                     const video::RecorderNames& recorders);
 
 /// Whether a clip, or all clips of a day, have gone for certain.
 enum class SourceState {
@@ -66,7 +65,7 @@ struct SourceStatus {
 };
 
 SourceStatus source_state_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
-                    const video::RecorderNames& recorders);
+                             const video::RecorderNames& recorders);
 
 /// Refuses to prune where it can't be known what has gone.
 /// \throws Error io when there is no clip at all, or a part of the folder could not be read

@@ -1,6 +1,7 @@
 #include "core/archive/sidecar.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -11,19 +12,97 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/archive/limits.h"
-#include "core/archive/own_file.h"
+#include "core/archive/output_files.h"
 #include "core/base/error.h"
+#include "core/base/file_name.h"
 #include "core/base/json_text.h"
-#include "core/base/plain_name.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr::archive {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kind_letters = "mslt";
+constexpr std::size_t before_path = 3;
+
+/// The first letter of a kind; of one that is not known, that of what moved.
+char kind_of(const std::string& name) {
+    return !name.empty() && kind_letters.find(name.front()) != std::string_view::npos ? name.front() : 'm';
+}
+
+int whole(double value) {
+    return static_cast<int>(std::lround(std::clamp(value, -1e8, 1e8)));
+}
+
+/// A number that somebody wrote, as near as an int comes to it.
+int whole(const Json& json) {
+    return whole(json.get<double>());
+}
+
+int tenths_of(double seconds) {
+    return static_cast<int>(std::lround(std::clamp(seconds * 10, -1e8, 1e8)));
+}
+
+FoundEvent event_of(const Json& event, double width, double height) {
+    FoundEvent found;
+    found.kind = kind_of(event.at("kind").get<std::string>());
+    found.number = whole(event.at("number"));
+    double still = 0;
+    for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
+    found.still = tenths_of(still);
+    std::vector<events::Waypoint> way;
+    for (const Json& point : event.at("path")) {
+        const Json& place = point.at("place");
+        way.push_back(events::waypoint(point.at("seconds").get<double>(),
+                                       {place.at("x").get<double>(), place.at("y").get<double>()}, {width, height}));
+    }
+    found.path = events::simplified(way);
+    return found;
+}
+
+int length_of(const FoundEvent& event) {
+    return event.path.empty() ? 0 : event.path.back().time - event.path.front().time;
+}
+
+}  // namespace
+
+std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
+    const Json& events = report.at("events");
+    const double width = std::max(1.0, report.at("input").at("width").get<double>());
+    const double height = std::max(1.0, report.at("input").at("height").get<double>());
+    std::vector<FoundEvent> found;
+    for (const Json& event : events) found.push_back(event_of(event, width, height));
+    if (found.size() <= most) return found;
+    std::ranges::stable_sort(found, std::greater(), length_of);
+    found.resize(most);
+    std::ranges::sort(found, {}, &FoundEvent::number);
+    return found;
+}
+
+Json json_of(const FoundEvent& event) {
+    Json json{std::string(1, event.kind), event.number, event.still};
+    for (const events::Waypoint& point : event.path) {
+        for (const int value : {point.time, point.x, point.y}) json.push_back(value);
+    }
+    return json;
+}
+
+FoundEvent found_event_of(const Json& json) {
+    FoundEvent event;
+    event.kind = kind_of(json.at(0).get<std::string>());
+    event.number = whole(json.at(1));
+    event.still = whole(json.at(2));
+    for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {
+        event.path.push_back({whole(json.at(k)), whole(json.at(k + 1)), whole(json.at(k + 2))});
+    }
+    return event;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Raised when older versions would misread a sidecar; they then treat the clip as new.
 constexpr int format_version = 1;
@@ -39,7 +118,7 @@ class InvalidSidecar : public std::exception {
     const char* what() const noexcept override { return "a number in it cannot be"; }
 };
 
-std::int64_t whole(const Json& json, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+std::int64_t whole_number(const Json& json, std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
     if (!json.is_number_integer()) throw InvalidSidecar();
     if (json.is_number_unsigned() ? json.get<std::uint64_t>() > static_cast<std::uint64_t>(most)
                                   : json.get<std::int64_t>() < 0 || json.get<std::int64_t>() > most) {
@@ -69,7 +148,7 @@ std::optional<Value> optional_of(const Json& json) {
 }
 
 std::int64_t modified_of(const Json& json) {
-    return whole(json, (last_time - 1) * 1'000'000'000);
+    return whole_number(json, (last_time - 1) * 1'000'000'000);
 }
 
 /// By folder: {"gate/2026-11-21": ["08.00.mp4", …]}. Most names of a day have a folder in common.
@@ -119,31 +198,31 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     if (json.at(mark) != format_version) return std::nullopt;
     Sidecar sidecar;
     const Json& clip = json.at("clip");
-    sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), whole(clip.at("bytes")),
+    sidecar.clip = {path_of_text(clip.at("path").get<std::string>()), whole_number(clip.at("bytes")),
                     modified_of(clip.at("modified_ns"))};
     if (!is_plain_path(sidecar.clip.path)) return std::nullopt;
     sidecar.version = json.at("vvr").get<std::string>();
     sidecar.settings = json.at("settings").get<std::string>();
     sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;
-    sidecar.tries = static_cast<int>(whole(json.at("tries"), most_tries));
-    sidecar.status = static_cast<int>(whole(json.at("status"), highest_status));
+    sidecar.tries = static_cast<int>(whole_number(json.at("tries"), most_tries));
+    sidecar.status = static_cast<int>(whole_number(json.at("status"), highest_status));
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
     sidecar.took = number(json.at("took_seconds"), longest_try);
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
     if (const auto day = json.find("day"); day != json.end()) {
         sidecar.day = Sidecar::Day{path_of_text(day->at("camera").get<std::string>()),
-                                   day->at("date").get<std::string>(), whole(day->at("clips"))};
+                                   day->at("date").get<std::string>(), whole_number(day->at("clips"))};
         if (const auto files = json.find("clips"); files != json.end()) sidecar.day->files = files_of(*files);
     }
     if (const auto shown = json.find("shows"); shown != json.end() && sidecar.state == Sidecar::State::failed) {
-        sidecar.shows = {{sidecar.clip.path, whole(shown->at("bytes")), modified_of(shown->at("modified_ns"))},
+        sidecar.shows = {{sidecar.clip.path, whole_number(shown->at("bytes")), modified_of(shown->at("modified_ns"))},
                          shown->at("settings").get<std::string>()};
     }
     if (sidecar.state == Sidecar::State::failed && !sidecar.shows) return sidecar;
-    sidecar.frames = whole(json.at("frames"));
-    sidecar.damaged = whole(json.at("damaged"));
+    sidecar.frames = whole_number(json.at("frames"));
+    sidecar.damaged = whole_number(json.at("damaged"));
     sidecar.seconds = number(json.at("seconds"), longest_recording);
-    if (const Json& events = json.at("events"); !events.is_null()) sidecar.events = whole(events);
+    if (const Json& events = json.at("events"); !events.is_null()) sidecar.events = whole_number(events);
     sidecar.recorded = optional_of<std::string>(json.at("recorded"));
     sidecar.recorded_by = source_of(json.value("recorded_by", Json()));
     // Older sidecars have none.
@@ -260,8 +339,8 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         const OwnText own = read_own(report, "{", largest_report);
         if (!own.problem.empty()) refuse(own.problem);
         const Json json = parse_json(own.text.value_or(""));
-        sidecar.frames = whole(json.at("frames").at("used"));
-        sidecar.damaged = whole(json.at("frames").at("damaged"));
+        sidecar.frames = whole_number(json.at("frames").at("used"));
+        sidecar.damaged = whole_number(json.at("frames").at("damaged"));
         sidecar.seconds = json.at("span").at("seconds").get<double>();
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));

@@ -20,11 +20,11 @@ struct Setting {
     std::string_view name;  ///< "min-area"
     std::string_view unit;  ///< what the value is: "PIXELS"
     std::string_view help;
-    Range range{};                 ///< of a number
-    std::string_view default_text{};  ///< what decides where no value is given: "the filter's"
-    bool may_be_file = false;      ///< the value may be the name of a file
-    std::string_view alias{};      ///< another name, under which users of other programs look for it
-    std::string_view not_live_reason{};   ///< why a live stream has no such setting; empty = it has
+    Range range{};                       ///< of a number
+    std::string_view default_text{};     ///< what decides where no value is given: "the filter's"
+    bool may_be_file = false;            ///< the value may be the name of a file
+    std::string_view alias{};            ///< another name, under which users of other programs look for it
+    std::string_view not_live_reason{};  ///< why a live stream has no such setting; empty = it has
 };
 
 /// \throws Error usage for a number out of the setting's range, NaN too

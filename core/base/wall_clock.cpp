@@ -1,6 +1,7 @@
 #include "core/base/wall_clock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -9,9 +10,74 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "core/base/local_time.h"
-
 namespace vvr {
+
+namespace {
+
+constexpr std::int64_t day = 86'400;
+constexpr std::int64_t last = 7'258'118'400;  // 2200-01-01; who asks may have the times of a damaged file
+
+std::tm local(std::int64_t utc) {
+    const auto time = static_cast<std::time_t>(utc);
+    std::tm parts{};
+    ::localtime_r(&time, &parts);
+    return parts;
+}
+
+/// "UTC+1", "UTC-3:30".
+std::string offset_text(std::int64_t seconds) {
+    if (seconds == 0) return "UTC";
+    const std::int64_t minutes = std::abs(seconds) / 60;
+    const std::string text = fmt::format("UTC{}{}", seconds < 0 ? '-' : '+', minutes / 60);
+    return minutes % 60 == 0 ? text : text + fmt::format(":{:02}", minutes % 60);
+}
+
+}  // namespace
+
+std::int64_t local_offset(std::int64_t utc) {
+    return local(utc).tm_gmtoff;
+}
+
+std::string zone_text(std::int64_t utc) {
+    const std::tm parts = local(utc);
+    const std::string offset = offset_text(parts.tm_gmtoff);
+    const std::string name = parts.tm_zone == nullptr ? "" : parts.tm_zone;
+    // Zones without letters of their own are called by their offset, "+03".
+    const bool named = !name.empty() && name.find_first_of("+-0123456789") == std::string::npos && name != offset;
+    return named ? fmt::format("{}, {}", name, offset) : offset;
+}
+
+std::int64_t utc_of_local(std::int64_t wall, std::optional<std::int64_t> near) {
+    const std::array<std::int64_t, 2> offsets{local_offset(wall - day), local_offset(wall + day)};
+    std::optional<std::int64_t> best;
+    for (const std::int64_t offset : offsets) {
+        const std::int64_t utc = wall - offset;
+        if (local_offset(utc) != offset) continue;
+        const bool nearer = best && near && std::abs(utc - *near) < std::abs(*best - *near);
+        const bool first = best && !near && utc < *best;
+        if (!best || nearer || first) best = utc;
+    }
+    return best.value_or(wall - offsets.front());
+}
+
+std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end) {
+    std::vector<ZoneChange> changes{{begin, local_offset(begin)}};
+    begin = std::max<std::int64_t>(begin, 0);
+    end = std::min(end, last);
+    while (begin < end) {
+        std::int64_t before = begin;
+        std::int64_t after = std::min(begin + day, end);
+        begin = after;
+        if (local_offset(after) == changes.back().offset) continue;
+        while (after - before > 1) {
+            const std::int64_t middle = before + (after - before) / 2;
+            (local_offset(middle) == changes.back().offset ? before : after) = middle;
+        }
+        changes.push_back({after, local_offset(after)});
+        begin = after;
+    }
+    return changes;
+}
 
 double Clock::at(double seconds) const {
     double shown = static_cast<double>(begin) + seconds;

@@ -108,7 +108,11 @@ class OwnersAround {
 }  // namespace
 
 BrickLayers::BrickLayers(const Volume& volume, const Brick& brick, const Identify& identify)
-    : brick_(brick), size_(volume.size()), extra_channel_(extra_channel_in(volume)), volume_(&volume), identify_(&identify) {
+    : brick_(brick),
+      size_(volume.size()),
+      extra_channel_(extra_channel_in(volume)),
+      volume_(&volume),
+      identify_(&identify) {
     for (std::int64_t i = 0; i < count(); ++i) {
         layers_.push_back(&volume.layer(std::clamp<std::int64_t>(brick.first + i - 1, 0, volume.layers() - 1)));
     }
@@ -122,8 +126,9 @@ std::size_t BrickLayers::area() const {
 void BrickLayers::fill_texels(std::int64_t first, std::span<std::uint8_t> texels) const {
     std::ranges::fill(texels, std::uint8_t{0});
     for (auto layer = layers_.begin() + first; !texels.empty(); ++layer, texels = texels.subspan(area())) {
-        for_each_run_in((*layer)->scalar, box_,
-                    [&](std::size_t at, std::span<const std::uint8_t> values) { copy_reversed(values, &texels[at]); });
+        for_each_run_in((*layer)->scalar, box_, [&](std::size_t at, std::span<const std::uint8_t> values) {
+            copy_reversed(values, &texels[at]);
+        });
     }
 }
 

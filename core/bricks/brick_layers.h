@@ -5,10 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/pixel_box.h"
 #include "core/base/plane.h"
 #include "core/bricks/brick.h"
-#include "core/bricks/identity.h"
+#include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
 
 namespace vvr::bricks {

@@ -2,15 +2,33 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/bricks/sparse_plane.h"
-#include "core/fields/label_run.h"
+#include "core/bricks/layer.h"
+#include "core/fields/field.h"
 
 namespace vvr::bricks {
+
+struct Layer;
+
+/// Whose a voxel is, as it is drawn and told.
+struct Identity {
+    std::uint8_t look = 0;     ///< which of the volume's looks it has; 0 = that of what is nobody's
+    std::uint16_t number = 0;  ///< of its event; 0 = of none
+
+    friend bool operator==(const Identity&, const Identity&) = default;
+};
+
+/// Tells whose the voxels of a track are in a layer. Tracks become events when the clip has ended, so it is asked as
+/// late as the voxels are drawn.
+using Identify = std::function<Identity(std::size_t track, const Layer& layer)>;
+
+/// All is nobody's.
+inline const Identify no_identities;
 
 /// Short numbers for tracks, as the owners of voxels are kept in 16 bits: 0 is nobody, else 1 + the place in a list.
 class Owners {

@@ -5,10 +5,74 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 
 #include "core/base/error.h"
 
 namespace vvr::bricks {
+
+namespace {
+
+/// The pixels on both sides of a coordinate, and how far it lies from the first to the second.
+struct Between {
+    Between(double at, int count) {
+        const double inside = std::clamp(at, 0.0, count - 1.0);
+        low = std::min(static_cast<int>(inside), count - 1);
+        high = std::min(low + 1, count - 1);
+        share = inside - low;
+    }
+
+    int low;
+    int high;
+    double share;
+};
+
+glm::dvec2 in_plane(const Plane<std::uint32_t>& packed, double column, double row) {
+    const Between x(column, packed.width());
+    const Between y(row, packed.height());
+    const auto flow = [&packed](int i, int j) { return glm::dvec2(glm::unpackHalf2x16(packed.at(i, j))); };
+    return glm::mix(glm::mix(flow(x.low, y.low), flow(x.high, y.low), x.share),
+                    glm::mix(flow(x.low, y.high), flow(x.high, y.high), x.share), y.share);
+}
+
+}  // namespace
+
+void FlowVolume::add(std::int64_t frame, const fields::Flow& flow) {
+    Layer layer{frame, Plane<std::uint32_t>::for_overwrite(flow.u.size())};
+    std::ranges::transform(flow.u.pixels(), flow.v.pixels(), layer.packed.pixels().begin(), [](float u, float v) {
+        return glm::packHalf2x16({u, v});
+    });
+    layers_.push_back(std::move(layer));
+}
+
+void FlowVolume::erase_if(const std::function<bool(std::int64_t)>& gone) {
+    std::erase_if(layers_, [&gone](const Layer& layer) { return gone(layer.frame); });
+}
+
+void FlowVolume::drop_front(std::int64_t frame) {
+    erase_if([frame](std::int64_t kept) { return kept < frame; });
+    for (Layer& layer : layers_) layer.frame -= frame;
+}
+
+std::size_t FlowVolume::bytes() const {
+    std::size_t bytes = 0;
+    for (const Layer& layer : layers_) bytes += layer.packed.pixels().size_bytes();
+    return bytes;
+}
+
+glm::dvec2 FlowVolume::at(const glm::dvec3& point) const {
+    if (layers_.empty()) return {0, 0};
+    const auto after = std::ranges::upper_bound(layers_, point.z, {},
+                                                [](const Layer& layer) { return static_cast<double>(layer.frame); });
+    if (after == layers_.begin()) return in_plane(after->packed, point.x, point.y);
+    const Layer& low = *(after - 1);
+    const glm::dvec2 flow = in_plane(low.packed, point.x, point.y);
+    const double share = point.z - static_cast<double>(low.frame);
+    // On a kept frame, where traces without v_t stay, the next one has no weight.
+    if (after == layers_.end() || share == 0) return flow;
+    return glm::mix(flow, in_plane(after->packed, point.x, point.y),
+                    share / static_cast<double>(after->frame - low.frame));
+}
 
 namespace {
 
@@ -87,7 +151,7 @@ void Volume::remove_track(std::size_t track) {
 }
 
 void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
-                    double last) {
+                          double last) {
     const std::uint16_t number = owners_.number_of(track);
     if (number == 0) return;
     for (Layer& layer : layers_) {
@@ -290,6 +354,18 @@ std::vector<Brick> cut_by_clock(const Volume& volume, double length, double cloc
 std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length) {
     const std::int64_t first = volume.layers() > 0 ? volume.layer(0).first_frame : 0;
     return cut_by_turns(volume, [&](const Layer& layer) { return (layer.first_frame - first) / length; });
+}
+
+std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
+                                  const std::optional<fields::SeedFlags>& flags) {
+    std::vector<FrameSeed> used;
+    for (const FrameSeed& at : volume.seeds()) {
+        const std::int64_t layer = at.frame / volume.step();
+        const auto after = std::ranges::upper_bound(bricks, layer, {}, &Brick::first);
+        const std::int64_t brick = first + std::max<std::int64_t>(0, after - bricks.begin() - 1);
+        if (flags.value_or(at.seed.flags).in(brick)) used.push_back(at);
+    }
+    return used;
 }
 
 }  // namespace vvr::bricks

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,16 +11,41 @@
 
 #include "core/base/plane.h"
 #include "core/bricks/brick.h"
-#include "core/bricks/flow_volume.h"
-#include "core/bricks/joins.h"
 #include "core/bricks/layer.h"
 #include "core/bricks/owners.h"
-#include "core/bricks/sparse_plane.h"
 #include "core/fields/field.h"
-#include "core/fields/label_run.h"
-#include "core/fields/values.h"
 
 namespace vvr::bricks {
+
+/// The optical flow at some frames of the window: a vector field over (column, row, frame), which tracelines follow
+/// (§5.2). Half floats: their 11 bits are finer than any estimate of flow, in half the memory.
+class FlowVolume {
+  public:
+    /// Keeps the flow of `frame`, a later one than those before, all of one size.
+    void add(std::int64_t frame, const fields::Flow& flow);
+
+    /// Forgets the frames for which `gone` is true.
+    void erase_if(const std::function<bool(std::int64_t)>& gone);
+
+    /// Forgets the frames before `frame`, which is frame 0 from now on.
+    void drop_front(std::int64_t frame);
+
+    bool empty() const { return layers_.empty(); }
+    std::size_t layers() const { return layers_.size(); }
+    std::size_t bytes() const;
+
+    /// (u, v) in field pixels per frame at (column, row, frame), linear between pixel centres and between the frames
+    /// that are kept; beyond the outermost ones, theirs. Zero where nothing is kept.
+    glm::dvec2 at(const glm::dvec3& point) const;
+
+  private:
+    struct Layer {
+        std::int64_t frame = 0;
+        Plane<std::uint32_t> packed;  ///< u in the low half, v in the high one
+    };
+
+    std::vector<Layer> layers_;
+};
 
 /// A seed and the frame that it belongs to; the list is shared by all bricks (§6).
 struct FrameSeed {
@@ -27,7 +54,7 @@ struct FrameSeed {
 };
 
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
-/// neighbours are joined in pairs, keeping the stronger value (`joined` in core/fields/values.h), and from then on a
+/// neighbours are joined in pairs, keeping the stronger value (`joined` in core/fields/field.h), and from then on a
 /// layer takes twice as many frames: so nothing that moved is lost, the clip's length needn't be known, and memory
 /// never grows beyond the capacity.
 ///
@@ -88,7 +115,8 @@ class Volume {
     /// ones. Of a volume that keeps owners.
     /// \param box of the values, in field pixels
     /// \param first, last seconds of the clip
-    void insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first, double last);
+    void insert_track(std::size_t track, const PixelBox& box, const Plane<std::uint8_t>& values, double first,
+                      double last);
 
     Size size() const { return size_; }
     bool is_nonuniform() const { return nonuniform_; }
@@ -182,5 +210,12 @@ std::vector<Brick> cut_by_clock(const Volume& volume, double length, double cloc
 
 /// Cuts a volume where multiples of `length` frames pass.
 std::vector<Brick> cut_by_frames(const Volume& volume, std::int64_t length);
+
+/// The brick-based seed filter of §6: of a volume's seeds those of which their bricks make geometry.
+/// \param bricks of the volume, in the order of time
+/// \param first number of the first of them, counted from the clip's first
+/// \param flags instead of the seeds' own
+std::vector<FrameSeed> used_seeds(const Volume& volume, std::span<const Brick> bricks, std::int64_t first,
+                                  const std::optional<fields::SeedFlags>& flags);
 
 }  // namespace vvr::bricks

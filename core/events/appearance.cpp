@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 
 namespace vvr::events {
 
@@ -78,6 +80,172 @@ double distance(const Appearance& a, const Appearance& b) {
     for (std::size_t k = 0; k < a.histogram_.size(); ++k) alike += std::sqrt(a.histogram_[k] * b.histogram_[k]);
     alike /= Appearance::parts * Appearance::channels;
     return std::sqrt(std::max(0.0, 1 - alike));
+}
+
+namespace {
+
+constexpr int search = 3;          // pixels that an object may be off the place where motion leads
+constexpr double astray = 0.004;   // similarity that a squared pixel away from there must make good
+constexpr int most_samples = 100;  // pixels of a template that are compared
+constexpr int unlike = 72;         // levels of a channel at which two colours have nothing in common
+constexpr int own = unlike / 2;    // similarity of a pixel that is taken
+
+/// 0 for two colours with nothing in common, `unlike` for the same.
+int similarity(const Bgr& a, const Bgr& b) {
+    int most = 0;
+    for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
+    return std::max(0, unlike - most);
+}
+
+struct Sample {
+    glm::ivec2 place;
+    Bgr colour;
+};
+
+/// Some of a template's pixels. Which they are looks random: rows and columns would hide shifts of one pixel.
+std::vector<Sample> samples_of(const Template& object) {
+    const auto every = static_cast<std::uint32_t>(std::max(1, object.patch.area / most_samples));
+    std::vector<Sample> samples;
+    std::uint32_t random = 1;
+    for_each_pixel(object.patch, [&](int i, int j, std::uint8_t) {
+        random = random * 1664525 + 1013904223;
+        if ((random >> 16) % every != 0) return;
+        samples.push_back({{i, j}, object.colours.at(i - object.patch.box.left, j - object.patch.box.top)});
+    });
+    return samples;
+}
+
+/// The blob's pixels that nobody has taken yet.
+class UnclaimedPixels {
+  public:
+    explicit UnclaimedPixels(const Patch& blob) : rest_(blob) {}
+
+    bool at(int i, int j) const { return rest_.at(i, j) != 0; }
+    void take(int i, int j) {
+        if (at(i, j)) rest_.values.at(i - rest_.box.left, j - rest_.box.top) = 0;
+    }
+
+  private:
+    Patch rest_;
+};
+
+struct Match {
+    glm::ivec2 shift{};
+    double score = -std::numeric_limits<double>::infinity();
+    double similarity = 0;
+};
+
+Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const Patch& blob,
+               const UnclaimedPixels& free, const glm::ivec2& expected, const glm::ivec2& off) {
+    int sum = 0;
+    int against = 0;
+    for (const Sample& sample : samples) {
+        const glm::ivec2 p = sample.place + expected + off;
+        // A pixel may be hidden behind another object; where there is no object at all, this one is not.
+        if (blob.at(p.x, p.y) == 0) against += unlike / 8;
+        if (free.at(p.x, p.y)) sum += similarity(sight.at(p.x, p.y), sample.colour);
+    }
+    const double all = static_cast<double>(unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
+    const double part = sum / all;
+    return {expected + off, part - against / all - astray * (off.x * off.x + off.y * off.y), part};
+}
+
+/// Looks at every other pixel first, and then about the best of them.
+Match best_match(const std::vector<Sample>& samples, const FrameView& sight, const Patch& blob,
+                 const UnclaimedPixels& free, const glm::ivec2& expected) {
+    Match best;
+    glm::ivec2 best_off{};
+    const auto look = [&](const glm::ivec2& off) {
+        const Match place = place_at(samples, sight, blob, free, expected, off);
+        if (place.score <= best.score) return;
+        best = place;
+        best_off = off;
+    };
+    for (int y = -search; y <= search; y += 2) {
+        for (int x = -search; x <= search; x += 2) look({x, y});
+    }
+    const glm::ivec2 middle = best_off;
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) look(middle + glm::ivec2(x, y));
+    }
+    return best;
+}
+
+void take_own(const Template& object, const glm::ivec2& shift, const FrameView& sight, UnclaimedPixels& free) {
+    for_each_pixel(object.patch, [&](int i, int j, std::uint8_t) {
+        const glm::ivec2 p(i + shift.x, j + shift.y);
+        if (!free.at(p.x, p.y)) return;
+        const Bgr& colour = object.colours.at(i - object.patch.box.left, j - object.patch.box.top);
+        if (similarity(sight.at(p.x, p.y), colour) >= own) free.take(p.x, p.y);
+    });
+}
+
+/// Gives each pixel of the blob to the object that looks most like it there, or else to the nearest.
+void split_pixels(const Patch& blob, const FrameView& sight, std::span<const Template* const> templates,
+                  std::vector<TemplateMatch>& shares) {
+    for (TemplateMatch& share : shares)
+        share.patch = {.box = blob.box, .values = Plane<std::uint8_t>(blob.values.size())};
+    for_each_pixel(blob, [&](int i, int j, std::uint8_t value) {
+        const Bgr colour = sight.at(i, j);
+        double most = -std::numeric_limits<double>::infinity();
+        TemplateMatch* owner = nullptr;
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            const Patch& patch = templates[k]->patch;
+            const glm::ivec2 p = glm::ivec2(i, j) - shares[k].shift;
+            double score = 0;
+            if (patch.at(p.x, p.y) != 0) {
+                score = 1 + similarity(colour, templates[k]->colours.at(p.x - patch.box.left, p.y - patch.box.top));
+            } else {
+                const glm::dvec2 half(0.5 * patch.box.width() + 1, 0.5 * patch.box.height() + 1);
+                score = -glm::length((glm::dvec2(p) - patch.centre) / half);
+            }
+            if (score <= most) continue;
+            most = score;
+            owner = &shares[k];
+        }
+        if (owner == nullptr) return;
+        owner->patch.values.at(i - blob.box.left, j - blob.box.top) = value;
+        owner->patch.centre += glm::dvec2(i, j);
+        ++owner->patch.area;
+    });
+    for (TemplateMatch& share : shares) share.patch.centre /= std::max(1, share.patch.area);
+}
+
+}  // namespace
+
+Template::Template(Patch of, const FrameView& sight)
+    : patch(std::move(of)), colours(Plane<Bgr>::for_overwrite(patch.values.size())) {
+    for (int j = 0; j < colours.height(); ++j) {
+        for (int i = 0; i < colours.width(); ++i) colours.at(i, j) = sight.at(patch.box.left + i, patch.box.top + j);
+    }
+}
+
+std::vector<TemplateMatch> split_blob(const Patch& blob, const FrameView& sight,
+                                      std::span<const Template* const> templates,
+                                      std::span<const glm::ivec2> expected) {
+    const std::size_t count = templates.size();
+    std::vector<TemplateMatch> shares(count);
+    std::vector<std::vector<Sample>> samples(count);
+    for (std::size_t k = 0; k < count; ++k) samples[k] = samples_of(*templates[k]);
+    std::vector<bool> placed(count);
+    UnclaimedPixels free(blob);
+    for (std::size_t turn = 0; turn < count; ++turn) {
+        Match best;
+        std::size_t next = count;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (placed[k]) continue;
+            const Match place = best_match(samples[k], sight, blob, free, expected[k]);
+            if (next != count && place.score <= best.score) continue;
+            best = place;
+            next = k;
+        }
+        placed[next] = true;
+        shares[next].shift = best.shift;
+        shares[next].similarity = best.similarity;
+        take_own(*templates[next], best.shift, sight, free);
+    }
+    split_pixels(blob, sight, templates, shares);
+    return shares;
 }
 
 }  // namespace vvr::events

@@ -4,11 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "core/base/plane.h"
 #include "core/events/appearance.h"
 #include "core/events/event_options.h"
 #include "core/events/patch.h"
 
 namespace vvr::events {
+
+/// Gives each row at most one column, so that the sum of the costs is the least that there is (the Hungarian method
+/// with potentials, after Kuhn and Munkres: O(rows² · columns)).
+/// \param costs a row's cost for each column; `most` or more means never
+/// \returns the column of each row
+std::vector<std::optional<int>> assign(const Plane<double>& costs, double most);
 
 /// A track, where it should be by now.
 struct PredictedTrack {
@@ -21,9 +28,9 @@ struct PredictedTrack {
 
 /// Which tracks go on in which blobs.
 struct Assignment {
-    std::vector<std::vector<std::size_t>> tracks;      ///< of each blob; two or more have merged there
+    std::vector<std::vector<std::size_t>> tracks;         ///< of each blob; two or more have merged there
     std::vector<std::optional<std::size_t>> fragment_of;  ///< of each blob without tracks: whose piece it is
-    std::vector<std::optional<std::size_t>> split_from;    ///< of each other blob without tracks: out of whom it came
+    std::vector<std::optional<std::size_t>> split_from;   ///< of each other blob without tracks: out of whom it came
 };
 
 /// How many pixels of a shifted patch fall on each blob.

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <utility>
 
-#include "core/events/edges.h"
-#include "core/events/linking.h"
+#include "core/events/patch.h"
 #include "core/events/path.h"
+#include "core/events/tracklet.h"
 
 namespace vvr::events {
 

@@ -2,15 +2,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "core/base/moment.h"
-#include "core/base/pixel_box.h"
 #include "core/base/plane.h"
+#include "core/base/wall_clock.h"
 
 namespace vvr::events {
 
@@ -81,5 +81,28 @@ struct Event {
 
 /// Seconds for which it kept its place.
 double stationary_seconds(const Event& event);
+
+/// Which events are wanted.
+struct EventChoice {
+    std::set<EventKind> kinds{EventKind::moved, EventKind::stood, EventKind::left, EventKind::taken};
+    double least = 0;  ///< seconds; shorter ones are left out
+};
+
+/// Those of the events that are wanted, in the same order. An event that named one of the others by its place names
+/// nobody.
+std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice);
+
+/// Small events that crowd one part of the picture: a screen, a flag, a far road, pieces of what stands there.
+struct Clutter {
+    std::int64_t count = 0;  ///< of all scraps
+    PixelBox box;            ///< of those in the part, field pixels
+    Moment at;               ///< when one of them is seen
+};
+
+/// A scrap is an event that never leaves an eighth of the picture's long side, both ways. Scraps dominate where there
+/// are a dozen or more, they are half of all events or more, and half of them or more lie in one ninth of the picture,
+/// a third of its width and height.
+/// \returns nothing where they do not
+std::optional<Clutter> find_clutter(std::span<const Event> events, Size field);
 
 }  // namespace vvr::events

@@ -112,7 +112,7 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
 }
 
 void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
-                              const FrameView& sight) {
+                                  const FrameView& sight) {
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
         if (!assignment.fragment_of[b]) continue;
         const auto home = std::ranges::find_if(assignment.tracks, [&](const auto& chosen) {
@@ -126,7 +126,7 @@ void EventFinder::merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, 
 
 /// What stood and is not seen now is behind somebody, was taken, or moves itself.
 void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks,
-                                    Assignment& assignment, const Moment& now) {
+                                 Assignment& assignment, const Moment& now) {
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
         Track& track = tracks_[k];
         if (!track.stands() || track.seen().frame == now.frame) continue;
@@ -142,7 +142,7 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
 
 /// It rises where there is nobody but it, or pieces of it: all of those are it.
 bool EventFinder::resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                        const FrameView& sight, const Moment& now) {
+                                 const FrameView& sight, const Moment& now) {
     const std::size_t number = tracks_[k].number();
     const auto is_own = [&](std::size_t other) { return tracks_[other].from() == number; };
     const std::vector<int> overlap = overlaps_of(tracks_[k].patch(), {}, blobs);
@@ -197,7 +197,7 @@ void EventFinder::drop_unconfirmed(std::vector<std::size_t>& chosen) {
 }
 
 void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
-                        const Assignment& assignment, const Moment& now) {
+                                const Assignment& assignment, const Moment& now) {
     std::vector<bool> went_on(tracks_.size());
     std::vector<Track> begun;
     for (std::size_t b = 0; b < blobs.patches.size(); ++b) {
@@ -247,7 +247,8 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
 }
 
 /// Finds each of several tracks in the blob that they are.
-void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now) {
+void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight,
+                        const Moment& now) {
     std::vector<const Template*> templates;
     std::vector<glm::ivec2> expected;
     double together = 0;

@@ -9,8 +9,7 @@
 #include "core/events/conclude.h"
 #include "core/events/event.h"
 #include "core/events/event_options.h"
-#include "core/events/labels.h"
-#include "core/events/sight.h"
+#include "core/events/patch.h"
 #include "core/events/track.h"
 #include "core/fields/planes.h"
 
@@ -56,15 +55,16 @@ class EventFinder {
     void restart();
     Plane<std::uint8_t> without_stationary(const FrameView& sight, const Moment& now);
     Assignment associate_movers(const Blobs& blobs, std::span<const Appearance> looks, const Moment& now) const;
-    void merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment, const FrameView& sight);
+    void merge_fragments(Blobs& blobs, std::vector<Appearance>& looks, const Assignment& assignment,
+                         const FrameView& sight);
     void track_occluded(const FrameView& sight, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
-                           const Moment& now);
-    bool resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment, const FrameView& sight,
-               const Moment& now);
+                        const Moment& now);
+    bool resumes_motion(std::size_t k, Blobs& blobs, std::vector<Appearance>& looks, Assignment& assignment,
+                        const FrameView& sight, const Moment& now);
     std::optional<std::size_t> about(const Track& standing) const;
     void drop_unconfirmed(std::vector<std::size_t>& chosen);
-    void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks, const Assignment& assignment,
-               const Moment& now);
+    void update_tracks(const FrameView& sight, const Blobs& blobs, std::span<const Appearance> looks,
+                       const Assignment& assignment, const Moment& now);
     void begin(const Patch& blob, const Appearance& look, std::optional<std::size_t> parent, std::vector<Track>& begun,
                const FrameView& sight, const Moment& now);
     void share(const Patch& blob, std::span<const std::size_t> chosen, const FrameView& sight, const Moment& now);

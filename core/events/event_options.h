@@ -11,7 +11,7 @@ struct EventOptions {
     double stay = 2;               ///< seconds; who keeps a place for less has only slowed down
     double least = 0.8;            ///< seconds; what is seen for less is a blink of the light or a piece of something
     double least_inside = 2;       ///< seconds; the same of what neither comes in nor goes out at the picture's border
-    double least_fragment = 5;        ///< seconds; and of such that came out of another: a part of it, mostly
+    double least_fragment = 5;     ///< seconds; and of such that came out of another: a part of it, mostly
     double own_lengths = 1.25;     ///< what goes less far than this flutters at its place, as a flag does
     double seen_part = 0.5;        ///< share of its frames in which a mover is seen; foliage comes and goes
     double steady_way = 0.25;      ///< cosine between steps half a second apart: leaves and rain turn back and forth
@@ -24,11 +24,11 @@ struct EventOptions {
         1;  ///< seconds without a frame where numbers of frames are missing: of that time nothing is known
 
     // Following from frame to frame.
-    double lost_after = 1;      ///< seconds for which a mover may be unseen and goes on with the same track
-    double occluded_after = 3;    ///< the same within a larger object
+    double lost_after = 1;                  ///< seconds for which a mover may be unseen and goes on with the same track
+    double occluded_after = 3;              ///< the same within a larger object
     double stationary_occluded_after = 60;  ///< the same of a standing thing that has somebody in front of it
-    double merge_cost = 0.85;   ///< cost of sharing a blob; a blob of its own must fit better than this
-    double gate = 1;            ///< lengths by which a blob may be off the expected place, where nothing overlaps
+    double merge_cost = 0.85;               ///< cost of sharing a blob; a blob of its own must fit better than this
+    double gate = 1;  ///< lengths by which a blob may be off the expected place, where nothing overlaps
 
     // Joining tracklets over gaps.
     double link_seconds = 8;  ///< longest gap; a person who is hidden for longer may be somebody else

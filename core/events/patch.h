@@ -1,11 +1,37 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/plane.h"
 #include "core/events/event.h"
+#include "core/fields/field.h"
 
 namespace vvr::events {
+
+/// What is seen at one moment: the field, and the frame of which it was made. The planes are of one size; a frame
+/// without colour or without a picture leaves those empty, and then objects are told apart by what is left.
+struct FrameView {
+    const Plane<std::uint8_t>& field;  ///< 0 = nothing; else part of an object
+    const Plane<std::uint8_t>& grey;
+    const Plane<Bgr>& colour;
+
+    Bgr at(int i, int j) const {
+        if (!colour.empty()) return colour.at(i, j);
+        const std::uint8_t value = grey.empty() ? field.at(i, j) : grey.at(i, j);
+        return {value, value, value};
+    }
+
+    int brightness(int i, int j) const {
+        const Bgr c = at(i, j);
+        return (c[0] + 2 * c[1] + c[2]) / 4;
+    }
+};
 
 /// The pixels of one object in one field: their values, and 0 where there are none of it.
 struct Patch {
@@ -62,5 +88,49 @@ Patch translated(Patch patch, const glm::ivec2& by);
 /// reach down is the longer one.
 /// \param min_area pixels; of fewer, there is no object
 Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int min_area);
+
+/// How strong the edges of a picture are along the outline of a patch: the mean change of brightness across it, grey
+/// levels. A thing has its edges in the frame. A ghost, the place of something that belonged to the empty scene and
+/// went, has them in the empty scene; a patch of light has them in neither.
+/// \param brightness of a column and a row of the picture, 0 to 255
+template <class Brightness>
+double edge_strength(const Patch& patch, Size picture, Brightness brightness) {
+    constexpr int across = 2;  // pixels to each side: the field is smooth, and the outline is not exact
+    double sum = 0;
+    int count = 0;
+    const auto at = [&](int i, int j) {
+        return int{brightness(std::clamp(i, 0, picture.width - 1), std::clamp(j, 0, picture.height - 1))};
+    };
+    for_each_pixel(patch, [&](int i, int j, std::uint8_t) {
+        const bool left = patch.at(i - 1, j) == 0;
+        const bool right = patch.at(i + 1, j) == 0;
+        const bool above = patch.at(i, j - 1) == 0;
+        const bool below = patch.at(i, j + 1) == 0;
+        if (!left && !right && !above && !below) return;
+        const int dx = left || right ? std::abs(at(i + across, j) - at(i - across, j)) : 0;
+        const int dy = above || below ? std::abs(at(i, j + across) - at(i, j - across)) : 0;
+        sum += std::max(dx, dy);
+        ++count;
+    });
+    return sum / std::max(1, count);
+}
+
+/// Which pixels of a field belong to which track, as runs of columns; a pixel that no run names belongs to none.
+///
+/// A track's event is known only when the clip has ended, because tracks are joined then. So a sink keeps the runs, and
+/// looks the numbers up in `Event::tracks` afterwards; a number that no event has is that of something that turned out
+/// to be none. Runs of a busy frame take about a hundredth of its field.
+struct FrameLabels {
+    Moment at;
+    std::vector<fields::LabelRun> runs;
+};
+
+using LabelSink = std::function<void(const FrameLabels&)>;
+
+/// Adds the pixels of a patch.
+void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels);
+
+/// The place in the list of the event that each track became a part of; none for those of no event. Indexed by track.
+std::vector<std::optional<std::size_t>> events_of_tracks(std::span<const Event> events);
 
 }  // namespace vvr::events

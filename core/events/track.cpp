@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/events/edges.h"
+#include "core/events/patch.h"
 
 namespace vvr::events {
 
@@ -165,7 +165,8 @@ void Track::move_to(const glm::dvec2& place) {
     place_ = place;
 }
 
-bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight, const Moment& now) {
+bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
+                          const Moment& now) {
     state_ = State::merged;
     const double time = now.seconds - place_at_.seconds;
     const glm::dvec2 expected = place_ + velocity_ * time;

@@ -6,12 +6,9 @@
 
 #include "core/events/appearance.h"
 #include "core/events/event_options.h"
-#include "core/events/flicker.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
-#include "core/events/sharing.h"
-#include "core/events/stays.h"
-#include "core/events/steadiness.h"
+#include "core/events/pixel_history.h"
 #include "core/events/tracklet.h"
 
 namespace vvr::events {
@@ -84,12 +81,14 @@ class Track {
     bool is_replaced_by(const Patch& blob) const;
 
     /// It is this blob now.
-    void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker, const Moment& now);
+    void see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
+             const Moment& now);
 
     /// It is this part of a blob that several objects share.
     /// \param has_room the blob is as large as they are together, so that nobody hides another
     /// \returns whether there is enough of it to be sure
-    bool update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight, const Moment& now);
+    bool update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
+                       const Moment& now);
 
     /// It is somewhere in a blob that it shares, and nobody can tell where.
     void miss_merged(const Moment& now) {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/choice.h"
-#include "core/fields/changes.h"
-#include "core/fields/clean.h"
+#include "core/fields/blobs.h"
+#include "core/fields/motion.h"
 #include "core/fields/seeds.h"
 #include "core/fields/settings.h"
 
@@ -129,13 +129,13 @@ Field FieldStages::finish(const Neighbourhood& about) const {
 }
 
 FieldStages::ActiveFilter FieldStages::running(std::string_view name, const FieldOptions& options,
-                                          std::optional<int> threshold) {
+                                               std::optional<int> threshold) {
     const FilterRow& row = find_filter(name);
     return {&row, row.make(options), threshold.value_or(row.traits.threshold)};
 }
 
-Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before,
-                                          const Flow& flow) const {
+Plane<std::uint8_t> FieldStages::filtered(const ActiveFilter& filter, const PipelineFrame& shot,
+                                          const PipelineFrame* before, const Flow& flow) const {
     const FilterTraits& traits = filter.row->traits;
     Plane<std::uint8_t> scalar = (*filter.filter)({.frame = *shot.frame,
                                                    .smooth = shot.smooth,
@@ -160,7 +160,8 @@ Flow FieldStages::flow_of(const Neighbourhood& about, const Plane<std::uint8_t>&
     const Size size = here.frame->grey.size();
     Flow flow{Plane<float>(size), Plane<float>(size)};
     const bool everywhere = whole_frame_flow_ || row_.traits.flow || (second_ && second_->row->traits.flow);
-    const std::vector<Rect> parts = everywhere ? std::vector<Rect>{{0, 0, size}} : regions_around(moves, flow_->margin());
+    const std::vector<Rect> parts =
+        everywhere ? std::vector<Rect>{{0, 0, size}} : regions_around(moves, flow_->margin());
     if (parts.empty()) return flow;
     const int reach = flow_->reach();
     std::vector<const FlowFrame*> frames(static_cast<std::size_t>(2 * reach + 1));

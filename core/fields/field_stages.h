@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "core/fields/field.h"
+#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/object.h"
 #include "core/fields/options.h"
-#include "core/fields/pipeline.h"
 #include "core/fields/stabilizer.h"
 
 namespace vvr::fields {
 
 /// A frame on its way through the pipeline. Its neighbours read it too, so nothing is moved out of it.
 struct PipelineFrame {
-    video::SharedFrame frame;        ///< aligned with the reference where the camera shakes
+    video::SharedFrame frame;            ///< aligned with the reference where the camera shakes
     std::optional<VisibleArea> visible;  ///< what the frame shows of the reference, where the camera shakes
     Planes smooth;
     Plane<std::uint8_t> object;      ///< the difference object, where something needs it
@@ -71,7 +71,8 @@ class FieldStages {
     };
 
     static ActiveFilter running(std::string_view name, const FieldOptions& options, std::optional<int> threshold);
-    Plane<std::uint8_t> filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before, const Flow& flow) const;
+    Plane<std::uint8_t> filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before,
+                                 const Flow& flow) const;
     Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;
     const FlowFrame& prepared(PipelineFrame& shot) const;
     Plane<std::uint8_t> moving(const Neighbourhood& about, const Plane<std::uint8_t>& object) const;

@@ -9,7 +9,6 @@
 #include "core/fields/field.h"
 #include "core/fields/options.h"
 #include "core/fields/planes.h"
-#include "core/fields/values.h"
 #include "core/video/frame.h"
 
 namespace vvr::fields {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/read_file.h"
+#include "core/base/file_io.h"
 
 namespace vvr::fields {
 namespace {

@@ -25,7 +25,8 @@ struct IlluminationChange {
 };
 
 /// The change from `reference` to `frame`, from what became of each level of grey in most places. It holds as long
-/// as objects cover less than half of the places of most levels; `IlluminationChange{}` where there is nothing to learn from.
+/// as objects cover less than half of the places of most levels; `IlluminationChange{}` where there is nothing to learn
+/// from.
 IlluminationChange estimate_illumination(const Planes& reference, const Planes& frame);
 
 /// The levels below which 5 %, 10 %, ... 95 % of a picture's pixels lie.

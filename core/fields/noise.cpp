@@ -8,7 +8,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
-#include "core/fields/rank.h"
 
 namespace vvr::fields {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/fields/blobs.h"
 #include "core/fields/illumination.h"
-#include "core/fields/norm.h"
 #include "core/fields/options.h"
+#include "core/fields/planes.h"
 #include "core/fields/reference.h"
 
 namespace vvr::fields {

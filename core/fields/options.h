@@ -17,7 +17,7 @@ struct FlowOptions {
     std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
     std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
     std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
-    bool every_frame = false;                ///< flow, not seeds, at all frames
+    bool every_frame = false;            ///< flow, not seeds, at all frames
     std::string area = "auto";           ///< a name in the table of flow areas
 };
 

@@ -1,7 +1,7 @@
-#include "core/fields/pipeline.h"
-
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -9,19 +9,177 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 #include <opencv2/core/utility.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/base/words.h"
-#include "core/fields/clip_reader.h"
+#include "core/base/text.h"
+#include "core/fields/field_source.h"
 #include "core/fields/field_stages.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/illumination.h"
+#include "core/fields/options.h"
+#include "core/fields/planes.h"
+#include "core/fields/reference.h"
 #include "core/fields/region.h"
+#include "core/fields/seeds.h"
 #include "core/fields/settings.h"
+#include "core/fields/shadows.h"
+#include "core/fields/stabilizer.h"
+#include "core/video/frame_span.h"
+#include "core/video/scaler.h"
 
 namespace vvr::fields {
+
+/// Reads the frames of a span of a clip, and `context` frames on each side. Must live as long as the jobs that it
+/// gives.
+class ClipReader {
+  public:
+    /// \param source at its first frame
+    /// \param from_first whether all frames before the span are wanted too
+    ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first);
+
+    /// The job of the next frame; an empty function at the end.
+    FrameJob operator()();
+
+    /// Of the frames read so far, the last one's number and time; -1 = there was none.
+    std::int64_t last_index() const { return last_index_; }
+    double last_pts() const { return last_pts_; }
+
+  private:
+    std::shared_ptr<video::DecodedFrame> read();
+    void seek_to_span();
+    void collect_context();
+
+    video::FrameSource& source_;
+    video::FrameSpan span_;
+    std::size_t context_;
+    bool begun_ = false;
+    bool from_first_;
+    std::size_t past_end_ = 0;
+    std::int64_t last_index_ = -1;
+    double last_pts_ = 0;
+    std::deque<std::shared_ptr<video::DecodedFrame>> waiting_;
+    oneapi::tbb::enumerable_thread_specific<video::Scaler> scalers_;
+};
+
+ClipReader::ClipReader(video::FrameSource& source, const video::FrameSpan& span, int context, bool from_first)
+    : source_(source),
+      span_(span),
+      context_(static_cast<std::size_t>(context)),
+      from_first_(from_first),
+      scalers_([&source] { return video::Scaler(source); }) {}
+
+std::shared_ptr<video::DecodedFrame> ClipReader::read() {
+    std::shared_ptr<video::DecodedFrame> frame = source_.next();
+    if (frame) {
+        last_index_ = frame->index;
+        last_pts_ = frame->pts;
+    }
+    return frame;
+}
+
+/// Reads up to the first frame of the span and keeps the last few before it, not yet scaled.
+void ClipReader::collect_context() {
+    waiting_.clear();
+    while (auto frame = read()) {
+        const bool counts = !video::is_before(span_, frame->index, frame->pts);
+        waiting_.push_back(std::move(frame));
+        if (counts) return;
+        if (waiting_.size() > context_) waiting_.pop_front();
+    }
+    waiting_.clear();
+}
+
+void ClipReader::seek_to_span() {
+    if (from_first_ || span_ == video::FrameSpan{}) return;
+    const double rate = source_.info().rate;
+    if (rate > 0) {
+        const double start = std::max(span_.start, static_cast<double>(span_.first) / rate);
+        source_.seek(start - (static_cast<double>(context_) + 2) / rate);
+    }
+    collect_context();
+    const bool whole = waiting_.size() > context_ || (!waiting_.empty() && waiting_.front()->index == 0);
+    if (rate <= 0 || whole) return;
+    // Where frames come at uneven times, the place that the rate gave can be too late.
+    source_.rewind();
+    collect_context();
+}
+
+FrameJob ClipReader::operator()() {
+    if (!std::exchange(begun_, true)) seek_to_span();
+    std::shared_ptr<video::DecodedFrame> decoded;
+    if (waiting_.empty()) {
+        decoded = read();
+    } else {
+        decoded = std::move(waiting_.front());
+        waiting_.pop_front();
+    }
+    if (!decoded) return {};
+    if (video::is_past(span_, decoded->index, decoded->pts) && past_end_++ == context_) return {};
+    return [this, decoded] { return scalers_.local()(*decoded); };
+}
+
+namespace {
+
+void validate(const FlowOptions& flow) {
+    choose(setting::flow.name, flow.method, flow_methods());
+    choose(setting::flow_area.name, flow.area, flow_areas());
+    choose(setting::solver.name, flow.solver, flow_solvers());
+    choose(setting::derivatives.name, flow.derivatives, derivative_kinds());
+    if (flow.alpha) check(setting::alpha, *flow.alpha);
+    if (flow.iterations) check(setting::iterations, *flow.iterations);
+    if (flow.pre_smooth) check(setting::pre_smooth, *flow.pre_smooth);
+    check(setting::flow_every, flow.every);
+}
+
+void validate(const SeedOptions& seeds) {
+    check(setting::grid, seeds.grid);
+    check(setting::min_magnitude, seeds.min_magnitude);
+    choose(setting::seed_area.name, seeds.area, seed_areas());
+    choose(setting::seed_order.name, seeds.order, seed_orders());
+    parse_seed_selection(seeds.select);
+}
+
+void validate(const video::FrameSpan& span) {
+    // Written so that a NaN is refused.
+    if (!(span.start >= 0) || span.first < 0) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
+            {setting::start.name});
+    }
+    if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
+        throw Error(ErrorKind::usage, "end has to come after the start", {setting::end.name});
+    }
+}
+
+}  // namespace
+
+void validate(const FieldOptions& options) {
+    find_filter(options.filter);
+    if (!options.second.empty()) find_filter(options.second);
+    choose(setting::norm.name, options.norm, norms());
+    choose(setting::illumination.name, options.illumination, illuminations());
+    choose(setting::shadows.name, options.shadows, shadow_kinds());
+    choose(setting::stabilize.name, options.stabilize, stabilizers());
+    if (options.threshold) check(setting::threshold, *options.threshold);
+    check(setting::smooth, options.smooth);
+    check(setting::min_area, options.min_area);
+    check(setting::threads, options.threads);
+    validate(options.span);
+    validate(options.flow);
+    validate(options.seeds);
+    validate_reference(options.reference);
+    validate_region(setting::roi.name, options.roi);
+    validate_region(setting::mask.name, options.mask);
+}
+
 namespace {
 
 using oneapi::tbb::filter_mode;
@@ -113,9 +271,10 @@ std::int64_t run(const FrameReader& read, FieldStages& work, const FieldOptions&
             if (turns_left-- == 0) control.stop();
             return {};
         });
-    const auto begin = make_filter<FrameJob, std::shared_ptr<PipelineFrame>>(filter_mode::parallel, [&](const FrameJob& job) {
-        return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<PipelineFrame>{}; });
-    });
+    const auto begin =
+        make_filter<FrameJob, std::shared_ptr<PipelineFrame>>(filter_mode::parallel, [&](const FrameJob& job) {
+            return first.guard([&] { return job ? work.begin(job()) : std::shared_ptr<PipelineFrame>{}; });
+        });
     const auto gather = make_filter<std::shared_ptr<PipelineFrame>, Neighbourhood>(
         filter_mode::serial_in_order,
         [&](std::shared_ptr<PipelineFrame> shot) { return first.guard([&] { return work.gather(std::move(shot)); }); });

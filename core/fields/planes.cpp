@@ -1,11 +1,18 @@
 #include "core/fields/planes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
+#include <fmt/format.h>
 #include <opencv2/core.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/cv_view.h"
+#include "core/base/error.h"
+#include "core/fields/settings.h"
 #include "core/kernels/byte_blur.h"
 
 namespace vvr::fields {
@@ -42,6 +49,50 @@ Plane<std::uint8_t> largest_difference(const Planes& a, const Planes& b) {
     cv::Mat largest = cv_view(result);
     cv::max(channels[0], channels[2], largest);
     return result;
+}
+
+namespace {
+
+Plane<std::uint8_t> luminance_difference(const Planes& a, const Planes& b) {
+    auto result = Plane<std::uint8_t>::for_overwrite(a.grey.size());
+    cv::absdiff(cv_view(a.grey), cv_view(b.grey), cv_view(result));
+    return result;
+}
+
+/// Hue as an angle and saturation as a length are a point of a plane; the difference is the distance of two of them.
+/// Brightness, and with it grey, does not count.
+std::uint8_t distance_in_hue(const Bgr& a, const Bgr& b) {
+    const int blue = a[0] - b[0];
+    const int green = a[1] - b[1];
+    const int red = a[2] - b[2];
+    const float along_red = static_cast<float>(2 * red - green - blue) / 2;
+    const float across = std::numbers::sqrt3_v<float> / 2 * static_cast<float>(green - blue);
+    return static_cast<std::uint8_t>(std::min(std::hypot(along_red, across), 255.F));
+}
+
+Plane<std::uint8_t> hue_difference(const Planes& a, const Planes& b) {
+    auto result = Plane<std::uint8_t>::for_overwrite(a.grey.size());
+    std::ranges::transform(a.colour.pixels(), b.colour.pixels(), result.pixels().begin(), distance_in_hue);
+    return result;
+}
+
+constexpr std::array rows{
+    NormRow{"channel", "the channel that differs most", false, largest_difference},
+    NormRow{"luminance", "the brightness alone", false, luminance_difference},
+    NormRow{"hue", "hue and saturation: brightness does not count, nor do soft shadows", true, hue_difference},
+};
+
+}  // namespace
+
+std::span<const NormRow> norms() {
+    return rows;
+}
+
+const NormRow& find_norm(std::string_view name, const Planes& picture) {
+    const NormRow& row = choose(setting::norm.name, name, rows);
+    if (!row.needs_colour || !picture.colour.empty()) return row;
+    throw Error(ErrorKind::usage, fmt::format("norm {}: these frames have no colour; choose luminance", name),
+                {setting::norm.name});
 }
 
 }  // namespace vvr::fields

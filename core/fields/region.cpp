@@ -14,9 +14,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
-#include "core/base/ending.h"
 #include "core/base/error.h"
-#include "core/base/read_file.h"
+#include "core/base/file_io.h"
+#include "core/base/file_name.h"
 #include "core/fields/settings.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"

@@ -121,7 +121,7 @@ std::span<const ShadowRow> shadow_kinds() {
 }
 
 std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
-                                      std::uint8_t faint) {
+                                         std::uint8_t faint) {
     if (frame.colour.empty() || empty.colour.empty()) return {};
     const std::vector<Point> points = points_of(object);
     if (points.empty()) return {};
@@ -153,8 +153,7 @@ std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Plan
     return taken;
 }
 
-void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
-                        std::uint8_t faint) {
+void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach, std::uint8_t faint) {
     const std::ptrdiff_t width = object.width();
     /// Whether one of the next `most` pixels is an object's.
     const auto is_object_within = [&](const std::uint8_t* from, std::ptrdiff_t step, int most) {

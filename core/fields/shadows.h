@@ -32,12 +32,11 @@ struct ShadowPixel {
 /// \param faint values of the object below it may be a shadow's soft edge
 /// \returns what was taken out, by rows
 std::vector<ShadowPixel> extract_shadows(Plane<std::uint8_t>& object, const Planes& frame, const Planes& empty,
-                                      std::uint8_t faint);
+                                         std::uint8_t faint);
 
 /// Gives back to `object` what has something of it within `reach` pixels below and in two more of the four directions:
 /// a grey car's roof on a grey road looks like a shadow, but a shadow lies beside or under its thing, not within it.
 /// What is below `faint` stays out.
-void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach,
-                        std::uint8_t faint);
+void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> shadow, int reach, std::uint8_t faint);
 
 }  // namespace vvr::fields

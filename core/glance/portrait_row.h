@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 
 namespace vvr::glance {
 

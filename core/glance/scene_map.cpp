@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/image/resized.h"
+#include "core/image/picture.h"
 
 namespace vvr::glance {
 

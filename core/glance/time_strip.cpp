@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/words.h"
+#include "core/base/text.h"
 
 namespace vvr::glance {
 
@@ -170,7 +170,7 @@ std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, doub
 }
 
 void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                  const StripStyle& look, labels::Lettering& lettering) {
+                 const StripStyle& look, labels::Lettering& lettering) {
     Strip(objects, begin, end, still, sheet, look, lettering).letter();
 }
 

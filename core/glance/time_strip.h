@@ -42,6 +42,6 @@ struct StripStyle {
 /// \param begin, end seconds of the clip
 /// \param still nothing moved at all
 void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                  const StripStyle& look, labels::Lettering& lettering);
+                 const StripStyle& look, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

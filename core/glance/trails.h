@@ -2,6 +2,7 @@
 
 #include "core/bricks/volume.h"
 #include "core/glance/objects.h"
+#include "core/scene/flow_geometry.h"
 #include "core/space/camera.h"
 #include "core/space/layout.h"
 
@@ -33,5 +34,10 @@ class Trails {
 /// \param area of the picture that it stays in
 PixelBox hollow_of(const space::Layout& layout, const space::Camera& camera, Size picture, const PixelBox& area,
                    double aspect);
+
+/// Arrows along the paths of the objects, at equal distances in time: which way each of them went. None where it stood.
+/// \param length of an arrow, P-space units
+std::vector<scene::Glyph> direction_arrows(const Objects& objects, const bricks::Volume& volume,
+                                           const space::Layout& layout, double length);
 
 }  // namespace vvr::glance

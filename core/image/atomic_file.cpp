@@ -18,9 +18,9 @@
 
 #include <fmt/format.h>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/file_lock.h"
-#include "core/base/fnv.h"
+#include "core/base/file_io.h"
 
 namespace vvr::image {
 

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <latch>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -12,10 +17,72 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/loading.h"
-#include "core/base/machine_memory.h"
+#include "core/base/file_io.h"
+#include "core/base/memory.h"
+#include "core/image/picture.h"
 
 namespace vvr::image {
+
+namespace {
+
+/// A format of the pictures that are read.
+struct ReadFormat {
+    std::string_view name;         ///< OpenImageIO's
+    std::string_view first_bytes;  ///< of each of its files
+};
+
+using namespace std::string_view_literals;
+constexpr std::array read_formats{ReadFormat{"png", "\x89PNG\r\n\x1a\n"sv}, ReadFormat{"jpeg", "\xff\xd8\xff"sv},
+                                  ReadFormat{"tiff", "II*\0"sv}, ReadFormat{"tiff", "MM\0*"sv},
+                                  ReadFormat{"openexr", "\x76\x2f\x31\x01"sv}};
+
+constexpr std::size_t longest_begin = 8;
+
+/// \param begin of a file
+std::string_view format_of(const std::filesystem::path& name, std::string_view begin) {
+    const auto format =
+        std::ranges::find_if(read_formats, [&](const ReadFormat& row) { return begin.starts_with(row.first_bytes); });
+    if (format != read_formats.end()) return format->name;
+    throw Error(ErrorKind::io,
+                fmt::format("cannot read picture '{}': it is no PNG, JPEG, TIFF or OpenEXR file, {}", name.string(),
+                            begin.empty() ? "but empty" : "whatever its name says; convert it"));
+}
+
+}  // namespace
+
+Samples read_samples(const std::filesystem::path& path) {
+    check_is_file(path.string(), most_bytes::data);
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, longest_begin> begin{};
+    file.read(begin.data(), begin.size());
+    if (!file.is_open() || file.bad()) {
+        throw Error(ErrorKind::io, fmt::format("cannot read picture '{}': {}; check its name and permissions",
+                                               path.string(), std::strerror(errno)));
+    }
+    const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+    return picture_codec().read(path, format_of(path, bytes), std::nullopt);
+}
+
+Samples decode_samples(const std::filesystem::path& name, std::span<const std::byte> bytes) {
+    const std::string_view begin(reinterpret_cast<const char*>(bytes.data()), std::min(longest_begin, bytes.size()));
+    return picture_codec().read(name, format_of(name, begin), bytes);
+}
+
+Samples without_pixel_data(Samples samples) {
+    const auto is_pixel_data = [](const std::string& channel) {
+        return std::ranges::find(pixel_data_channels, channel, &PixelDataChannel::name) != pixel_data_channels.end();
+    };
+    if (std::ranges::none_of(samples.channels, is_pixel_data)) return samples;
+    std::vector<float> kept;
+    for (std::size_t i = 0; i < samples.values.size(); ++i) {
+        if (!is_pixel_data(samples.channels[i % samples.channels.size()])) kept.push_back(samples.values[i]);
+    }
+    samples.values = std::move(kept);
+    std::erase_if(samples.channels, is_pixel_data);
+    return samples;
+}
+
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__

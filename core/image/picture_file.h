@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/image/codec.h"
 #include "core/image/picture.h"
-#include "core/image/samples.h"
 
 namespace vvr::image {
 

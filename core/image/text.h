@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/pixel_box.h"
+#include "core/base/plane.h"
 #include "core/image/picture.h"
 
 namespace vvr::image {

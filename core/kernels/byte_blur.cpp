@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/kernels/gaussian.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/byte_blur.cpp"
 #include <hwy/foreach_target.h>

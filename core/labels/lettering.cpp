@@ -4,8 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/image/draw.h"
-#include "core/image/resized.h"
+#include "core/image/picture.h"
 
 namespace vvr::labels {
 

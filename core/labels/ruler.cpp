@@ -112,7 +112,7 @@ std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, cons
 }
 
 void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
-                 const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
+                const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
         write_beside(gap.words, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
     }
@@ -125,7 +125,8 @@ std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const
     const double apart = 0.8 * volume.t_end() / most;
     const std::vector<bricks::CompressedIdle> squeezed = bricks::compressed_stretches(volume);
     const auto is_squeezed = [&](double t) {
-        return std::ranges::any_of(squeezed, [&](const bricks::CompressedIdle& s) { return s.t_begin < t && t < s.t_end; });
+        return std::ranges::any_of(squeezed,
+                                   [&](const bricks::CompressedIdle& s) { return s.t_begin < t && t < s.t_end; });
     };
     std::vector<TimeTick> kept;
     for (int factor = 1; factor <= finest; factor *= 2) {
@@ -168,7 +169,7 @@ std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks
 }
 
 void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
-                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
+                  const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     std::vector<TimeBreak> longest = breaks;
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
     for (const TimeBreak& gap : longest) {
@@ -179,8 +180,8 @@ void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& lay
 }
 
 void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
-                  const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
-                  const image::Rgba& colour, Lettering& lettering) {
+                 const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
+                 const image::Rgba& colour, Lettering& lettering) {
     const auto write = [&](const TimeTick& tick) {
         write_beside(tick.text, volume.t_of_seconds(tick.seconds), layout, edge, camera, sheet, colour, lettering);
     };

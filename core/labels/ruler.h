@@ -47,7 +47,7 @@ std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, cons
 
 /// Writes beside the hatching what it means, where there is room.
 void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
-                 const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
+                const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
 /// Ticks for a volume whose layers are of unequal length: `most` at most, about evenly spread over the arc, the
 /// roundest moments first.
@@ -68,12 +68,12 @@ std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks
 
 /// Writes beside breaks how long they are, the longest first, where there is room.
 void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
-                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
+                  const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
 /// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
 /// between the first and the last.
 void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
-                  const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
-                  const image::Rgba& colour, Lettering& lettering);
+                 const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
+                 const image::Rgba& colour, Lettering& lettering);
 
 }  // namespace vvr::labels

@@ -1,24 +1,70 @@
 #include "core/page/page.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
-#include "core/base/words.h"
-#include "core/events/way.h"
+#include "core/base/text.h"
+#include "core/base/wall_clock.h"
+#include "core/events/path.h"
 #include "core/image/picture_file.h"
 #include "core/labels/time_ticks.h"
-#include "core/page/heading.h"
 #include "core/page/text.h"
 #include "page_files.h"
 #include "page_script.h"
 #include "shared_files.h"
 
 namespace vvr::page {
+
+/// Whose page it is: "back-door · Tue 17 Nov 2026, 07:15", with the minute of the end if that is another. Where the
+/// time of day is not known, the name alone. \param name of the camera, or of the clip where that is not known \param
+/// begin, end seconds of the clip
+std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end);
+
+namespace {
+
+constexpr std::array<std::string_view, 7> weekdays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
+constexpr std::array<std::string_view, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                                  "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+
+/// What a clock on a wall shows.
+struct Minute {
+    std::chrono::sys_days day;
+    std::string time;
+
+    explicit Minute(double seconds) {
+        const std::chrono::sys_seconds whole{std::chrono::seconds(std::llround(std::floor(seconds + 1e-4)))};
+        day = std::chrono::floor<std::chrono::days>(whole);
+        const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(whole - day).count();
+        time = fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+    }
+
+    std::string date() const {
+        const std::chrono::year_month_day date(day);
+        return fmt::format("{} {} {} {}", weekdays.at(std::chrono::weekday(day).c_encoding()),
+                           static_cast<unsigned>(date.day()), months.at(static_cast<unsigned>(date.month()) - 1),
+                           static_cast<int>(date.year()));
+    }
+};
+
+}  // namespace
+
+std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end) {
+    if (!clock) return name;
+    const Minute first(clock->at(begin));
+    const Minute last(clock->at(end));
+    const std::string heading = fmt::format("{} · {}, {}", name, first.date(), first.time);
+    if (last.day != first.day) return fmt::format("{} – {}, {}", heading, last.date(), last.time);
+    return last.time == first.time ? heading : fmt::format("{}–{}", heading, last.time);
+}
 
 namespace {
 

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/clock_source.h"
 #include "core/base/wall_clock.h"
 #include "core/events/event.h"
 #include "core/image/picture.h"
-#include "core/page/watched_fields.h"
+#include "core/page/moments.h"
 
 namespace vvr::page {
 
@@ -40,7 +39,7 @@ struct PageContent {
         double length = 0;
     };
     std::vector<Segment> segments;   ///< instead of a clip, in order
-    std::string piece_extension;          ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
+    std::string piece_extension;     ///< of a file that can hold what is cut out of the clip; empty = `vvr cut` chooses
     std::vector<std::string> names;  ///< how files' names tell camera and time, as it was said
     WallClock clock;                 ///< that the picture shows
     Size shown;                      ///< size of the clip's picture

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/base/fit_into.h"
-#include "core/image/resized.h"
+#include "core/base/plane.h"
+#include "core/image/picture.h"
 
 namespace vvr::page {
 
@@ -71,7 +71,7 @@ void Preview::begin() {
     video_.type = kind->type;
     encoder_ = std::make_unique<image::VideoEncoder>(
         image::VideoFormat{kind->muxer, kind->encoder,
-                          fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
+                           fmt::format("crf={},{},{}", kind->crf[place_of(use_)], kind->options, limit)},
         "preview", size_, ticks, pictures, key_seconds * pictures);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/film_encoder.h"
+#include "core/image/film.h"
 
 namespace vvr::page {
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/plane.h"
+#include "core/events/event.h"
 
 namespace vvr::page {
 
@@ -46,5 +49,11 @@ class Stills {
     std::int64_t in_last_ = 0;  ///< frames in the last stretch so far
     std::vector<Kept> kept_;
 };
+
+/// The still that tells most of a clip: of what was left behind, else of what was taken, of what stood for longest, of
+/// what was there for longest; with a frame around it. Without events it is the one in the middle.
+/// \param field size of the field, whose pixels are the unit of events
+/// \returns nothing where there are no stills
+std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);
 
 }  // namespace vvr::page

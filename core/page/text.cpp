@@ -10,7 +10,7 @@ extern "C" {
 
 #include <fmt/format.h>
 
-#include "core/base/sha256.h"
+#include "core/base/digest.h"
 
 namespace vvr::page {
 

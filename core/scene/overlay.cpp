@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/space/hexahedron.h"
+#include "core/space/layout.h"
 
 namespace vvr::scene {
 
@@ -50,7 +50,7 @@ BoundingBox layout_bounds(const space::Layout& layout) {
 }
 
 BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
-                    const TransferFunction& transfer) {
+                           const TransferFunction& transfer) {
     BoundingBox box;
     const bool zero_is_empty = !transfer.visible({0, 0});
     for (const bricks::PlacedCells& brick : bricks) {

@@ -32,7 +32,7 @@ BoundingBox layout_bounds(const space::Layout& layout);
 
 /// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
 BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
-                    const TransferFunction& transfer);
+                           const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const BoundingBox& box);
 

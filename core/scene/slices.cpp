@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/space/hexahedron.h"
+#include "core/space/layout.h"
 
 namespace vvr::scene {
 
@@ -171,7 +171,8 @@ std::vector<SlicePolygon> farthest_first(const std::vector<SlicePolygon>& pieces
     for (const SlicePolygon& piece : pieces) ++start[static_cast<std::size_t>(slices - 1 - piece.slice) + 1];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     std::vector<SlicePolygon> sorted(pieces.size());
-    for (const SlicePolygon& piece : pieces) sorted[start[static_cast<std::size_t>(slices - 1 - piece.slice)]++] = piece;
+    for (const SlicePolygon& piece : pieces)
+        sorted[start[static_cast<std::size_t>(slices - 1 - piece.slice)]++] = piece;
     return sorted;
 }
 

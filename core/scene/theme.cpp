@@ -1,6 +1,9 @@
 #include "core/scene/theme.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace vvr::scene {
 
@@ -63,6 +66,74 @@ constexpr std::array table{
 
 std::span<const Theme> themes() {
     return table;
+}
+
+namespace {
+
+float encoded(double linear) {
+    const double within = std::clamp(linear, 0.0, 1.0);
+    return static_cast<float>(within <= 0.0031308 ? 12.92 * within : 1.055 * std::pow(within, 1 / 2.4) - 0.055);
+}
+
+}  // namespace
+
+glm::vec3 hue_colour(double lightness, double chroma, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const double a = chroma * std::cos(angle);
+    const double b = chroma * std::sin(angle);
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+    const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+    const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+    return {encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+            encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+            encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+}
+
+glm::vec3 direction_colour(const glm::dvec2& direction) {
+    constexpr double right = 25;  // the hue, red; then over yellow up, green left, blue down
+    const double degrees = std::atan2(-direction.y, direction.x) * 180 / std::numbers::pi;
+    return hue_colour(0.64, 0.18, right + degrees);
+}
+
+std::vector<glm::vec4> time_colours() {
+    constexpr int steps = 256;
+    std::vector<glm::vec4> colours;
+    for (int i = 0; i < steps; ++i) {
+        const double share = static_cast<double>(i) / (steps - 1);
+        colours.emplace_back(hue_colour(0.40 + 0.32 * share, 0.17, 280 - 225 * share), 1);
+    }
+    return colours;
+}
+
+namespace {
+
+struct ObjectStateStyle {
+    float extinction;  ///< factor
+    float toward_ink;  ///< part of the way from the object's colour to black
+};
+
+// In the order of ObjectState. Who stands is in one place for long, and has to be told from a trail that runs along the
+// arc: by stripes across time, and more solid.
+constexpr std::array postures{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, ObjectStateStyle{3, 0.45F}};
+
+// Leaves, rain and the light are nobody's: to be seen where there is nothing else, and not to be taken for a thing. At
+// a sixth a whole frame that has become lighter lets everything behind it through.
+constexpr float nobodys_extinction = 1.0F / 6;
+
+}  // namespace
+
+std::uint8_t palette_index(int colour, ObjectState posture) {
+    return static_cast<std::uint8_t>(1 + colour * static_cast<int>(postures.size()) + static_cast<int>(posture));
+}
+
+std::vector<glm::vec4> object_palette(const Theme& theme) {
+    std::vector<glm::vec4> looks{{theme.unowned, nobodys_extinction}};
+    for (const glm::vec3& colour : theme.objects) {
+        for (const ObjectStateStyle& posture : postures) {
+            looks.emplace_back(glm::mix(colour, glm::vec3(0), posture.toward_ink), posture.extinction);
+        }
+    }
+    return looks;
 }
 
 }  // namespace vvr::scene

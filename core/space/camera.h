@@ -4,7 +4,6 @@
 
 #include <glm/glm.hpp>
 
-#include "core/base/pixel_box.h"
 #include "core/base/plane.h"
 
 namespace vvr::space {

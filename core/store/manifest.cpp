@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/file_io.h"
 #include "core/base/json_text.h"
-#include "core/base/read_file.h"
 #include "core/base/version.h"
 #include "core/fields/filter.h"
 #include "core/fields/settings.h"

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/video/decoded_frame.h"
+#include "core/video/frame.h"
 
 struct SwsContext;
 

@@ -7,14 +7,14 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
+
 extern "C" {
 #include <libavutil/error.h>
 #include <libavutil/frame.h>
 #include <libavutil/log.h>
 #include <libavutil/mem.h>
 }
-
-#include "core/base/error.h"
 
 namespace vvr::video {
 

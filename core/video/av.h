@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdarg>
 #include <cstdint>
 #include <memory>
@@ -7,13 +9,41 @@
 #include <string>
 #include <utility>
 
+#include "core/video/frame.h"
+
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 }
 
-#include "core/video/decoded_frame.h"
-#include "core/video/watchdog.h"
+namespace vvr::video {
+
+/// Ends reads of a live stream from outside: when somebody asks for it, or when nothing has come for too long. A reader
+/// asks `expired`, from any thread.
+class Watchdog {
+  public:
+    /// \param patience how long a read may take
+    explicit Watchdog(std::chrono::duration<double> patience)
+        : patience_(std::chrono::duration_cast<Clock::duration>(patience)) {}
+
+    /// A read begins now.
+    void feed() { fed_ = Clock::now(); }
+
+    /// No read goes on, nor begins any more.
+    void stop() { stopped_ = true; }
+
+    bool stopped() const { return stopped_; }
+    bool expired() const { return stopped_ || Clock::now() - fed_.load() > patience_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Clock::duration patience_;
+    std::atomic<Clock::time_point> fed_ = Clock::now();
+    std::atomic<bool> stopped_ = false;
+};
+
+}  // namespace vvr::video
 
 // Owners of libav's objects, and what libav says of its errors.
 namespace vvr::video::av {

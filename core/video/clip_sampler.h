@@ -1,17 +1,40 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/video/frame.h"
 #include "core/video/frame_source.h"
-#include "core/video/frame_store.h"
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
 
 namespace vvr::video {
+
+/// Pictures in order, compressed: of each only how it differs from the one before. What comes out is what went in, byte
+/// for byte.
+class FrameStore {
+  public:
+    /// \returns false for a picture whose size or colours differ from the first one's: it is left out
+    [[nodiscard]] bool push(ScaledPicture picture);
+
+    /// Takes out the first picture; nothing after the last one.
+    std::optional<ScaledPicture> pop();
+
+    /// Compressed bytes.
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    std::optional<ScaledPicture> pushed_;  ///< the last one
+    std::optional<ScaledPicture> popped_;  ///< the last one
+    std::deque<std::vector<char>> packed_;
+    std::vector<char> scratch_;  ///< what a picture is compressed to
+    std::size_t bytes_ = 0;
+};
 
 class StoredBytes;
 

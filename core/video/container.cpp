@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "core/base/choice.h"
-#include "core/base/ending.h"
 #include "core/base/error.h"
+#include "core/base/file_name.h"
 #include "core/video/demuxer.h"
 
 namespace vvr::video {

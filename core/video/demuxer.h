@@ -3,12 +3,23 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/video/av.h"
 #include "core/video/input.h"
-#include "core/video/pipe_reader.h"
 
+// Files that name other files (HLS and the like) are read from servers alone. On this machine a folder, a pattern or a
+// list of vvr's own says the same, and none of them leads anywhere else.
 namespace vvr::video {
+
+/// Whether a name is that of a playlist.
+bool is_playlist_name(const std::string& name);
+
+/// Whether files of a format name other files.
+bool is_playlist_format(const AVInputFormat& format);
+
+/// libav's names of all containers but those that name other files, as its `format_whitelist` wants them.
+std::string formats_of_clips();
 
 /// The packets of one video stream of a container.
 class Demuxer {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/video/clip_sampler.h"
+#include "core/video/decoder.h"
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
 #include "core/video/packet_scan.h"
-#include "core/video/video_reader.h"
 
 namespace vvr::video {
 
@@ -40,11 +40,11 @@ class FileSource final : public FrameSource {
     VideoInfo info_;
     Size field_size_;
     Orientation orientation_;
-    double tick_ = 0;          ///< of the container's clock, seconds
-    double from_ = 0;          ///< seconds; earlier frames are skipped
+    double tick_ = 0;                ///< of the container's clock, seconds
+    double from_ = 0;                ///< seconds; earlier frames are skipped
     double implausible_length_ = 0;  ///< seconds that the header says it lasts, where no clip does
-    double last_time_ = 0;     ///< of the frame that was given last
-    double jump_ = 0;          ///< the longest of its clock that no clip has, seconds
+    double last_time_ = 0;           ///< of the frame that was given last
+    double jump_ = 0;                ///< the longest of its clock that no clip has, seconds
     SeekPoint start_;
 
     std::int64_t index_ = 0;               ///< of the next frame

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/clock_source.h"
-#include "core/video/decoded_frame.h"
+#include "core/base/wall_clock.h"
 #include "core/video/frame.h"
 
 namespace vvr::video {
@@ -46,12 +45,12 @@ struct VideoInfo {
     std::int64_t frames = 0;              ///< estimate of the number of frames; 0 = unknown
     std::optional<std::int64_t> began{};  ///< when its first frame was recorded, seconds since 1970 (UTC)
     ClockSource began_source = ClockSource::none;  ///< what tells that
-    std::optional<std::int64_t> created{};     ///< the container's creation_time, seconds since 1970 (UTC)
+    std::optional<std::int64_t> created{};         ///< the container's creation_time, seconds since 1970 (UTC)
     std::optional<std::int64_t>
         modified{};       ///< when it began if the file was written last at its end, seconds since 1970 (UTC)
     std::string title{};  ///< of the clip that data files were extracted from; empty = see the name
     std::vector<SegmentPlace> segments{};  ///< of a recording of several files, those that were read so far
-    OmittedFrames left_out{};                    ///< of these files
+    OmittedFrames left_out{};              ///< of these files
 };
 
 struct SourceOptions {

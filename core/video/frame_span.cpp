@@ -3,9 +3,122 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "core/base/error.h"
+#include "core/base/text.h"
+
 namespace vvr::video {
+
+namespace {
+
+constexpr std::int64_t day = 86'400;
+
+std::string on_clock(const Clock& clock, double seconds) {
+    const auto shown = static_cast<std::time_t>(std::floor(clock.at(seconds) + 1e-6));
+    return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(shown));
+}
+
+std::int64_t day_at(const Clock& clock, double seconds) {
+    return static_cast<std::int64_t>(std::floor(clock.at(seconds) / static_cast<double>(day)));
+}
+
+/// Headers lie, so a little more than they say.
+double likely_end(const FrameSpan& span, const VideoInfo& info) {
+    constexpr double unknown = 366.0 * day;
+    constexpr double more = 60;
+    if (span.end) return *span.end;
+    return info.duration > 0 ? info.duration + more : unknown;
+}
+
+[[noreturn]] void refuse(std::string_view setting, std::string_view given, const Clock& clock, const VideoInfo& info) {
+    const std::string end = info.duration > 0 ? fmt::format(" and ends at {}", on_clock(clock, info.duration)) : "";
+    throw Error(ErrorKind::usage,
+                fmt::format("{}: there is nothing of {} in '{}', which begins at {}{} ({})", setting, given, info.name,
+                            on_clock(clock, 0), end, row_of(clock.source).words),
+                {setting});
+}
+
+std::vector<FrameSpan::Part> parts_of(const DayPart& asked, const Clock& clock, double begin, double end) {
+    std::vector<FrameSpan::Part> parts;
+    const std::int64_t over_midnight = asked.end <= asked.begin ? 1 : 0;
+    for (std::int64_t date = day_at(clock, begin) - 1; date <= day_at(clock, end); ++date) {
+        const FrameSpan::Part part{
+            std::max(begin, clock.when(static_cast<double>(date * day + asked.begin))),
+            std::min(end, clock.when(static_cast<double>((date + over_midnight) * day + asked.end)))};
+        if (part.begin < part.end) parts.push_back(part);
+    }
+    return parts;
+}
+
+}  // namespace
+
+double seconds_of(const RequestedTime& asked, const Clock& clock, double from) {
+    if (asked.dated) return clock.when(static_cast<double>(asked.seconds));
+    std::int64_t date = day_at(clock, from);
+    double seconds = clock.when(static_cast<double>(date * day + asked.seconds));
+    while (seconds < from) seconds = clock.when(static_cast<double>(++date * day + asked.seconds));
+    return seconds;
+}
+
+const Clock& require_clock(const WallClock& clock, const VideoInfo& info, std::string_view setting,
+                           std::string_view given) {
+    if (clock) return *clock;
+    const std::string_view more =
+        info.created ? "; its container says when it was written, and --start-time container takes that" : "";
+    throw Error(ErrorKind::usage,
+                fmt::format("{} {}: nothing tells at which time of day '{}' was recorded; say when it begins with "
+                            "--start-time DATETIME, or how its name tells it with --names, or count from its "
+                            "beginning, as in 1h30m{}",
+                            setting, given, info.name, more),
+                {setting, "start-time"});
+}
+
+FrameSpan resolve(FrameSpan span, const WallClock& known, const VideoInfo& info) {
+    if (const auto& asked = span.asked.start) {
+        const Clock& clock = require_clock(known, info, "start", asked->text);
+        span.start = std::max(0.0, seconds_of(*asked, clock));
+        if (info.duration > 0 && span.start >= likely_end({}, info)) {
+            refuse("start", asked->text, clock, info);
+        }
+    }
+    if (const auto& asked = span.asked.end) {
+        const Clock& clock = require_clock(known, info, "end", asked->text);
+        span.end = seconds_of(*asked, clock, span.start + 1e-3);
+        if (*span.end <= 0) refuse("end", asked->text, clock, info);
+        if (*span.end <= span.start) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("end: {} is not after the start, {}", asked->text, on_clock(clock, span.start)),
+                        {"end"});
+        }
+    }
+    if (const auto& asked = span.asked.between) {
+        const Clock& clock = require_clock(known, info, "between", asked->text);
+        span.parts = parts_of(*asked, clock, span.start, likely_end(span, info));
+        if (span.parts.empty()) refuse("between", asked->text, clock, info);
+        span.start = span.parts.front().begin;
+        span.end = span.parts.back().end;
+        if (span.parts.size() == 1) span.parts.clear();
+    }
+    span.asked = {};
+    return span;
+}
+
+std::string day_times_of(const FrameSpan& span, const WallClock& clock, const VideoInfo& info) {
+    if (!clock || (span.start <= 0 && !span.end)) return {};
+    std::string text = on_clock(*clock, span.start);
+    if (span.end) {
+        text += fmt::format(" to {}", on_clock(*clock, *span.end));
+    } else if (info.duration > span.start) {
+        text += fmt::format(" to the end at {}", on_clock(*clock, info.duration));
+    } else {
+        text += " to the end";
+    }
+    if (!span.parts.empty()) text += fmt::format(", in {}", counted(std::ssize(span.parts), "part"));
+    const std::string& zone = clock->zone;
+    return fmt::format("{} ({}{}{})", text, zone, zone.empty() ? "" : "; ", row_of(clock->source).words);
+}
 
 namespace {
 

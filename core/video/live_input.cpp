@@ -17,10 +17,10 @@ extern "C" {
 }
 
 #include "core/base/error.h"
-#include "core/base/loading.h"
-#include "core/base/shown_text.h"
+#include "core/base/memory.h"
+#include "core/base/text.h"
+#include "core/video/av.h"
 #include "core/video/settings.h"
-#include "core/video/watchdog.h"
 
 namespace vvr::video {
 namespace {

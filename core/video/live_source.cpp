@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/demuxer.h"
 #include "core/video/live_input.h"
-#include "core/video/playlist.h"
 #include "core/video/stream_info.h"
 
 namespace vvr::video {

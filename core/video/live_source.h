@@ -14,11 +14,11 @@
 #include <thread>
 #include <vector>
 
+#include "core/video/av.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
 #include "core/video/frame_source.h"
-#include "core/video/live_clock.h"
-#include "core/video/watchdog.h"
+#include "core/video/frame_times.h"
 
 namespace vvr::video {
 
@@ -92,7 +92,7 @@ class LiveSource final : public FrameSource {
     std::shared_ptr<Watchdog> watchdog_;
     Input input_;
     bool reconnects_ = false;  ///< a connection that ends can be made again
-    bool waits_ = false;        ///< the sender waits until we read
+    bool waits_ = false;       ///< the sender waits until we read
     std::unique_ptr<Demuxer> demuxer_;
     std::unique_ptr<Decoder> decoder_;
     AvFrame first_;

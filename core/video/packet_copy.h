@@ -37,7 +37,14 @@ struct CopyResult {
 /// \param stopped asked now and then whether to stop
 /// \throws Error usage where the container can't hold a stream, which names some that can, or where a file's streams
 ///         are others than those of the first; io
-CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path, const Tags& tags,
-                   const WriteAt& write_at, const std::function<bool()>& stopped);
+CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::filesystem::path& path,
+                       const Tags& tags, const WriteAt& write_at, const std::function<bool()>& stopped);
+
+/// Decodes the beginning of each part of a copy.
+/// \param copy what copy_pieces wrote
+/// \param path by which messages name it
+/// \throws Error not_video where there are other pictures than in the file that it was copied from, or other packets
+void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> parts, const CopyResult& copied,
+                double rate, const std::filesystem::path& path);
 
 }  // namespace vvr::video

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/video/clock.h"
-#include "core/video/time_sampler.h"
+#include "core/video/frame_times.h"
 
 namespace vvr::video {
 namespace {

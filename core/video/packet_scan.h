@@ -64,9 +64,9 @@ struct RandomAccessPoint {
 
 /// Frames of a clip that are wanted, and what it takes to decode them.
 struct DecodingPlan {
-    std::vector<PacketUse> uses;       ///< of every packet
-    std::vector<std::int64_t> stamps;  ///< the wanted frames' time stamps, in order
-    std::vector<RandomAccessPoint> starts;    ///< after the first packet, in order
+    std::vector<PacketUse> uses;            ///< of every packet
+    std::vector<std::int64_t> stamps;       ///< the wanted frames' time stamps, in order
+    std::vector<RandomAccessPoint> starts;  ///< after the first packet, in order
 };
 
 /// The time stamps of the frames that a TimeSampler of `count` items would keep of all frames.

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/decoder.h"
 #include "core/video/demuxer.h"
-#include "core/video/video_reader.h"
 
 namespace vvr::video {
 namespace {

@@ -2,13 +2,90 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "core/base/local_time.h"
-#include "core/video/camera_folders.h"
+#include "core/base/wall_clock.h"
 
+// Which camera a file's folders tell.
 namespace vvr::video {
+
+/// The folders before the first that is a date, else the first folder after the date that is neither date nor hour;
+/// empty where there is none.
+/// \param skipped bytes at the front of `path` whose folders are no camera; whether one is a date counts all the same
+std::string camera_of_folders(std::string_view path, std::size_t skipped = 0);
+
+/// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
+bool is_generic_name(std::string_view name);
+
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// 2026, 2026-11, 20261121, 2026_11_21: a year, then only numbers.
+bool is_date(std::string_view folder) {
+    const bool year = folder.size() >= 4 && (folder.starts_with("19") || folder.starts_with("20")) &&
+                      std::ranges::all_of(folder.substr(0, 4), is_digit);
+    if (folder.size() == 14 && folder[4] == 'Y' && folder.back() == 'H') return year;  // 2026Y11M21D20H
+    if (folder.ends_with("AM") || folder.ends_with("PM")) folder.remove_suffix(2);
+    if (!year || folder.size() == 5 || folder.size() > 10) return false;
+    return std::ranges::all_of(folder.substr(4),
+                               [](char c) { return is_digit(c) || c == '-' || c == '_' || c == '.'; });
+}
+
+/// What stands in folders below a date: month, day, hour ("20", "20h").
+bool is_part_of_date(std::string_view folder) {
+    if (is_date(folder)) return true;
+    if (folder.size() == 3 && folder.back() == 'h') folder.remove_suffix(1);
+    return folder.size() <= 2 && std::ranges::all_of(folder, is_digit);
+}
+
+// In order. What cameras, phones and programs put before a time, and what people call folders of videos.
+constexpr std::array<std::string_view, 39> common_words{
+    "alarm",   "archive", "capture", "cctv",   "clip",      "clips",      "continuous", "dav",
+    "dvr",     "event",   "events",  "export", "exports",   "file",       "footage",    "img",
+    "manual",  "mdalarm", "media",   "motion", "mov",       "movie",      "mp4",        "mvi",
+    "nvr",     "pxl",     "rec",     "record", "recording", "recordings", "schedule",   "screen recording",
+    "sdalarm", "segment", "timer",   "vid",    "video",     "videos",     "wp"};
+
+}  // namespace
+
+std::string camera_of_folders(std::string_view path, std::size_t skipped) {
+    std::string camera;
+    bool dated = false;
+    std::size_t begin = 0;
+    for (auto slash = path.find('/'); slash != std::string_view::npos; slash = path.find('/', begin)) {
+        const std::string_view folder = path.substr(begin, slash - begin);
+        const bool counts = begin >= skipped;
+        begin = slash + 1;
+        if (dated && is_part_of_date(folder)) continue;
+        if (is_date(folder)) {
+            if (!camera.empty()) return camera;
+            dated = true;
+            continue;
+        }
+        if (!counts) continue;
+        if (dated) return std::string(folder);
+        if (!camera.empty()) camera += '/';
+        camera += folder;
+    }
+    return camera;
+}
+
+bool is_generic_name(std::string_view name) {
+    constexpr std::string_view counts = "0123456789-_. #()";
+    while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
+    if (name.empty()) return true;
+    std::string word(name);
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::binary_search(common_words, word);
+}
 
 namespace {
 
@@ -98,10 +175,6 @@ constexpr std::array known{
 
 constexpr std::string_view given_by_user = "--names";
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Without ".mp4", but with the ".07" of "08.00.07".
 std::string_view without_extension(std::string_view path) {
     const auto dot = path.rfind('.');
@@ -136,7 +209,7 @@ NamingScheme::NamingScheme(std::string_view name, std::string_view pattern, bool
     : name_(name), pattern_(pattern), utc_(utc) {}
 
 NamingScheme::NamingScheme(std::string_view name, RecorderPattern pattern, bool utc, Ambiguity doubt,
-                               NamedCamera camera)
+                           NamedCamera camera)
     : name_(name), pattern_(std::move(pattern)), utc_(utc), ambiguity_(doubt), camera_(camera) {}
 
 std::optional<RecorderName> NamingScheme::read(std::string_view path) const {
@@ -169,8 +242,8 @@ RecorderNames::RecorderNames(std::span<const std::string> patterns, const std::f
         std::vector<NamingScheme> layouts;
         for (const KnownRow& row : known) {
             layouts.push_back(NamingScheme(row.recorder,
-                                             RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
-                                             row.zone == Zone::utc, row.doubt, row.camera));
+                                           RecorderPattern(row.pattern, RecorderPattern::Words::fields_and_own),
+                                           row.zone == Zone::utc, row.doubt, row.camera));
         }
         return layouts;
     }();

@@ -25,15 +25,15 @@ struct RecorderName {
     std::string camera;                ///< empty = it tells none
     bool below = false;                ///< the camera is one of those in its folder, which is a part of its name
     std::optional<NamedTime> begin{};  ///< of the recording
-    bool ambiguous = false;             ///< nobody can read its time for sure
+    bool ambiguous = false;            ///< nobody can read its time for sure
 };
 
 /// What speaks against a time that a row reads.
 enum class Ambiguity {
     none,
-    day_or_month,  ///< which of two numbers is the month: only days after the 12th are told
-    repeated_hour,    ///< 20/20-05 is 20:05 or 20:20:05
-    always         ///< the name has a date that nobody can read for sure
+    day_or_month,   ///< which of two numbers is the month: only days after the 12th are told
+    repeated_hour,  ///< 20/20-05 is 20:05 or 20:20:05
+    always          ///< the name has a date that nobody can read for sure
 };
 
 /// What the camera of a row is.

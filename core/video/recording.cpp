@@ -1,29 +1,23 @@
 #include "core/video/recording.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <memory>
+#include <map>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
-#include <sys/stat.h>
+#include <fnmatch.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "core/base/ending.h"
 #include "core/base/error.h"
-#include "core/base/plain_name.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
 #include "core/video/input.h"
-#include "core/video/matches.h"
-#include "core/video/natural_order.h"
-#include "core/video/one_camera.h"
-#include "core/video/picture_list.h"
 #include "core/video/stream_info.h"
-#include "core/video/video_files.h"
 
 namespace vvr::video {
 
@@ -31,267 +25,190 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view list_ending = ".txt";
-constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
+using Files = std::vector<std::string>;
 
-[[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
-    throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
-                                           "the folder of the list",
-                                           list, number, why));
+std::string_view folder_of(std::string_view path) {
+    const auto slash = path.rfind('/');
+    return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
 }
 
-/// The files that a list names. Others may have written it, so it leads nowhere out of its folder.
-std::vector<std::string> files_of_list(const std::string& list) {
-    std::error_code none;
-    if (fs::file_size(list, none) > most_list_bytes) {
-        throw Error(ErrorKind::limit, fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
-                                                  most_list_bytes / 1024 / 1024));
+std::string_view file_of(std::string_view path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+/// Text in a pattern that stands for itself.
+std::string literal(std::string_view text) {
+    std::string pattern;
+    for (const char c : text) {
+        if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
     }
-    std::ifstream text(list);
-    if (!text) throw Error(ErrorKind::io, fmt::format("cannot read '{}'; check its permissions", list));
-    const fs::path folder = fs::path(list).parent_path();
-    const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
-    std::vector<std::string> files;
-    std::string line;
-    for (std::int64_t number = 1; std::getline(text, line); ++number) {
-        if (line.ends_with('\r')) line.pop_back();
-        if (line.empty() || line.starts_with('#')) continue;
-        if (!is_plain_path(line)) refuse_line(list, number, "its path leads out of the folder, or is none");
-        const fs::path file = folder / line;
-        const fs::path real = fs::canonical(file, none);
-        if (none || !fs::is_regular_file(real, none)) {
-            refuse_line(list, number, fmt::format("there is no file '{}'", file.string()));
+    return pattern;
+}
+
+/// How many bytes at the front all paths have in common, whole folders only.
+std::size_t common_folders(const Files& paths) {
+    std::string_view common = folder_of(paths.front());
+    for (const std::string& path : paths) {
+        while (!common.empty() && !(path.starts_with(common) && path[common.size()] == '/')) common = folder_of(common);
+    }
+    return common.empty() ? 0 : common.size() + 1;
+}
+
+/// The folders of all files as one pattern; nothing where some are deeper than others.
+std::optional<std::string> pattern_of_folders(const Files& files) {
+    std::vector<std::vector<std::string>> parts;
+    for (const std::string& file : files) {
+        std::vector<std::string> folders;
+        for (const fs::path& folder : fs::path(folder_of(file))) folders.push_back(folder.string());
+        parts.push_back(std::move(folders));
+    }
+    fs::path pattern;
+    for (std::size_t i = 0; i < parts.front().size(); ++i) {
+        bool same = true;
+        for (const auto& folders : parts) {
+            if (folders.size() != parts.front().size()) return std::nullopt;
+            same = same && folders[i] == parts.front()[i];
         }
-        const fs::path below = real.lexically_relative(real_folder);
-        if (below.empty() || *below.begin() == "..")
-            refuse_line(list, number, "it is a link that leads out of the folder");
-        files.push_back(file.string());
+        pattern /= same ? literal(parts.front()[i]) : "*";
     }
-    return files;
+    return pattern.string();
 }
 
-bool holds_pictures(const fs::path& folder) {
-    std::error_code none;
-    for (fs::directory_iterator entry(folder, none); !none && entry != fs::directory_iterator();
-         entry.increment(none)) {
-        if (is_picture_name(entry->path().filename().string())) return true;
+/// What the names of all files begin with, up to the camera where it stands there.
+std::string_view common_begin(const Files& files, std::string_view camera) {
+    std::string_view common = file_of(files.front());
+    for (const std::string& file : files) {
+        const auto end = std::ranges::mismatch(common, file_of(file)).in1;
+        common = common.substr(0, static_cast<std::size_t>(end - common.begin()));
     }
-    return false;
+    const std::string_view name = file_of(camera);
+    return !name.empty() && common.starts_with(name) ? common.substr(0, name.size()) : common;
 }
 
-/// Whether a name has to be looked at as a whole by others: a stream, a sequence of pictures, nothing that is there.
-bool is_single_source(const std::string& name) {
-    std::error_code none;
-    const fs::file_status status = fs::status(name, none);
-    if (name == "-" || (is_url(name) && !fs::exists(status))) return true;
-    if (fs::is_directory(status)) return holds_pictures(name) || video_files_in(name).empty();
-    if (fs::exists(status)) return !fs::is_regular_file(status);
-    const std::vector<std::string> found = expand_glob(name);
-    return std::ranges::none_of(found, [](const std::string& match) {
-        std::error_code ignored;
-        return is_video_name(match) || (fs::is_directory(match, ignored) && !is_single_source(match));
-    });
-}
-
-/// Whether it is a text: a video may have any name.
-bool is_list(const std::string& name) {
-    std::error_code none;
-    if (extension_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
-    std::array<char, 512> begin{};
-    std::ifstream file(name, std::ios::binary);
-    file.read(begin.data(), begin.size());
-    return std::none_of(begin.begin(), begin.begin() + file.gcount(), [](char c) { return c >= 0 && c < '\t'; });
-}
-
-void add_files(const std::string& name, std::vector<std::string>& files) {
-    std::error_code none;
-    const auto add = [&files](const std::vector<std::string>& more) {
-        files.insert(files.end(), more.begin(), more.end());
+/// A name to give for the files of one camera that means none of the others': a folder, a pattern, or a file.
+std::string choice_of(const Files& own, const Files& others, std::string_view camera) {
+    const auto chooses = [&](const std::string& pattern, int flags) {
+        const auto fits = [&](const std::string& file) { return ::fnmatch(pattern.c_str(), file.c_str(), flags) == 0; };
+        return std::ranges::all_of(own, fits) && std::ranges::none_of(others, fits);
     };
-    if (fs::is_directory(name, none)) {
-        add(video_files_in(name));
-    } else if (is_list(name)) {
-        add(files_of_list(name));
-    } else if (fs::exists(name, none)) {
-        files.push_back(name);
-    } else {
-        for (const std::string& match : expand_glob(name)) add_files(match, files);
+    if (const auto folders = pattern_of_folders(own)) {
+        if (!folders->empty() && chooses(*folders, FNM_PATHNAME | FNM_LEADING_DIR)) return *folders;
+        const std::string ending = fs::path(own.front()).extension().string();
+        for (const std::string& name : {fmt::format("{}*{}", literal(common_begin(own, camera)), literal(ending)),
+                                        fmt::format("*{}{}", literal(file_of(camera)), literal(ending))}) {
+            const std::string files = (fs::path(*folders) / name).string();
+            if (chooses(files, FNM_PATHNAME)) return files;
+        }
     }
+    return own.front();
 }
 
-[[noreturn]] void refuse_part(const std::string& name) {
-    std::error_code none;
-    if (name == "-" || is_url(name)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("'{}' is a stream, and only files can be one recording together", name));
-    }
-    if (!fs::exists(name, none)) open_file(name);  // says why not
-    throw Error(ErrorKind::usage, fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
-                                              "the others; give video files, or folders of them",
-                                              name));
-}
-
-// ---- When each begins
-
-double written_at(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) return 0;
-    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
-}
-
-/// A file whose name doesn't tell when it begins.
-struct UndatedSegment {
-    std::size_t segment = 0;
-    ClipHeader header;
-    double written = 0;
+/// What a header says of a file's pictures.
+struct Shape {
+    Size size;
+    double rate = 0;
 };
 
-ClipHeader header_of(const std::string& path) {
+std::optional<Shape> shape_of(const std::string& path) {
     try {
-        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 25));
+        const Demuxer demuxer(open_input(path), Demuxer::Kind::video, 25);
+        const AVCodecParameters& picture = *demuxer.stream().codecpar;
+        const AVRational rate = demuxer.stream().avg_frame_rate;
+        return Shape{{picture.width, picture.height}, rate.den > 0 ? av_q2d(rate) : 0};
     } catch (const Error&) {
-        return {};  // it is named when it is read
+        return std::nullopt;  // it is named when it is read
     }
 }
 
-/// Whether times make sense for files that follow each other: few begin before the one before has ended.
-/// \param share of the files that may
-bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
-    constexpr double overlap = 5;  // seconds
-    std::ranges::sort(spans);
-    std::size_t wrong = 0;
-    for (std::size_t i = 1; i < spans.size(); ++i) wrong += spans[i].first + overlap < spans[i - 1].second ? 1 : 0;
-    return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
+bool are_alike(const Shape& a, const Shape& b) {
+    constexpr double tolerance = 0.1;  // of a rate: a camera's varies from file to file
+    const bool rates = a.rate <= 0 || b.rate <= 0 || std::abs(a.rate - b.rate) <= tolerance * std::max(a.rate, b.rate);
+    return a.size == b.size && rates;
 }
 
-void set_times_of_containers(Recording& recording) {
-    std::vector<UndatedSegment> untold;
-    for (std::size_t i = 0; i < recording.segments.size(); ++i) {
-        const Segment& segment = recording.segments[i];
-        if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
-    }
-    if (untold.empty()) return;
-    const auto try_times = [&](ClockSource source, double share,
-                               const std::function<std::optional<double>(const UndatedSegment&)>& begin_of) {
-        std::vector<std::pair<double, double>> spans;
-        for (const UndatedSegment& file : untold) {
-            const auto begin = begin_of(file);
-            if (!begin && file.header.length > 0) return false;
-            if (begin) spans.emplace_back(*begin, *begin + file.header.length);
-        }
-        if (spans.empty() || !follow_each_other(spans, share)) return false;
-        for (const UndatedSegment& file : untold) {
-            const auto begin = begin_of(file);
-            if (!begin) continue;
-            recording.segments[file.segment].begin = std::llround(*begin);
-            recording.segments[file.segment].begin_source = source;
-        }
-        return true;
-    };
-    const std::string files = untold.size() == recording.segments.size()
-                                  ? "its files' names do not tell"
-                                  : fmt::format("the names of {} do not tell", counted(std::ssize(untold), "file"));
-    if (try_times(ClockSource::container, 0.4, [](const UndatedSegment& file) -> std::optional<double> {
-            if (!file.header.created) return std::nullopt;
-            return static_cast<double>(*file.header.created);
-        })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, so each is placed by when its container says it was written; times of day "
-            "are not shown (--start-time container shows these)",
-            recording.name, files));
-        return;
-    }
-    // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
-    if (try_times(ClockSource::modified, 0.05, [](const UndatedSegment& file) -> std::optional<double> {
-            if (file.header.length <= 0) return std::nullopt;
-            return file.written - file.header.length;
-        })) {
-        recording.warnings.push_back(fmt::format(
-            "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
-            "times of day are not shown (--start-time modified shows these)",
-            recording.name, files));
-        return;
-    }
-    recording.warnings.push_back(fmt::format(
-        "'{}': {} when it was recorded, and the times at which the files were written contradict each other; "
-        "they follow each other by their names",
-        recording.name, files));
-}
-
-/// In the order of time; what has none stays behind the file that it follows by its name.
-void sort_by_time(std::vector<Segment>& segments) {
-    std::optional<std::int64_t> before;
-    std::vector<std::pair<std::int64_t, Segment>> keyed;
-    for (Segment& segment : segments) {
-        if (segment.begin) before = segment.begin;
-        keyed.emplace_back(before.value_or(std::numeric_limits<std::int64_t>::min()), std::move(segment));
-    }
-    std::ranges::stable_sort(keyed, {}, [](const auto& entry) { return entry.first; });
-    segments.clear();
-    for (auto& entry : keyed) segments.push_back(std::move(entry.second));
-}
-
-/// What people call the files: the name that was given, or the folder that all are in.
-std::string name_of(std::span<const std::string> names, const std::vector<std::string>& files) {
-    if (names.size() == 1) return names.front();
-    fs::path common = fs::path(files.front()).parent_path();
-    for (const std::string& file : files) {
-        while (!common.empty()) {
-            const fs::path below = fs::path(file).lexically_relative(common);
-            if (!below.empty() && *below.begin() != "..") break;
-            common = common.has_relative_path() ? common.parent_path() : fs::path();
-        }
-    }
-    return common.empty() || !common.has_filename() ? files.front() : common.string();
+std::string text_of(const Shape& shape) {
+    return fmt::format("{}x{} at {:.3g} frames per second", shape.size.width, shape.size.height, shape.rate);
 }
 
 }  // namespace
 
-SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end) {
-    constexpr double tolerance = 1;
-    if (!end) return {};
-    if (!segment.begin || !origin) return {*end, true, false};
-    const double begin = static_cast<double>(*segment.begin - *origin);
-    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
-    return {begin, false, begin < *end};
+std::string whole_path(const std::string& name) {
+    if (name == "-" || is_url(name)) return name;
+    std::error_code error;
+    const fs::path whole = fs::absolute(name, error);
+    return error ? name : whole.lexically_normal().string();
 }
 
-Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
-    RecorderName told = layouts.read(whole_path(path));
-    Segment segment{path};
-    segment.camera = std::move(told.camera);
-    segment.layout = std::move(told.layout);
-    if (told.begin) {
-        segment.begin = utc_of(*told.begin, std::llround(written_at(path)));
-        segment.begin_source = ClockSource::file_name;
+std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
+                        bool join) {
+    Files paths;
+    for (const Segment& segment : segments) paths.push_back(whole_path(segment.path));
+    const std::size_t common = common_folders(paths);
+    std::map<std::string, Files> cameras;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const std::string camera = layouts.camera_of(paths[i], common);
+        segments[i].camera = camera.empty() ? layouts.read(paths[i]).camera : camera;
+        cameras[camera].push_back(segments[i].path);
     }
-    return segment;
+    if (cameras.size() == 1) return segments.front().camera;
+    if (join) return "";
+    Files own = cameras.begin()->second;
+    std::string chosen = cameras.begin()->first;
+    Files names;
+    for (const auto& [camera, files] : cameras) {
+        names.push_back(camera.empty()
+                            ? fmt::format("one that no name tells ('{}')", shown_text(file_of(files.front())))
+                            : shown_text(camera));
+        if (!chosen.empty()) continue;
+        chosen = camera;
+        own = files;
+    }
+    Files others;
+    for (const auto& [camera, files] : cameras) {
+        if (camera != chosen) others.insert(others.end(), files.begin(), files.end());
+    }
+    constexpr std::size_t told = 8;
+    const std::size_t rest = names.size() - std::min(names.size(), told);
+    names.resize(names.size() - rest);
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}' holds files of {}: {}{}; give those of one, for example '{}', or join them as one "
+                            "recording all the same",
+                            name, counted(std::ssize(cameras), "camera"), fmt::join(names, ", "),
+                            rest > 0 ? fmt::format(" and {} more", rest) : "", choice_of(own, others, chosen)),
+                {"join"});
 }
 
-std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join) {
-    if (names.size() == 1) {
-        std::error_code none;
-        const bool single = fs::is_regular_file(names.front(), none) && !is_list(names.front());
-        if (single || is_single_source(names.front())) return std::nullopt;
+void require_related(const Recording& recording) {
+    std::optional<Shape> first;
+    const std::string* first_path = nullptr;
+    bool first_is_told = false;
+    // One whose name tells the time stands for all of those.
+    std::vector<const Segment*> segments;
+    for (const Segment& segment : recording.segments) {
+        if (!segment.begin) segments.push_back(&segment);
     }
-    std::vector<std::string> files;
-    for (const std::string& name : names) {
-        if (is_single_source(name)) refuse_part(name);
-        add_files(name, files);
+    if (segments.empty()) return;
+    const auto told = std::ranges::find_if(recording.segments, [](const Segment& s) { return s.begin.has_value(); });
+    if (told != recording.segments.end()) segments.insert(segments.begin(), &*told);
+    for (const Segment* segment : segments) {
+        const auto shape = shape_of(segment->path);
+        if (!shape) continue;
+        if (!first) {
+            first = shape;
+            first_path = &segment->path;
+            first_is_told = segment->begin.has_value();
+            continue;
+        }
+        if (are_alike(*first, *shape)) continue;
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
+                                "are one recording; give one, or join them",
+                                *first_path, text_of(*first), segment->path, text_of(*shape),
+                                first_is_told ? "no name tells of the second" : "no name tells of either",
+                                counted(std::ssize(recording.segments), "file")),
+                    {"join"});
     }
-    std::ranges::sort(files, natural_less);
-    files.erase(std::unique(files.begin(), files.end()), files.end());
-    if (files.empty()) {
-        throw Error(ErrorKind::io,
-                    fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
-    }
-    Recording recording{name_of(names, files), {}, {}};
-    for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));
-    recording.camera = find_camera(recording.name, recording.segments, layouts, join);
-    if (!join) require_related(recording);
-    set_times_of_containers(recording);
-    sort_by_time(recording.segments);
-    return recording;
 }
 
 }  // namespace vvr::video

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/clock_source.h"
+#include "core/base/wall_clock.h"
 #include "core/video/recorder_names.h"
 
 // A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.
@@ -15,10 +15,10 @@ namespace vvr::video {
 /// One file of a recording.
 struct Segment {
     std::string path;
-    std::optional<std::int64_t> begin{};       ///< seconds since 1970 (UTC); none = it follows the one before
+    std::optional<std::int64_t> begin{};           ///< seconds since 1970 (UTC); none = it follows the one before
     ClockSource begin_source = ClockSource::none;  ///< what tells that
-    std::string camera{};                      ///< empty = nobody knows
-    std::string layout{};                      ///< whose name it is, as in RecorderName
+    std::string camera{};                          ///< empty = nobody knows
+    std::string layout{};                          ///< whose name it is, as in RecorderName
 };
 
 /// The files of a recording, in order.
@@ -58,5 +58,26 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
 
 /// What the name of a single file tells.
 Segment segment_from_name(const std::string& path, const RecorderNames& layouts);
+
+}  // namespace vvr::video
+
+// Files that are one recording together are of one camera.
+namespace vvr::video {
+
+/// A file's path from the root, so that its folders tell the same wherever one stands; streams stay as they are.
+std::string whole_path(const std::string& name);
+
+/// Fills in which camera each file is of, by its name and by folders in which the files differ, and returns the camera
+/// of all; empty where nobody knows.
+/// \param name of the recording, for the error
+/// \param join whether files of several cameras are one recording all the same
+/// \throws Error usage when they are of several, with a way to choose one of them
+std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
+                        bool join);
+
+/// Throws where no name tells when some files were recorded, and their sizes or rates differ besides: nothing says that
+/// they belong together.
+/// \throws Error usage
+void require_related(const Recording& recording);
 
 }  // namespace vvr::video

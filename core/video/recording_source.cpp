@@ -9,11 +9,11 @@
 #include <fmt/ranges.h>
 
 #include "core/base/error.h"
-#include "core/base/words.h"
+#include "core/base/text.h"
 #include "core/video/decoder.h"
+#include "core/video/frame_times.h"
 #include "core/video/scaler.h"
 #include "core/video/stream_info.h"
-#include "core/video/time_sampler.h"
 
 namespace vvr::video {
 

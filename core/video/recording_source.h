@@ -59,7 +59,7 @@ class RecordingSource final : public FrameSource {
     std::int64_t index_ = -1;
     std::int64_t damaged_ = 0;   ///< in segments that have been read
     std::int64_t left_out_ = 0;  ///< frames of this segment at times that the one before has shown
-    OmittedFrames trimmed_;            ///< files that begin a little before the one before has ended
+    OmittedFrames trimmed_;      ///< files that begin a little before the one before has ended
     std::vector<std::string> problems_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "core/video/decoded_frame.h"
 #include "core/video/frame.h"
 
 namespace vvr::video {

@@ -18,7 +18,7 @@ inline constexpr double longest_clip = 10 * 365.25 * 86'400;
 
 struct ClipHeader {
     double length = 0;                      ///< seconds; 0 = unknown
-    double implausible_length = 0;                ///< seconds that it says instead, where no clip lasts so long
+    double implausible_length = 0;          ///< seconds that it says instead, where no clip lasts so long
     std::int64_t frames = 0;                ///< estimate; 0 = unknown
     std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC)
 };

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vvr::video {
@@ -16,5 +17,13 @@ bool is_video_name(const std::string& name);
 /// folders are not followed.
 /// \throws Error io when the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
+
+/// Whether `a` comes before `b` as people count: "frame2" before "frame10". Runs of digits compare by value, the rest
+/// by bytes; names that differ only in leading zeros keep their byte order.
+bool natural_less(std::string_view a, std::string_view b);
+
+/// What a pattern of a shell (`day/*.mp4`) names, in order.
+/// \throws Error usage for one that is longer than any path
+std::vector<std::string> expand_glob(const std::string& pattern);
 
 }  // namespace vvr::video

@@ -22,7 +22,8 @@ Drawing::Drawing(std::shared_ptr<gl::Context> context, const bricks::Volume& vol
       tiles_(gl::cut_tiles(job_.picture.size, job_.picture.tile_samples)) {
     drawing_.context = std::move(context);
     app::make_renderer(job_, volume.size(), job_.picture.tile_samples, drawing_);
-    const int textures = app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_sub_bricks(bricks_).size()));
+    const int textures =
+        app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_sub_bricks(bricks_).size()));
     drawing_.window = std::make_unique<gl::BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
     show();
     const video::Frame none;

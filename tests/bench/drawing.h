@@ -4,10 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "cli/app/build_scene.h"
-#include "cli/app/drawing.h"
+#include "cli/app/draw.h"
 #include "cli/app/job.h"
-#include "cli/app/layers.h"
+#include "cli/app/plan.h"
 #include "core/bricks/volume.h"
 #include "gl/renderer.h"
 

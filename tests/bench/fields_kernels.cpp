@@ -10,11 +10,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/pipeline.h"
 #include "core/fields/seeds.h"
 #include "tests/bench/roofline.h"
 #include "tests/scene/scene.h"

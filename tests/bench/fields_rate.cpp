@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/fields/pipeline.h"
+#include "core/fields/field_source.h"
 
 namespace {
 

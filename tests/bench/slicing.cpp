@@ -20,12 +20,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/slices.h"
-#include "gl/attribute.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"
 #include "gl/framebuffer.h"
-#include "gl/program_sources.h"
+#include "gl/objects.h"
+#include "gl/program.h"
 #include "gl/volume_slicer.h"
 #include "tests/bench/drawing.h"
 #include "tests/bench/in_turn.h"

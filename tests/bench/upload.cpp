@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "gl/brick_textures.h"
 #include "gl/brick_window.h"
 #include "gl/check.h"
 #include "gl/context.h"

@@ -168,7 +168,7 @@ def test_figure_4_shows_object_flow_and_seeds(t):
     t.vvr("extract", "clip.mkv", "-o", "data", *options).expect(0)
     t.vvr("inspect", "clip.mkv", "--frame", "25f", *options, "-o", "out.png").expect(0)
     rows = t.rgb("out.png")
-    gap, width = 14, (1280 - 4 * 14) // 3  # as cli/app/inspection.cpp places them
+    gap, width = 14, (1280 - 4 * 14) // 3  # as cli/app/inspect.cpp places them
     scale = width / 96
 
     def panel(number):

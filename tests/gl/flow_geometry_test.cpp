@@ -1,3 +1,5 @@
+#include "core/scene/flow_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -5,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scene/glyph.h"
-#include "core/scene/traceline.h"
 #include "gl/renderer.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"

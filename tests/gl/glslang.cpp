@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "gl/program_sources.h"
+#include "gl/program.h"
 #include "shaders.h"
 
 namespace {

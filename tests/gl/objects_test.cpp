@@ -9,7 +9,7 @@
 
 #include "cli/app/render_clip.h"
 #include "cli/app/render_series.h"
-#include "core/scene/object_looks.h"
+#include "core/scene/theme.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
 
@@ -43,7 +43,8 @@ void add(bricks::Volume& volume, std::int64_t index, std::span<const Owned> thin
 /// Tracks 0 to 7 are the objects 1 to 8 with a colour each; all others are nobody's.
 bricks::Identity as_they_come(std::size_t track, const bricks::Layer&) {
     if (track >= 8) return {};
-    return {scene::palette_index(static_cast<int>(track), scene::ObjectState::moving), static_cast<std::uint16_t>(track + 1)};
+    return {scene::palette_index(static_cast<int>(track), scene::ObjectState::moving),
+            static_cast<std::uint16_t>(track + 1)};
 }
 
 class Objects : public testing::TestWithParam<std::string> {

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "gl/drawing_order.h"
+#include "gl/volume_slicer.h"
 #include "tests/support/layouts.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/volumes.h"

@@ -4,7 +4,7 @@
 #include "core/base/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
-#include "core/fields/norm.h"
+#include "core/fields/planes.h"
 #include "core/fields/settings.h"
 
 namespace vvr::fields {
@@ -18,7 +18,8 @@ class Temporal final : public Filter {
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
-        const IlluminationChange light = illumination_.compensates ? estimate_illumination(*input.previous, input.smooth) : IlluminationChange{};
+        const IlluminationChange light =
+            illumination_.compensates ? estimate_illumination(*input.previous, input.smooth) : IlluminationChange{};
         const std::optional<Planes> lit = illumination_.relit(*input.previous, input.smooth, light);
         return find_norm(norm_, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
     }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/kernels/gaussian.h"
+#include "core/kernels/byte_blur.h"
 #include "core/kernels/weighted_sum.h"
 
 namespace vvr::fields {

@@ -3,7 +3,6 @@
 #include "core/base/choice.h"
 #include "core/fields/flow.h"
 #include "core/fields/settings.h"
-#include "core/fields/solvers.h"
 
 namespace vvr::fields {
 namespace {

@@ -6,7 +6,6 @@
 #include "core/fields/flow.h"
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/solvers.h"
 #include "core/kernels/weighted_sum.h"
 
 namespace vvr::fields {

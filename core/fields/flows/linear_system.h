@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/fields/flows/derivatives.h"
-#include "core/fields/flows/plane_stack.h"
 
 namespace vvr::fields {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/archive/prune.h"
-#include "core/base/fnv.h"
-#include "core/base/plain_name.h"
+#include "core/base/digest.h"
+#include "core/base/file_name.h"
 #include "tests/fuzz/folder.h"
 #include "tests/fuzz/input.h"
 

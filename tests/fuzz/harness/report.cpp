@@ -1,7 +1,7 @@
 // Reports of a render, as an archive reads them.
 #include <nlohmann/json.hpp>
 
-#include "core/archive/found_event.h"
+#include "core/archive/sidecar.h"
 #include "core/base/json_text.h"
 #include "tests/fuzz/input.h"
 

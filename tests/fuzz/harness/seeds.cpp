@@ -1,7 +1,7 @@
 // Lists of seeds, and what is chosen of them.
 #include "core/fields/seeds.h"
 
-#include "core/fields/seed_file.h"
+#include "core/fields/seed_list.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

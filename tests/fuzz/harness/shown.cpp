@@ -1,7 +1,7 @@
 // Text that others wrote, as it is shown, and addresses.
 #include <algorithm>
 
-#include "core/base/shown_text.h"
+#include "core/base/text.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

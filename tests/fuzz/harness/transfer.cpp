@@ -1,7 +1,7 @@
 // Transfer functions.
 #include <cmath>
 
-#include "core/scene/transfer_file.h"
+#include "core/scene/transfer_function.h"
 #include "tests/fuzz/input.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

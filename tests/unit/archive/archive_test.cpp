@@ -12,19 +12,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/claim.h"
-#include "core/archive/clip_names.h"
-#include "core/archive/days.h"
+#include "core/archive/clips.h"
 #include "core/archive/index.h"
-#include "core/archive/names.h"
-#include "core/archive/own_file.h"
+#include "core/archive/output_files.h"
 #include "core/archive/prune.h"
-#include "core/archive/scan.h"
-#include "core/archive/shard.h"
 #include "core/archive/sidecar.h"
 #include "core/archive/verdict.h"
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/fnv.h"
-#include "core/base/plain_name.h"
+#include "core/base/file_name.h"
 #include "core/image/atomic_file.h"
 
 namespace vvr {
@@ -467,9 +463,11 @@ TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
     EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::SourceState::away);
     EXPECT_EQ(day("2026-11-19", {}), archive::SourceState::unknown) << "an older sidecar";
     write(in() / "gate/2026-11-19 08-00-00.avi");
-    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there) << "another clip of the day is there";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there)
+        << "another clip of the day is there";
     write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
-    EXPECT_NO_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)));
+    EXPECT_NO_THROW(
+        archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)));
     fs::create_symlink("nowhere", in() / "broken.avi");
     EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
                  Error);

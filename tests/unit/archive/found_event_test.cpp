@@ -1,9 +1,8 @@
-#include "core/archive/found_event.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/archive/index.h"
+#include "core/archive/sidecar.h"
 
 namespace vvr {
 namespace {

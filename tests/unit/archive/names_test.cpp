@@ -1,5 +1,3 @@
-#include "core/archive/names.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -8,12 +6,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/archive/clip_names.h"
-#include "core/archive/scan.h"
-#include "core/archive/shard.h"
+#include "core/archive/clips.h"
+#include "core/archive/output_files.h"
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/fnv.h"
-#include "core/base/plain_name.h"
+#include "core/base/file_name.h"
 #include "core/video/recorder_names.h"
 #include "core/video/video_files.h"
 

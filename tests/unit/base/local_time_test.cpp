@@ -1,9 +1,9 @@
-#include "core/base/local_time.h"
-
 #include <cstdlib>
 #include <ctime>
 
 #include <gtest/gtest.h>
+
+#include "core/base/wall_clock.h"
 
 namespace vvr {
 namespace {

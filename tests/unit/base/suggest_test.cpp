@@ -1,9 +1,9 @@
-#include "core/base/suggest.h"
-
 #include <array>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "core/base/choice.h"
 
 namespace vvr {
 namespace {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/bricks/used_seeds.h"
 #include "tests/unit/bricks/frame.h"
 
 namespace vvr {

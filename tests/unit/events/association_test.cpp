@@ -7,12 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "core/events/appearance.h"
-#include "core/events/assignment.h"
-#include "core/events/event_choice.h"
-#include "core/events/flicker.h"
-#include "core/events/labels.h"
-#include "core/events/linking.h"
-#include "core/events/sharing.h"
+#include "core/events/event.h"
+#include "core/events/patch.h"
+#include "core/events/pixel_history.h"
+#include "core/events/tracklet.h"
 
 namespace vvr {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "core/events/event_finder.h"
 #include "core/events/path.h"
-#include "core/fields/pipeline.h"
+#include "core/fields/field_source.h"
 #include "tests/scene/scene_source.h"
 #include "tests/scene/shaken.h"
 

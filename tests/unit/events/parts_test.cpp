@@ -7,8 +7,7 @@
 #include "core/events/event_finder.h"
 #include "core/events/patch.h"
 #include "core/events/path.h"
-#include "core/events/stays.h"
-#include "core/events/steadiness.h"
+#include "core/events/pixel_history.h"
 
 namespace vvr {
 namespace {

@@ -1,8 +1,8 @@
-#include "core/events/scraps.h"
-
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/events/event.h"
 
 namespace vvr {
 namespace {

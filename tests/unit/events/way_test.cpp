@@ -1,10 +1,10 @@
-#include "core/events/way.h"
-
 #include <cmath>
 #include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
+
+#include "core/events/path.h"
 
 namespace vvr {
 namespace {

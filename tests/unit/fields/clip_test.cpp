@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/fields/pipeline.h"
+#include "core/fields/field_source.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

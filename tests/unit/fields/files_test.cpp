@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/fields/flo_file.h"
-#include "core/fields/seed_file.h"
+#include "core/fields/seed_list.h"
 #include "tests/support/errors.h"
 
 namespace vvr {

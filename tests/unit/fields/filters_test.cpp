@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/fields/field_source.h"
 #include "core/fields/filter.h"
-#include "core/fields/norm.h"
-#include "core/fields/pipeline.h"
+#include "core/fields/planes.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

@@ -9,7 +9,6 @@
 
 #include "core/fields/flows/derivatives.h"
 #include "core/fields/flows/linear_system.h"
-#include "core/fields/solvers.h"
 #include "tests/support/errors.h"
 #include "tests/unit/fields/flow_tools.h"
 #include "tests/unit/fields/plain_jacobi.h"

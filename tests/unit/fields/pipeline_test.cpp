@@ -1,5 +1,3 @@
-#include "core/fields/pipeline.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -9,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fields/field_source.h"
 #include "tests/unit/fields/pictures.h"
 
 namespace vvr {

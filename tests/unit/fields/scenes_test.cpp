@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fields/pipeline.h"
+#include "core/fields/field_source.h"
 #include "tests/scene/scene.h"
 #include "tests/scene/scene_source.h"
 #include "tests/unit/fields/flow_tools.h"

@@ -1,6 +1,6 @@
-#include "core/glance/crops.h"
-
 #include <gtest/gtest.h>
+
+#include "core/glance/portraits.h"
 
 namespace vvr {
 namespace {

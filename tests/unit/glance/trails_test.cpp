@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/glance/directions.h"
-
 namespace vvr {
 namespace {
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/image/animation_file.h"
+#include "core/image/film.h"
 #include "core/image/palette.h"
 #include "core/video/frame_source.h"
 #include "core/video/scaler.h"

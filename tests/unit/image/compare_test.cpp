@@ -1,11 +1,9 @@
-#include "core/image/compare.h"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "core/image/difference_view.h"
+#include "core/image/comparison.h"
 #include "core/image/picture_file.h"
 
 namespace vvr {

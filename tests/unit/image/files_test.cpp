@@ -18,12 +18,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
-#include "core/base/fnv.h"
 #include "core/image/atomic_file.h"
-#include "core/image/film_encoder.h"
+#include "core/image/film.h"
+#include "core/image/picture.h"
 #include "core/image/picture_file.h"
-#include "core/image/pixel_data_channels.h"
 
 namespace vvr {
 namespace {

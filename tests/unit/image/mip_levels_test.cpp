@@ -1,8 +1,8 @@
-#include "core/image/mip_levels.h"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "core/image/picture.h"
 
 namespace vvr {
 namespace {

@@ -6,17 +6,16 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/annotate.h"
-#include "cli/app/shown_name.h"
+#include "cli/app/compose.h"
+#include "cli/app/input.h"
 #include "core/base/error.h"
-#include "core/labels/legend.h"
 #include "core/labels/lettering.h"
 #include "core/labels/ruler.h"
 #include "core/labels/sheet.h"
 #include "core/labels/time_ticks.h"
+#include "core/scene/scene.h"
 #include "core/scene/theme.h"
-#include "core/scene/time_table.h"
-#include "core/scene/transfer_file.h"
+#include "core/scene/transfer_function.h"
 #include "tests/support/layouts.h"
 
 namespace vvr {

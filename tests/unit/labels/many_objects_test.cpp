@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/annotate.h"
+#include "cli/app/compose.h"
 
 namespace vvr {
 namespace {
@@ -90,7 +90,8 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
         EXPECT_TRUE(picture.contains(label.box)) << label.text;
         EXPECT_GE(label.size, readable) << label.text;
         for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_FALSE(label.box.intersects(lettering.labels[j].box)) << label.text << " " << lettering.labels[j].text;
+            EXPECT_FALSE(label.box.intersects(lettering.labels[j].box))
+                << label.text << " " << lettering.labels[j].text;
         }
     }
     for (const labels::Badge& badge : lettering.badges) {

@@ -1,7 +1,8 @@
+#include "core/page/moments.h"
+
 #include <gtest/gtest.h>
 
-#include "core/page/recent_moments.h"
-#include "core/page/telling_still.h"
+#include "core/page/stills.h"
 
 namespace vvr {
 namespace {

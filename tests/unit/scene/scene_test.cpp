@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/scene/glyph.h"
+#include "core/scene/flow_geometry.h"
 #include "core/scene/slices.h"
 #include "core/scene/transfer_function.h"
 

@@ -1,12 +1,10 @@
-#include "core/scene/traceline.h"
-
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "core/scene/zebra.h"
+#include "core/scene/flow_geometry.h"
 #include "tests/support/layouts.h"
 
 namespace vvr {

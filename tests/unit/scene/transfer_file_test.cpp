@@ -1,5 +1,3 @@
-#include "core/scene/transfer_file.h"
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/scene/transfer_function.h"
 #include "tests/support/errors.h"
 
 namespace vvr {

@@ -10,9 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/fields/listed_seeds.h"
-#include "core/store/data_folder.h"
-#include "core/store/stored_fields.h"
+#include "core/fields/seed_list.h"
+#include "core/store/extraction.h"
 
 namespace vvr {
 namespace {

@@ -1,5 +1,3 @@
-#include "core/video/asked_time.h"
-
 #include <cstdlib>
 #include <ctime>
 #include <string>

@@ -1,10 +1,10 @@
-#include "core/video/frame_store.h"
-
 #include <algorithm>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/video/clip_sampler.h"
 
 extern "C" {
 #include <libavutil/pixfmt.h>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/video/live_clock.h"
+#include "core/video/frame_times.h"
 
 namespace vvr {
 namespace {

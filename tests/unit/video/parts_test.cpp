@@ -6,10 +6,9 @@
 
 #include "core/base/error.h"
 #include "core/kernels/colour_rows.h"
-#include "core/video/clock.h"
 #include "core/video/frame_source.h"
-#include "core/video/natural_order.h"
-#include "core/video/time_sampler.h"
+#include "core/video/frame_times.h"
+#include "core/video/video_files.h"
 
 namespace vvr {
 namespace {

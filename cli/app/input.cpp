@@ -1,0 +1,204 @@
+#include "cli/app/input.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/app/record.h"
+#include "cli/app/settings.h"
+#include "core/base/choice.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/fields/filter.h"
+#include "core/fields/seed_list.h"
+#include "core/fields/seeds.h"
+#include "core/store/extraction.h"
+#include "core/video/input.h"
+#include "core/video/recorder_names.h"
+
+namespace vvr::app {
+
+std::string shown_name(const std::string& input) {
+    namespace fs = std::filesystem;
+    if (input == "-") return "stdin";
+    std::string path = input;
+    if (video::is_url(input)) {
+        path = input.substr(input.find("://") + 3);
+        path.resize(std::min(path.size(), path.find_first_of("?#")));
+        path = path.find('/') == std::string::npos ? "" : path.substr(path.find('/'));
+    }
+    const fs::path whole = fs::path(path).lexically_normal();
+    const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    return name.empty() || name == "/" || name == "." ? "a clip" : name;
+}
+
+std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
+    if (!asked.empty()) return asked;
+    return clip.title.empty() ? shown_name(clip.name) : clip.title;
+}
+
+void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
+                     Observer& observer) {
+    constexpr std::size_t told = 5;  // files; a disk that fails may spoil thousands
+    for (const std::string& warning : warnings) observer.warn(warning);
+    const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
+    for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
+    if (shown == problems.size()) return;
+    observer.warn(fmt::format("{} besides could not be read whole; the report names them",
+                              counted(static_cast<std::int64_t>(problems.size() - shown), "file")));
+}
+
+void require_whole(const video::VideoInfo& info) {
+    if (info.left_out.files == 0) return;
+    throw Error(ErrorKind::partial,
+                fmt::format("'{}' is not in the result as a whole: {}", info.name, video::text_of(info.left_out)));
+}
+
+namespace {
+
+// What `vvr seeds` can do again on a stored flow.
+constexpr std::array settings_of_seeds{setting::grid.name, setting::min_magnitude.name, setting::seed_area.name,
+                                       setting::seed_order.name, setting::seed_select.name};
+
+/// What was asked for has to be what an extraction has.
+void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
+    const std::string& folder = job.input.names.front();
+    image::Metadata others;
+    std::string list;
+    for (const auto& [name, value] : job.given) {
+        const auto found = std::ranges::find(extracted, name, &image::Metadata::value_type::first);
+        std::string had = found == extracted.end() ? "none" : found->second;
+        if (value == had) continue;
+        list += fmt::format("{}{} {} (not {})", list.empty() ? "" : ", ", name, value, had);
+        others.emplace_back(name, std::move(had));
+    }
+    if (others.empty()) return;
+    const bool of_seeds = std::ranges::all_of(others, [](const auto& other) {
+        return std::ranges::find(settings_of_seeds, other.first) != settings_of_seeds.end();
+    });
+    const char* const command = of_seeds ? "seeds" : "extract";
+    if (others.size() == 1) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it",
+                                others.front().first, value_of(job.given, others.front().first), folder,
+                                others.front().second, command),
+                    {others.front().first});
+    }
+    const std::string preset = value_of(job.settings, "preset");
+    throw Error(ErrorKind::usage,
+                fmt::format("'{}' was extracted with other settings than are asked for: {}; leave these out, or run "
+                            "`vvr {}{}` with them",
+                            folder, list, command, preset.empty() ? "" : fmt::format(" --preset {}", preset)));
+}
+
+OpenedFields open_extracted(const RenderJob& job) {
+    if (!job.fields.second.empty()) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
+                        "colour",
+                        job.fields.second, job.input.names.front()),
+            {setting::colour.name});
+    }
+    const std::vector<std::string>& folders = job.input.names;
+    if (job.fields.span.asked != video::RequestedSpan{}) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
+                                folders.front()),
+                    {setting::start.name, setting::end.name, setting::between.name});
+    }
+    auto source = std::make_unique<store::StoredFields>(folders);
+    image::Metadata settings = used_settings(source->settings());
+    check_agreement(job, settings);
+    return {std::move(source), std::move(settings)};
+}
+
+OpenedFields open_any(const RenderJob& job) {
+    require_input(job.input);
+    if (std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
+    OpenedFields opened;
+    auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
+    fields::FieldOptions fields = job.fields;
+    fields.span = resolve_span(fields.span, job.look.start_time, clip->info(), opened.day_times);
+    opened.span = fields.span;
+    opened.source = std::make_unique<fields::ClipFields>(std::move(clip), std::move(fields));
+    return opened;
+}
+
+}  // namespace
+
+void require_input(const InputOptions& options) {
+    if (options.names.empty()) {
+        throw Error(ErrorKind::usage, "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
+    }
+}
+
+const std::string& only_input(const InputOptions& options) {
+    require_input(options);
+    if (options.names.size() > 1) {
+        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
+    }
+    return options.names.front();
+}
+
+std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
+                                              std::vector<std::string>& warnings) {
+    require_input(options);
+    video::SourceOptions source;
+    source.field_size = options.field_size;
+    source.colour = colour;
+    source.threads = threads;
+    source.rate = options.rate;
+    source.join = options.join;
+    return video::open_sources(options.names, source, video::RecorderNames(options.layouts), warnings);
+}
+
+video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
+                              std::string& day_times) {
+    const WallClock clock = clock_of(start, info);
+    const video::FrameSpan resolved = video::resolve(span, clock, info);
+    const std::string times = video::day_times_of(resolved, clock, info);
+    if (!times.empty()) day_times = fmt::format("'{}': {}", info.name, times);
+    return resolved;
+}
+
+std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
+                                                       const RenderJob& job, std::string_view filter) {
+    if (job.seeds.empty()) return fields;
+    const fields::SeedOptions& seeds = job.fields.seeds;
+    const bool on_object = fields::find_filter(filter).traits.shows_object &&
+                           choose(setting::seed_area.name, seeds.area, fields::seed_areas()).object_alone;
+    return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
+}
+
+void check_has_end(const video::VideoInfo& info, Observer& observer) {
+    if (!video::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
+    const std::string protocol = info.name.substr(0, info.name.find(':'));
+    // Of these a file can come without its length being known.
+    constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
+    if (std::ranges::find(of_files, protocol) == of_files.end()) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("'{}' is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS "
+                        "-t 60 -c copy piece.mkv` records a piece that can be drawn",
+                        info.name));
+    }
+    observer.warn(
+        fmt::format("'{}' does not say how long it is, and is read to its end; if it is live, it has none, and "
+                    "`vvr watch` draws it",
+                    info.name));
+}
+
+OpenedFields open_fields(const RenderJob& job) {
+    OpenedFields opened = open_any(job);
+    const std::string filter = with_extracted(job, opened.extracted).fields.filter;
+    opened.source = with_listed_seeds(std::move(opened.source), job, filter);
+    return opened;
+}
+
+}  // namespace vvr::app

@@ -1,0 +1,161 @@
+#include "cli/app/write.h"
+
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "cli/app/input.h"
+#include "core/base/error.h"
+#include "core/base/file_io.h"
+#include "core/base/plane.h"
+#include "core/base/text.h"
+#include "core/image/atomic_file.h"
+#include "core/image/picture.h"
+#include "core/page/text.h"
+#include "core/video/container.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
+
+namespace vvr::app {
+
+namespace {
+
+constexpr int pictures_per_second = 20;  // a whole number of a GIF's hundredths of a second each
+constexpr int thumbnail_side = 400;
+constexpr int thumbnail_quality = 80;
+
+}  // namespace
+
+PictureOutput::PictureOutput(const OutputOptions& options, Observer& observer)
+    : observer_(observer),
+      name_(name_of(options)),
+      page_(page_of(options)),
+      thumbnail_(options.thumbnail),
+      still_(options.still) {
+    if (options.path.empty() || is_standard_output(options.path)) return;
+    const auto held = observer.guard();
+    if (image::is_animation(options.path) || is_page(options.path)) {
+        image::check_file_path(options.path);
+    } else {
+        image::check_picture_path(name_.at(0));
+    }
+    if (image::is_animation(options.path)) animation_.emplace(options.path, pictures_per_second);
+}
+
+void PictureOutput::add(int number, image::Picture picture, const image::Metadata& metadata) {
+    if (name_.path().empty()) return;
+    if (animation_) {
+        animation_->add(picture);
+        return;
+    }
+    if (is_standard_output(name_.path())) {
+        write_standard_output(image::encode_picture("standard-output.png", std::move(picture), metadata));
+        return;
+    }
+    const auto held = observer_.guard();
+    image::write_picture(name_.at(number), std::move(picture), metadata);
+}
+
+void PictureOutput::add_thumbnail(const image::Picture& picture) {
+    if (thumbnail_.empty()) return;
+    image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)),
+                         picture.encoding};
+    const std::vector<std::byte> encoded = image::encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
+    const auto held = observer_.guard();
+    image::replace_file(thumbnail_, encoded);
+}
+
+void PictureOutput::add_still(const std::optional<page::Still>& still) {
+    if (still_.empty() || !still) return;
+    const std::vector<std::byte> encoded = image::encode_picture(still_, still->picture, thumbnail_quality);
+    const auto held = observer_.guard();
+    image::replace_file(still_, encoded);
+}
+
+void PictureOutput::add_page(const std::string& text) {
+    const auto held = observer_.guard();
+    image::replace_file(page_, std::as_bytes(std::span(text)));
+}
+
+void PictureOutput::close() {
+    if (!animation_) return;
+    const auto held = observer_.guard();
+    animation_->close();
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where the page belongs in an archive whose index lies above it: archives name a page after its clip.
+page::PageIndex index_of(const fs::path& page, const fs::path& index) {
+    const std::string below = page::relative_url(index, page);
+    return {page::relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
+}
+
+/// The camera that an archive knows, or the clip's name tells; empty = nothing tells it.
+std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
+    if (!job.output.page_camera.empty()) return job.output.page_camera;
+    if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
+    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.layouts)).camera;
+}
+
+/// What the page calls its clip in small letters: nothing that stands over it already.
+std::string file_name_of(const RenderJob& job, const page::PageContent& content) {
+    if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
+    const std::string file = shown_name(job.input.names.front());
+    return content.camera.empty() && content.name == file ? "" : file;
+}
+
+/// The ending of a file that can hold pieces of a clip; empty where that is not known.
+std::string cut_extension(const std::string& file, double rate) {
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return {};
+    try {
+        return std::string(video::extension_for(video::open_input(file), rate));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+std::string page_text(const RenderJob& job, const RenderReport& report, image::Picture picture,
+                      const image::Metadata& settings, page::Moments moments,
+                      const std::optional<page::LiveState>& live) {
+    std::error_code none;
+    const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
+    const std::string& input = job.input.names.front();
+    page::PageContent content;
+    content.name = title_of(job.look.title, report.info);
+    content.camera = camera_of(job, report.info);
+    content.file = file_name_of(job, content);
+    for (const video::SegmentPlace& segment : report.info.segments) {
+        if (segment.end <= segment.begin) continue;  // another file shows the same time
+        content.segments.push_back(
+            {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
+    }
+    const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
+    if (is_file) content.clip_url = page::relative_url(path, input);
+    const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
+    if (!live) content.piece_extension = cut_extension(first_file, job.input.rate);
+    content.names = job.input.layouts;
+    content.shown = report.info.size;
+    content.field = report.field_size;
+    content.picture = std::move(picture);
+    content.settings = settings;
+    content.moments = std::move(moments);
+    content.clock = report.clock;
+    content.events = report.events;
+    content.numbers = report.event_numbers;
+    content.colours = report.event_colours;
+    content.portraits = report.portraits;
+    content.live = live;
+    if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
+    for (const labels::Region& region : report.lettering.regions)
+        content.regions.push_back({region.box, region.number});
+    return page::make_page(content);
+}
+
+}  // namespace vvr::app

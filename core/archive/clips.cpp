@@ -1,0 +1,333 @@
+#include "core/archive/clips.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <ctime>
+#include <deque>
+#include <map>
+#include <set>
+#include <system_error>
+#include <unordered_set>
+#include <utility>
+
+#include <fnmatch.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/archive/output_files.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/base/wall_clock.h"
+#include "core/video/demuxer.h"
+#include "core/video/video_files.h"
+
+namespace vvr::archive {
+
+namespace {
+
+std::string_view file_name(std::string_view path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+bool fits(const std::string& pattern, const std::string& clip) {
+    const bool whole = pattern.find('/') != std::string::npos;
+    return ::fnmatch(pattern.c_str(), (whole ? clip : std::string(file_name(clip))).c_str(),
+                     whole ? FNM_PATHNAME : 0) == 0;
+}
+
+}  // namespace
+
+bool ClipNames::matches(const std::string& clip) const {
+    const auto fits_clip = [&](const std::string& pattern) { return fits(pattern, clip); };
+    if (std::ranges::any_of(excluded_, fits_clip)) return false;
+    if (videos_ && video::is_video_name(std::string(file_name(clip)))) return true;
+    return std::ranges::any_of(patterns_, fits_clip);
+}
+
+ClipNames ClipNames::with_all() const {
+    ClipNames all(patterns_);
+    all.videos_ = true;
+    return all;
+}
+
+std::string ClipNames::wanted() const {
+    std::string names;
+    if (videos_) names = fmt::format("{}", fmt::join(video::video_extensions(), " "));
+    return patterns_.empty() ? names : fmt::format("{}", fmt::join(patterns_, " "));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason_of(int error) {
+    return std::generic_category().message(error);
+}
+
+constexpr std::int64_t second = 1'000'000'000;
+
+Clip clip_of(const std::string& path, const struct stat& status) {
+    const std::int64_t written = status.st_mtim.tv_sec;
+    if (written < 0) return {path, status.st_size, 0};
+    if (written >= last_time) return {path, status.st_size, (last_time - 1) * second};
+    return {path, status.st_size, written * second + status.st_mtim.tv_nsec};
+}
+
+/// Whether what lies in a folder is made by the kernel when it is looked at, and is no file: /proc, /sys and their
+/// like.
+bool is_kernel_filesystem(const fs::path& folder) {
+    constexpr std::array<long, 11> kinds{PROC_SUPER_MAGIC,   SYSFS_MAGIC,         DEBUGFS_MAGIC,      TRACEFS_MAGIC,
+                                         CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC, DEVPTS_SUPER_MAGIC, SECURITYFS_MAGIC,
+                                         BPF_FS_MAGIC,       PSTOREFS_MAGIC,      EFIVARFS_MAGIC};
+    struct statfs status {};
+    return ::statfs(folder.c_str(), &status) == 0 && std::ranges::count(kinds, static_cast<long>(status.f_type)) > 0;
+}
+
+/// Reads folders; those that only links lead to come after all others.
+class Walk {
+  public:
+    Walk(const fs::path& in, const fs::path& out, const ClipNames& names) : in_(in), names_(names) {
+        struct stat status {};
+        if (::stat(out.c_str(), &status) == 0) seen_.emplace(status.st_dev, status.st_ino);
+        if (::stat(in.c_str(), &status) == 0 && !S_ISDIR(status.st_mode)) {
+            throw Error(ErrorKind::io,
+                        fmt::format("'{}' is a file, and an archive is a folder of clips; draw one clip with: vvr "
+                                    "render '{}' -o picture.png",
+                                    in.string(), in.string()));
+        }
+        if (::stat(in.c_str(), &status) != 0) {
+            throw Error(ErrorKind::io,
+                        fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
+                                    "is mounted",
+                                    in.string(), reason_of(errno)));
+        }
+        // A link to a folder that holds this one would bring in the whole machine.
+        std::error_code none;
+        for (fs::path above = fs::canonical(in, none); above.has_relative_path();) {
+            above = above.parent_path();
+            struct stat folder {};
+            if (::stat(above.c_str(), &folder) == 0) above_.emplace(folder.st_dev, folder.st_ino);
+        }
+        if (!seen_.emplace(status.st_dev, status.st_ino).second) {
+            throw Error(ErrorKind::usage,
+                        fmt::format("'{}' holds the clips and is to hold their pictures too; give -o a folder of its "
+                                    "own, such as '{}'",
+                                    in.string(), (in / "pictures").lexically_normal().string()));
+        }
+    }
+
+    Scan run() {
+        list("");
+        if (!scan_.problems.empty() && scan_.problems.back().path.empty()) {
+            throw Error(ErrorKind::io, fmt::format("cannot read the archive '{}': {}; check its permissions",
+                                                   in_.string(), scan_.problems.back().reason));
+        }
+        for (; !folders_.empty() || !links_.empty();) {
+            std::deque<std::string>& from = folders_.empty() ? links_ : folders_;
+            const std::string folder = from.front();
+            from.pop_front();
+            enter(folder);
+        }
+        std::ranges::sort(scan_.clips, {}, &Clip::path);
+        return std::move(scan_);
+    }
+
+  private:
+    void enter(const std::string& folder) {
+        struct stat status {};
+        if (::stat((in_ / folder).c_str(), &status) != 0) {
+            scan_.problems.push_back({folder, reason_of(errno), true});
+        } else if (above_.contains({status.st_dev, status.st_ino})) {
+            scan_.problems.push_back({folder, "it is a link to a folder that holds all clips; remove it"});
+        } else if (!is_kernel_filesystem(in_ / folder) && seen_.emplace(status.st_dev, status.st_ino).second) {
+            list(folder);
+        }
+    }
+
+    void list(const std::string& folder) {
+        std::error_code error;
+        std::vector<std::pair<std::string, fs::file_type>> entries;
+        for (fs::directory_iterator entry(in_ / folder, error); !error && entry != fs::directory_iterator();
+             entry.increment(error)) {
+            const std::string name = entry->path().filename().string();
+            std::error_code none;
+            if (!name.starts_with('.')) entries.emplace_back(name, entry->symlink_status(none).type());
+        }
+        std::ranges::sort(entries);  // so that the same one of several links to a folder is taken each time
+        for (const auto& [name, type] : entries) add(folder.empty() ? name : fmt::format("{}/{}", folder, name), type);
+        if (error) scan_.problems.push_back({folder, error.message(), true});
+    }
+
+    void add(const std::string& path, fs::file_type type) {
+        if (type == fs::file_type::directory) {
+            folders_.push_back(path);
+            return;
+        }
+        const bool clip = names_.matches(path);
+        const bool link = type == fs::file_type::symlink;
+        if (!clip && !link) return;
+        if (clip && video::is_playlist_name(path)) {
+            scan_.problems.push_back({path, "it is a playlist, and an archive draws only video files; name those"});
+            return;
+        }
+        struct stat status {};
+        if (::stat((in_ / path).c_str(), &status) != 0) {
+            if (clip) scan_.problems.push_back({path, reason_of(errno), true});
+        } else if (S_ISDIR(status.st_mode)) {
+            if (link) links_.push_back(path);
+        } else if (clip && S_ISREG(status.st_mode)) {
+            scan_.clips.push_back(clip_of(path, status));
+        }
+    }
+
+    const fs::path& in_;
+    const ClipNames& names_;
+    std::set<std::pair<dev_t, ino_t>> seen_;
+    std::set<std::pair<dev_t, ino_t>> above_;
+    std::deque<std::string> folders_;
+    std::deque<std::string> links_;
+    Scan scan_;
+};
+
+/// Drops clips for which the name of an output file would be too long. All kinds of output files count, asked for or
+/// not, so that the options do not change which clips there are.
+void drop_long_names(Scan& scan) {
+    std::erase_if(scan.clips, [&](const Clip& clip) {
+        std::string longest = sidecar_path("", clip.path).filename().string();
+        for (const OutputRow& row : output_rows) {
+            const std::string file = output_path("", clip.path, row.kind).filename().string();
+            if (file.size() > longest.size()) longest = file;
+        }
+        if (longest.size() <= longest_name) return false;
+        scan.problems.push_back(
+            {clip.path, fmt::format("its '{}' would be too long a name ({} bytes, {} are possible); rename the clip",
+                                    text_of_path(longest), longest.size(), longest_name)});
+        return true;
+    });
+}
+
+/// Drops clips whose output files would replace those of others.
+void drop_conflicts(Scan& scan) {
+    std::unordered_set<std::string> taken{std::string(index_name)};
+    std::unordered_set<std::string> folders;
+    for (const Clip& clip : scan.clips) {
+        for (auto slash = clip.path.find('/'); slash != std::string::npos; slash = clip.path.find('/', slash + 1)) {
+            folders.insert(clip.path.substr(0, slash));
+        }
+    }
+    std::erase_if(scan.clips, [&](const Clip& clip) {
+        std::vector<std::string> files{sidecar_path("", clip.path).string()};
+        for (const OutputRow& row : output_rows) files.push_back(output_path("", clip.path, row.kind).string());
+        for (const std::string& file : files) {
+            if (!taken.contains(file) && !folders.contains(file)) continue;
+            scan.problems.push_back(
+                {clip.path, fmt::format("its '{}' would stand where {} does; rename the clip", text_of_path(file),
+                                        folders.contains(file) ? "a folder of clips" : "another file of the archive")});
+            return true;
+        }
+        taken.insert(files.begin(), files.end());
+        return false;
+    });
+}
+
+}  // namespace
+
+Scan scan_archive(const fs::path& in, const fs::path& out, const ClipNames& names) {
+    Scan scan = Walk(in, out, names).run();
+    drop_long_names(scan);
+    drop_conflicts(scan);
+    std::ranges::sort(scan.problems, {}, &ScanProblem::path);
+    return scan;
+}
+
+std::optional<Clip> stat_clip(const fs::path& in, const std::string& path) {
+    struct stat status {};
+    if (::stat((in / path).c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return clip_of(path, status);
+}
+
+bool Settling::waits_for(const Clip& clip) const {
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    return modified > now - settle && modified < now + settle;
+}
+
+bool Settling::is_ahead(const Clip& clip) const {
+    const std::chrono::system_clock::time_point modified{std::chrono::nanoseconds(clip.modified)};
+    return modified >= now + settle && modified > now;
+}
+
+bool Shard::contains(std::string_view clip) const {
+    return fnv1a(clip) % count == index;
+}
+
+namespace {
+
+/// When a clip begins, in seconds since 1970: as its name says, else when it was last written.
+std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
+    const std::int64_t written = clip.modified / 1'000'000'000;
+    const auto named = names.read(clip.path).begin;
+    const std::int64_t begin = named ? video::utc_of(*named, written) : written;
+    return can_be_time(begin) ? begin : written;
+}
+
+std::string date_of(std::int64_t utc) {
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc + local_offset(utc))));
+}
+
+/// Names come from anywhere: one that leads out of the folder, or is hidden there, is none for a folder.
+bool can_be_folder(const std::string& path) {
+    return is_plain_path(path) && !path.starts_with('.') && path.find("/.") == std::string::npos;
+}
+
+}  // namespace
+
+CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling) {
+    CameraDays grouped;
+    std::map<std::string, CameraDay> days;
+    std::map<std::string, std::int64_t> ahead;
+    std::set<std::string> paths;
+    std::set<std::string> refused;
+    for (const Clip& clip : clips) paths.insert(clip.path);
+    for (const Clip& clip : clips) {
+        if (settling.waits_for(clip)) {
+            ++grouped.waiting;
+            continue;
+        }
+        const std::string camera = names.camera_of(clip.path);
+        const std::string date = date_of(begin_of(clip, names));
+        const std::string path = camera.empty() ? date : fmt::format("{}/{}", camera, date);
+        if (!can_be_folder(path) || paths.contains(path)) {
+            if (refused.insert(camera).second) {
+                grouped.problems.push_back(
+                    {clip.path, fmt::format("its camera '{}' cannot be the name of a folder for pictures; "
+                                            "names can tell another",
+                                            text_of_path(camera))});
+            }
+            continue;
+        }
+        CameraDay& day = days[path];
+        day.camera = camera;
+        day.date = date;
+        day.clip.path = path;
+        day.clip.size += clip.size;
+        std::int64_t& newest = settling.is_ahead(clip) ? ahead[path] : day.clip.modified;
+        newest = std::max(newest, clip.modified);
+        day.files.push_back(clip.path);
+    }
+    for (auto& [path, day] : days) {
+        // A time of the future is that of a wrong clock: where there are others, it does not tell when the newest came.
+        if (day.clip.modified == 0) day.clip.modified = ahead[path];
+        std::ranges::sort(day.files);
+        grouped.days.push_back(std::move(day));
+    }
+    return grouped;
+}
+
+}  // namespace vvr::archive

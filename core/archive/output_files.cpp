@@ -1,0 +1,147 @@
+#include "core/archive/output_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdint>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/file_io.h"
+#include "core/base/text.h"
+
+namespace vvr::archive {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path with_extension(const fs::path& out, const std::string& clip, std::string_view ending) {
+    return out / (clip + std::string(ending));
+}
+
+}  // namespace
+
+std::string text_of_path(std::string_view path) {
+    std::string text;
+    while (!path.empty()) {
+        const auto byte = static_cast<unsigned char>(path[0]);
+        const std::size_t length = character_length(path);
+        if (length == 0 || byte < 0x20 || byte == 0x7F || byte == '%') {
+            text += fmt::format("%{:02X}", byte);
+            path.remove_prefix(1);
+        } else {
+            text += path.substr(0, length);
+            path.remove_prefix(length);
+        }
+    }
+    return text;
+}
+
+std::string path_of_text(std::string_view text) {
+    std::string path;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        std::uint8_t byte = 0;
+        const char* const digits = text.data() + k + 1;
+        if (text[k] == '%' && k + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+            path += static_cast<char>(byte);
+            k += 2;
+        } else {
+            path += text[k];
+        }
+    }
+    return path;
+}
+
+fs::path output_path(const fs::path& out, const std::string& clip, OutputKind kind) {
+    return with_extension(out, clip, std::ranges::find(output_rows, kind, &OutputRow::kind)->ending);
+}
+
+fs::path sidecar_path(const fs::path& out, const std::string& clip) {
+    return with_extension(out, clip, sidecar_extension);
+}
+
+namespace {
+
+constexpr std::array strange{
+    std::pair{fs::file_type::symlink, std::string_view("a link")},
+    std::pair{fs::file_type::directory, std::string_view("a folder")},
+    std::pair{fs::file_type::fifo, std::string_view("a pipe")},
+    std::pair{fs::file_type::socket, std::string_view("a socket")},
+    std::pair{fs::file_type::character, std::string_view("a device")},
+    std::pair{fs::file_type::block, std::string_view("a device")},
+};
+
+/// Reads on until the end, or until `text` would be larger than `most`.
+/// \returns whether it is whole
+bool read_to_end(int file, std::string& text, std::size_t most) {
+    std::array<char, 65536> room{};
+    for (;;) {
+        const ssize_t count = ::read(file, room.data(), room.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0 || text.size() + static_cast<std::size_t>(count) > most) return false;
+        if (count == 0) return true;
+        text.append(room.data(), static_cast<std::size_t>(count));
+    }
+}
+
+}  // namespace
+
+std::optional<std::string_view> irregular_file_at(const fs::path& path) {
+    std::error_code none;
+    const auto* const found =
+        std::ranges::find(strange, fs::symlink_status(path, none).type(), &decltype(strange)::value_type::first);
+    return found == strange.end() ? std::nullopt : std::optional(found->second);
+}
+
+void check_own_place(const fs::path& file) {
+    if (const auto what = irregular_file_at(file)) {
+        throw Error(ErrorKind::io, fmt::format("cannot write '{}': it is {}; remove it", file.string(), *what));
+    }
+}
+
+void check_own_folder(const fs::path& out, const fs::path& folder) {
+    fs::path place = out;
+    for (const fs::path& name : folder.lexically_relative(out)) {
+        if (name == ".") continue;
+        place /= name;
+        const auto what = irregular_file_at(place);
+        if (!what || *what == "a folder") continue;
+        throw Error(ErrorKind::io, fmt::format("cannot write into '{}': it is {}, and no folder of this archive; "
+                                               "remove it",
+                                               place.string(), *what));
+    }
+}
+
+OwnText read_own(const fs::path& path, std::string_view beginning, std::size_t most) {
+    const int file = open_no_follow(path, O_RDONLY);
+    if (file < 0) {
+        const auto what = irregular_file_at(path);
+        return {{}, what && *what != "a folder" ? fmt::format("it is {}, and no file", *what) : ""};
+    }
+    OwnText own;
+    std::string text(beginning.size(), 0);
+    if (::read(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && text == beginning) {
+        // Its size first: of a file with holes, most is never read.
+        struct stat status {};
+        if (::fstat(file, &status) == 0 && static_cast<std::size_t>(status.st_size) <= most &&
+            read_to_end(file, text, most)) {
+            own.text = std::move(text);
+        } else {
+            own.problem =
+                fmt::format("it has {} bytes, or can't be read; at most {} are possible", status.st_size, most);
+        }
+    }
+    ::close(file);
+    return own;
+}
+
+}  // namespace vvr::archive

@@ -1,0 +1,137 @@
+#include "core/base/file_io.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace vvr {
+
+int open_no_follow(const std::filesystem::path& path, int flags) {
+    const int file = ::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    if (file < 0) return -1;
+    struct stat status {};
+    if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) return file;
+    ::close(file);
+    errno = EINVAL;
+    return -1;
+}
+
+int lock_file(int file, bool wait) {
+    int result = 0;
+    do result = ::flock(file, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
+    while (result != 0 && errno == EINTR);
+    return result == 0 ? 0 : errno;
+}
+
+bool is_same_file(int file, const std::filesystem::path& path) {
+    struct stat ours {
+    }, there{};
+    return ::fstat(file, &ours) == 0 && ::lstat(path.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
+           ours.st_dev == there.st_dev;
+}
+
+namespace {
+
+/// An open file that closes itself.
+class Opened {
+  public:
+    // What became a pipe since it was looked at must not wait for who writes it.
+    explicit Opened(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+    ~Opened() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+
+    int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+bool is_descriptor_path(const std::string& path) {
+    return path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
+}
+
+[[noreturn]] void refuse_strange(const std::string& path) {
+    throw Error(ErrorKind::io, fmt::format("'{}' is no file but a device or a pipe; give a file", path));
+}
+
+[[noreturn]] void refuse_length(const std::string& path, std::uintmax_t most) {
+    throw Error(ErrorKind::limit, fmt::format("'{}' is longer than such a file can be: at most {} MB are read; check "
+                                              "what it is",
+                                              path, most >> 20U));
+}
+
+}  // namespace
+
+void check_is_file(const std::string& path, std::uintmax_t most) {
+    std::error_code none;
+    const auto type = std::filesystem::status(path, none).type();
+    const bool is_strange = type == std::filesystem::file_type::character ||
+                            type == std::filesystem::file_type::block || type == std::filesystem::file_type::socket ||
+                            type == std::filesystem::file_type::fifo;
+    if (is_strange && !(type == std::filesystem::file_type::fifo && is_descriptor_path(path))) refuse_strange(path);
+    const std::uintmax_t length = std::filesystem::file_size(path, none);
+    if (!none && length > most) refuse_length(path, most);
+}
+
+std::string read_file(const std::string& path, std::uintmax_t most) {
+    check_is_file(path);
+    const Opened file(path);
+    struct stat status {};
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
+        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
+    }
+    if (S_ISDIR(status.st_mode)) {
+        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(EISDIR)));
+    }
+    const bool piped = S_ISFIFO(status.st_mode) && is_descriptor_path(path);
+    if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
+    if (piped) ::fcntl(file.get(), F_SETFL, 0);  // its writer may take its time
+    if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > most) refuse_length(path, most);
+    std::string bytes;
+    constexpr std::size_t piece = 1U << 20U;
+    // One byte more than it says shows whether that was all.
+    std::size_t room = std::max<std::size_t>(static_cast<std::size_t>(status.st_size) + 1, 4096);
+    for (std::size_t filled = 0;;) {
+        bytes.resize(filled + room);
+        const ssize_t got = ::read(file.get(), bytes.data() + filled, room);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw Error(ErrorKind::io, fmt::format("{}: can't be read: {}", path, std::strerror(errno)));
+        filled += static_cast<std::size_t>(got);
+        if (filled > most) refuse_length(path, most);
+        if (got == 0) {
+            bytes.resize(filled);
+            return bytes;
+        }
+        room = piece;
+    }
+}
+
+void write_standard_output(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (written >= 0) {
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        } else if (errno == EPIPE) {
+            return;
+        } else if (errno != EINTR) {
+            throw Error(ErrorKind::io, "cannot write to stdout: " + std::generic_category().message(errno));
+        }
+    }
+}
+
+}  // namespace vvr

@@ -1,0 +1,48 @@
+#include "core/base/memory.h"
+
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace vvr {
+
+std::int64_t machine_memory() {
+    return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE);
+}
+
+bool is_memory_available(std::int64_t bytes) {
+    void* const room = ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) return false;
+    ::munmap(room, static_cast<std::size_t>(bytes));
+    return true;
+}
+
+void tune_malloc() {
+    constexpr int larger_than_a_plane = 2 << 20;
+    // One heap for all threads: planes are freed by other threads than those that took them, and each heap would keep
+    // its own.
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
+    mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
+}
+
+void trim_heap() {
+    malloc_trim(0);
+}
+
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    if (const auto* const system = dynamic_cast<const std::system_error*>(&error)) {
+        return system->code() == std::errc::resource_unavailable_try_again ||
+               system->code() == std::errc::not_enough_memory;
+    }
+    // TBB has no type of its own for a thread that it can't have.
+    return std::string_view(error.what()).starts_with("pthread_create has failed");
+}
+
+}  // namespace vvr

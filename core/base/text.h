@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace vvr {
+
+/// `1 frame`, `2 frames`.
+inline std::string counted(std::int64_t count, const std::string& word) {
+    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+/// Text as a terminal, a log or a report may show it, whoever wrote it: control characters, marks that turn the
+/// direction of writing, line separators and bytes that are not UTF-8 become escapes (`\n`, `\x1b`, `\u202e`). So
+/// nothing forges a line, moves the cursor, or shows a name as another.
+std::string shown_text(std::string_view text);
+
+/// The same for text that has lines of its own: line feeds stay.
+std::string shown_lines(std::string_view text);
+
+/// Text without what an address may hold that is nobody's business: user and password, and all from `?` or `#` on, of
+/// every `scheme://...` in it.
+std::string redact_secrets(std::string_view text);
+
+/// Length in bytes of the UTF-8 character at the front of a text that is not empty; 0 if there is none.
+std::size_t character_length(std::string_view text);
+
+}  // namespace vvr

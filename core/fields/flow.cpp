@@ -1,0 +1,75 @@
+#include "core/fields/flow.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "core/fields/blobs.h"
+
+namespace vvr::fields {
+namespace {
+
+// Parts that cover more than this of the picture cost more, with their borders, than the picture.
+constexpr double most_of_it = 0.7;
+
+bool touch(const Rect& a, const Rect& b) {
+    return a.x < b.x + b.size.width && b.x < a.x + a.size.width && a.y < b.y + b.size.height &&
+           b.y < a.y + a.size.height;
+}
+
+Rect around(const Rect& a, const Rect& b) {
+    const int x = std::min(a.x, b.x);
+    const int y = std::min(a.y, b.y);
+    return {
+        x,
+        y,
+        {std::max(a.x + a.size.width, b.x + b.size.width) - x, std::max(a.y + a.size.height, b.y + b.size.height) - y}};
+}
+
+long area(const Rect& r) {
+    return static_cast<long>(r.size.width) * r.size.height;
+}
+
+Rect inflated(const Rect& r, int margin, Size size) {
+    const int x = std::max(r.x - margin, 0);
+    const int y = std::max(r.y - margin, 0);
+    return {x,
+            y,
+            {std::min(r.x + r.size.width + margin, size.width) - x,
+             std::min(r.y + r.size.height + margin, size.height) - y}};
+}
+
+/// Adds a part, made one with all that it touches, and with all that the larger one then touches.
+void add(std::vector<Rect>& parts, Rect part) {
+    for (std::size_t k = 0; k < parts.size();) {
+        if (!touch(parts[k], part)) {
+            ++k;
+            continue;
+        }
+        part = around(parts[k], part);
+        parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+        k = 0;
+    }
+    parts.push_back(part);
+}
+
+}  // namespace
+
+std::vector<Rect> regions_around(const Plane<std::uint8_t>& object, int margin) {
+    const Size size = object.size();
+    std::vector<Rect> parts;
+    const Plane<std::uint8_t> tiles = occupied_tiles(object);
+    for (int y = 0; y < tiles.height(); ++y) {
+        for (int x = 0; x < tiles.width(); ++x) {
+            if (tiles.at(x, y) == 0) continue;
+            add(parts, inflated({x * tile_side, y * tile_side, {tile_side, tile_side}}, margin, size));
+        }
+    }
+    long covered = 0;
+    for (const Rect& part : parts) covered += area(part);
+    const Rect whole{0, 0, size};
+    if (static_cast<double>(covered) > most_of_it * static_cast<double>(area(whole))) return {whole};
+    return parts;
+}
+
+}  // namespace vvr::fields

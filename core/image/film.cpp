@@ -1,0 +1,312 @@
+#include "core/image/film.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/image/atomic_file.h"
+#include "core/image/palette.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/dict.h>
+#include <libswscale/swscale.h>
+}
+
+namespace vvr::image {
+
+namespace {
+
+struct Free {
+    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
+    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
+    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+    void operator()(SwsContext* context) const { sws_freeContext(context); }
+};
+template <class T>
+using Ptr = std::unique_ptr<T, Free>;
+
+/// A file in memory.
+WriteAt into(std::vector<std::byte>& file) {
+    return [&file](std::int64_t offset, std::span<const std::byte> bytes) {
+        const auto at = static_cast<std::size_t>(offset);
+        file.resize(std::max(file.size(), at + bytes.size()));
+        std::ranges::copy(bytes, file.begin() + offset);
+    };
+}
+
+}  // namespace
+
+struct VideoEncoder::Parts {
+    /// \param write_at empty = into memory
+    Parts(const VideoFormat& format, std::string file_name, Size picture_size, int ticks, int rate, int key_frames,
+          WriteAt write_at)
+        : name(std::move(file_name)),
+          size(format.palette ? picture_size : even(picture_size)),
+          writer(write_at ? std::move(write_at) : into(memory)) {
+        const AVPixelFormat pixels = format.palette ? AV_PIX_FMT_PAL8 : AV_PIX_FMT_YUV420P;
+        AVFormatContext* made = nullptr;
+        check(avformat_alloc_output_context2(&made, nullptr, format.muxer.c_str(), nullptr));
+        container.reset(made);
+        container->pb = writer.context();
+        container->flags |= AVFMT_FLAG_BITEXACT;  // no version, no random number
+        for (const auto& [key, value] : format.tags) av_dict_set(&container->metadata, key.c_str(), value.c_str(), 0);
+
+        const AVCodec* codec = avcodec_find_encoder_by_name(format.encoder.c_str());
+        check(codec ? 0 : AVERROR_ENCODER_NOT_FOUND);
+        context.reset(avcodec_alloc_context3(codec));
+        context->width = size.width;
+        context->height = size.height;
+        context->pix_fmt = pixels;
+        context->time_base = {1, ticks};
+        context->framerate = {rate, 1};
+        context->gop_size = key_frames;
+        context->thread_count = 1;  // the bytes depend on the number of threads
+        context->flags |= AV_CODEC_FLAG_BITEXACT;
+        context->log_level_offset = 1000;  // keep encoders' messages off stderr
+        if ((container->oformat->flags & AVFMT_GLOBALHEADER) != 0) context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+        AVDictionary* options = nullptr;
+        av_dict_parse_string(&options, format.options.c_str(), "=", ",", 0);
+        const int opened = avcodec_open2(context.get(), codec, &options);
+        stream = avformat_new_stream(container.get(), nullptr);
+        const int described =
+            stream ? avcodec_parameters_from_context(stream->codecpar, context.get()) : AVERROR(ENOMEM);
+        if (stream) stream->time_base = context->time_base;
+        const int begun = opened < 0 || described < 0 ? 0 : avformat_write_header(container.get(), &options);
+        av_dict_free(&options);
+        for (const int result : {opened, described, begun}) check(result);
+        unfinished = true;
+
+        packet.reset(av_packet_alloc());
+        frame.reset(av_frame_alloc());
+        frame->format = pixels;
+        frame->width = size.width;
+        frame->height = size.height;
+        check(av_frame_get_buffer(frame.get(), 0));
+    }
+
+    /// Muxers free their last packet only with the trailer, so it is written even if the film is not wanted.
+    ~Parts() {
+        if (unfinished) av_write_trailer(container.get());
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+
+    static Size even(Size size) { return {std::max(2, size.width & ~1), std::max(2, size.height & ~1)}; }
+
+    void check(int result) const {
+        if (result >= 0) return;
+        writer.check();
+        std::array<char, AV_ERROR_MAX_STRING_SIZE> words{};
+        av_strerror(result, words.data(), words.size());
+        throw Error(ErrorKind::io, fmt::format("cannot encode '{}': {}", name, words.data()));
+    }
+
+    void add(const Picture& picture, std::int64_t time) {
+        check(av_frame_make_writable(frame.get()));
+        if (frame->format == AV_PIX_FMT_PAL8) {
+            paint_palette(picture);
+        } else {
+            paint(bytes_of(picture));
+        }
+        encode(time);
+    }
+
+    void encode(std::int64_t time) {
+        duration = frame->pts == AV_NOPTS_VALUE ? 1 : time - frame->pts;
+        frame->pts = time;
+        frame->pict_type = AV_PICTURE_TYPE_NONE;
+        check(avcodec_send_frame(context.get(), frame.get()));
+        drain();
+    }
+
+    void finish() {
+        check(avcodec_send_frame(context.get(), nullptr));
+        drain();
+        unfinished = false;
+        check(av_write_trailer(container.get()));
+        writer.flush();
+    }
+
+    void paint_palette(const Picture& picture) {
+        if (!palette) {
+            palette.emplace(picture);
+            std::array<std::uint32_t, 256> words{};
+            for (std::size_t i = 0; i < palette->colours().size(); ++i) {
+                const auto [red, green, blue] = palette->colours()[i];
+                words[i] = 0xFF000000U | static_cast<std::uint32_t>(red << 16 | green << 8 | blue);
+            }
+            std::memcpy(frame->data[1], words.data(), sizeof(words));
+        }
+        for (int j = 0; j < size.height; ++j) {
+            std::ranges::transform(picture.pixels.row(j), frame->data[0] + std::ptrdiff_t{j} * frame->linesize[0],
+                                   [this](const Rgba& pixel) { return palette->nearest(pixel); });
+        }
+    }
+
+    static Plane<Bgr> bytes_of(const Picture& picture) {
+        Plane<Bgr> bytes(picture.pixels.size());
+        std::ranges::transform(picture.pixels.pixels(), bytes.pixels().begin(), [](const Rgba& pixel) {
+            const auto byte = [](float value) {
+                return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
+            };
+            return Bgr{byte(pixel.b), byte(pixel.g), byte(pixel.r)};
+        });
+        return bytes;
+    }
+
+    void paint(const Plane<Bgr>& picture) {
+        // A row more than is shown: libswscale reads up to 16 bytes at a time, past the end of the last row.
+        Plane<Bgr> bgr({size.width, size.height + 1});
+        for (int j = 0; j < size.height; ++j) {
+            for (int i = 0; i < size.width; ++i) {
+                // A single row or column is repeated.
+                bgr.at(i, j) = picture.at(std::min(i, picture.width() - 1), std::min(j, picture.height() - 1));
+            }
+        }
+        if (!scaler) {
+            scaler.reset(sws_getContext(size.width, size.height, AV_PIX_FMT_BGR24, size.width, size.height,
+                                        AV_PIX_FMT_YUV420P, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
+                                        nullptr, nullptr, nullptr));
+            check(scaler ? 0 : AVERROR(ENOMEM));
+        }
+        const std::array<const std::uint8_t*, 1> from = {bgr.pixels().front().data()};
+        const std::array<int, 1> stride = {3 * size.width};
+        sws_scale(scaler.get(), from.data(), stride.data(), 0, size.height, frame->data, frame->linesize);
+    }
+
+    /// Takes the packets that the encoder has ready to the container.
+    void drain() {
+        for (;;) {
+            const int result = avcodec_receive_packet(context.get(), packet.get());
+            if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+            check(result);
+            av_packet_rescale_ts(packet.get(), context->time_base, stream->time_base);
+            packet->duration = av_rescale_q(duration, context->time_base, stream->time_base);
+            packet->stream_index = stream->index;
+            check(av_interleaved_write_frame(container.get(), packet.get()));
+        }
+    }
+
+    bool unfinished = false;  ///< there is a header and no trailer
+    std::string name;
+    Size size;
+    std::vector<std::byte> memory;  ///< the file, if it goes nowhere else
+    AvWriter writer;
+    Ptr<AVFormatContext> container;
+    Ptr<AVCodecContext> context;
+    AVStream* stream = nullptr;  ///< the container's
+    Ptr<AVPacket> packet;
+    Ptr<AVFrame> frame;
+    Ptr<SwsContext> scaler;
+    std::optional<Palette> palette;
+    std::int64_t duration = 1;  ///< in ticks, of the picture before the last; used for the last one too
+};
+
+bool has_encoder(const std::string& encoder) {
+    return avcodec_find_encoder_by_name(encoder.c_str()) != nullptr;
+}
+
+VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
+                           int key_frames)
+    : VideoEncoder(format, name, size, ticks, rate, key_frames, {}) {}
+
+VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
+                           int key_frames, WriteAt write_at)
+    : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames, std::move(write_at))) {}
+
+VideoEncoder::~VideoEncoder() = default;
+
+void VideoEncoder::add(const Picture& picture, std::int64_t time) {
+    parts_->add(picture, time);
+}
+
+void VideoEncoder::add(const Plane<Bgr>& picture, std::int64_t time) {
+    parts_->check(av_frame_make_writable(parts_->frame.get()));
+    parts_->paint(picture);
+    parts_->encode(time);
+}
+
+std::size_t VideoEncoder::bytes() const {
+    return static_cast<std::size_t>(parts_->writer.size());
+}
+
+std::vector<std::byte> VideoEncoder::finish() {
+    parts_->finish();
+    return std::move(parts_->memory);
+}
+
+namespace {
+
+/// One kind of animated file. The first of its encoders that the installed libav has is used.
+struct Format {
+    std::string_view ending;
+    const char* muxer;
+    std::array<const char*, 2> encoders;
+    bool palette;
+    const char* quality;  ///< libav's options
+};
+
+constexpr std::array formats{
+    Format{".gif", "gif", {"gif", "gif"}, true, "loop=0"},
+    Format{".mp4", "mp4", {"libx264", "mpeg4"}, false, "crf=17,preset=medium,b=12000000,x264-params=log=-1"},
+    Format{".webm", "webm", {"libvpx-vp9", "libvpx"}, false, "crf=20,b=12000000,cpu-used=4,deadline=good"},
+};
+
+/// \throws Error io when libav has none of the encoders
+VideoFormat film_format(const std::filesystem::path& path) {
+    const Format& format = *std::ranges::find(formats, extension_of(path), &Format::ending);
+    const auto encoder = std::ranges::find_if(format.encoders, has_encoder);
+    if (encoder != format.encoders.end()) return {format.muxer, *encoder, format.quality, format.palette};
+    throw Error(ErrorKind::io,
+                fmt::format("cannot write '{}': the installed libavcodec has no encoder {}; choose another ending, or "
+                            "single pictures with a field: out.{{frame:4}}.png",
+                            path.string(), fmt::join(format.encoders, " or ")));
+}
+
+}  // namespace
+
+std::vector<std::string> animation_extensions() {
+    std::vector<std::string> endings;
+    for (const Format& format : formats) endings.emplace_back(format.ending);
+    return endings;
+}
+
+bool is_animation(const std::filesystem::path& path) {
+    return std::ranges::find(formats, extension_of(path), &Format::ending) != formats.end();
+}
+
+AnimationFile::AnimationFile(std::filesystem::path path, int rate) : path_(std::move(path)), rate_(rate) {
+    if (!is_animation(path_)) {
+        throw Error(ErrorKind::usage, fmt::format("cannot write '{}': an animated file ends in {}", path_.string(),
+                                                  fmt::join(animation_extensions(), " ")));
+    }
+}
+
+AnimationFile::~AnimationFile() = default;
+
+void AnimationFile::add(const Picture& picture) {
+    if (!encoder_) {
+        encoder_ = std::make_unique<VideoEncoder>(film_format(path_), path_.string(), picture.pixels.size(), rate_,
+                                                  rate_, rate_);
+    }
+    encoder_->add(picture, pictures_++);
+}
+
+void AnimationFile::close() {
+    if (!encoder_) throw Error(ErrorKind::io, fmt::format("cannot write '{}': there are no pictures", path_.string()));
+    replace_file(path_, encoder_->finish());
+    encoder_.reset();
+}
+
+}  // namespace vvr::image

@@ -1,0 +1,385 @@
+#include "core/store/extraction.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/file_io.h"
+#include "core/base/plane.h"
+#include "core/fields/flo_file.h"
+#include "core/fields/seed_list.h"
+#include "core/fields/settings.h"
+#include "core/image/atomic_file.h"
+#include "core/image/codec.h"
+
+namespace vvr::store {
+
+/// A plane of 8-bit values as a PNG picture in grey, lossless; same values, same bytes.
+/// \throws Error io
+std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane);
+
+/// The same in colour.
+std::vector<std::byte> encode_colour(const Plane<Bgr>& plane);
+
+/// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
+Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size);
+
+/// The same for three channels.
+Plane<Bgr> read_colour(const std::filesystem::path& path, Size size);
+
+namespace {
+
+std::vector<std::byte> encode(Size size, int channels, std::span<const std::uint8_t> values) {
+    // Differences are mostly empty: the fastest level without a filter already leaves little of them.
+    return image::picture_codec().encode(
+        {.format = "png",
+         .name = "a plane.png",
+         .size = size,
+         .colours = channels,
+         .options = {{"png:compressionLevel", 1}, {"png:filter", image::png_filter::none}},
+         .values = std::as_bytes(values)});
+}
+
+void swap_red_and_blue(Plane<Bgr>& plane) {
+    for (Bgr& pixel : plane.pixels()) std::swap(pixel[0], pixel[2]);
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
+    return encode(plane.size(), 1, plane.pixels());
+}
+
+std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
+    Plane<Bgr> rgb = plane;
+    swap_red_and_blue(rgb);
+    return encode(plane.size(), 3, {rgb.pixels().front().data(), 3 * rgb.pixels().size()});
+}
+
+Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
+    check_is_file(path.string(), most_bytes::data);
+    auto plane = Plane<std::uint8_t>::for_overwrite(size);
+    image::picture_codec().read_bytes(path, size, 1, plane.pixels().data());
+    return plane;
+}
+
+Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
+    check_is_file(path.string(), most_bytes::data);
+    auto plane = Plane<Bgr>::for_overwrite(size);
+    image::picture_codec().read_bytes(path, size, 3, plane.pixels().front().data());
+    swap_red_and_blue(plane);
+    return plane;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; free some space, fix its permissions or choose "
+                                           "another folder",
+                                           path.string(), std::generic_category().message(error)));
+}
+
+template <class Bytes>
+std::span<const std::byte> bytes_of(const Bytes& bytes) {
+    return std::as_bytes(std::span(bytes.data(), bytes.size()));
+}
+
+}  // namespace
+
+void check_data_folder(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::exists(folder, error)) {
+        const fs::path whole = folder.lexically_normal();  // which may end in a slash
+        image::check_file_path(whole.has_filename() ? whole : whole.parent_path());
+        return;
+    }
+    if (!fs::is_directory(folder)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot write to '{}': it is not a folder; choose another one", folder.string()));
+    }
+    if (!fs::is_empty(folder) && !is_replaceable(folder)) {
+        throw Error(ErrorKind::io,
+                    fmt::format("cannot write to '{}': it holds other files, and no manifest of `vvr extract`; choose "
+                                "a new or an empty folder",
+                                folder.string()));
+    }
+    image::check_file_path(folder / stored::manifest);
+}
+
+DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
+    : folder_(std::move(folder)), flow_every_(flow_every), colour_(colour) {
+    check_data_folder(folder_);
+    std::error_code error;
+    made_ = fs::create_directory(folder_, error);
+    if (error) fail(folder_, error.value());
+    // From here on a run that is killed leaves a folder that the next one knows for its own.
+    image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
+    remove_data();
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
+        if (name == stored::colour && !colour_) continue;
+        fs::create_directory(folder_ / name, error);
+        if (error) fail(folder_ / name, error.value());
+    }
+}
+
+DataFolder::~DataFolder() {
+    // Without its manifest, what can't be removed would be another's to the next run.
+    if (closed_ || !remove_data()) return;
+    std::error_code none;
+    fs::remove(folder_ / stored::manifest, none);
+    if (made_) fs::remove(folder_, none);
+}
+
+bool DataFolder::remove_data() const {
+    bool removed = true;
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::old_colour,
+                             stored::reference, stored::first, stored::last}) {
+        std::error_code error;
+        fs::remove_all(folder_ / name, error);
+        removed = removed && !error;
+    }
+    return removed;
+}
+
+// Not each file by itself to the disk, as `replace_file` does: that takes longer than all the rest. The manifest, which
+// comes last, tells a whole folder from one that isn't.
+void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
+    const fs::path path = folder_ / file;
+    std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));
+    if (!out || std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) fail(path, errno);
+    if (std::fclose(out.release()) != 0) fail(path, errno);
+}
+
+void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
+    StoredFrame stored{field.index, field.pts, {}};
+    write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
+    if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
+    // Some filters make flow at every frame, wanted or not.
+    if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
+        write(stored::flow_file(field.index), bytes_of(fields::encode_flo(field.flow)));
+        write(stored::seed_file(field.index),
+              bytes_of(fields::format_seeds({field.index, field.scalar.size(), field.seeds})));
+        stored.seeds = std::ssize(field.seeds);
+    }
+    if (frames_.empty()) write(stored::first, bytes_of(encode_colour(frame.colour)));
+    frames_.push_back(stored);
+    last_ = frame.colour;
+}
+
+void DataFolder::close(Manifest manifest, const fields::Reference& reference) {
+    write(stored::last, bytes_of(encode_colour(last_)));
+    manifest.reference = !reference.grey.empty();
+    if (manifest.reference) {
+        write(stored::reference,
+              bytes_of(reference.colour.empty() ? encode_grey(reference.grey) : encode_colour(reference.colour)));
+    }
+    manifest.flow_every = flow_every_;
+    manifest.colour = colour_;
+    manifest.frames = frames_;
+    image::replace_file(folder_ / stored::manifest, bytes_of(format_manifest(manifest)));
+    closed_ = true;
+}
+
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+bool says_where(const std::string& option) {
+    return option == "start" || option == "end";
+}
+
+std::string value_of(const Settings& settings, const std::string& option) {
+    const auto found = std::ranges::find(settings, option, &Settings::value_type::first);
+    return found == settings.end() ? "" : found->second;
+}
+
+bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
+    return a.container == b.container && a.codec == b.codec && a.size == b.size && a.rate == b.rate &&
+           a.duration == b.duration && a.frames == b.frames;
+}
+
+/// What keeps two directories from being neighbouring parts of one clip; nothing = they are.
+std::string difference(const Manifest& a, const Manifest& b) {
+    if (a.field_size != b.field_size) {
+        return fmt::format("fields of {}x{} and of {}x{}", a.field_size.width, a.field_size.height, b.field_size.width,
+                           b.field_size.height);
+    }
+    if (a.colour != b.colour) return "one holds the frames' pictures, the other doesn't";
+    if (!same_clip(a.clip, b.clip)) return "they are of different clips";
+    if (a.flow_every != b.flow_every)
+        return fmt::format("flow every {} and every {} frames", a.flow_every, b.flow_every);
+    for (const Settings* settings : {&a.settings, &b.settings}) {
+        for (const auto& [option, value] : *settings) {
+            const std::string one = value_of(a.settings, option);
+            const std::string other = value_of(b.settings, option);
+            if (!says_where(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
+        }
+    }
+    if (b.frames.front().index != a.frames.back().index + 1) {
+        return fmt::format("the first ends with frame {}, the second begins with frame {}; give the parts in order",
+                           a.frames.back().index, b.frames.front().index);
+    }
+    return "";
+}
+
+Settings joined(const Manifest& first, const Manifest& last) {
+    Settings settings;
+    for (const auto& [option, value] : first.settings) {
+        if (option != "end") settings.emplace_back(option, value);
+    }
+    const std::string end = value_of(last.settings, "end");
+    if (!end.empty()) settings.emplace_back("end", end);
+    return settings;
+}
+
+}  // namespace
+
+StoredFields::StoredFields(std::span<const std::string> folders) {
+    for (const std::string& folder : folders) {
+        const fs::path file = fs::path(folder) / stored::manifest;
+        Part part{folder, parse_manifest(read_file(file.string()), file.string())};
+        if (!parts_.empty()) {
+            const std::string what = difference(parts_.back().manifest, part.manifest);
+            if (!what.empty()) {
+                throw Error(ErrorKind::usage,
+                            fmt::format("'{}' and '{}' are not consecutive parts of one extraction: {}",
+                                        parts_.back().folder.string(), folder, what));
+            }
+        }
+        parts_.push_back(std::move(part));
+    }
+    const Manifest& first = parts_.front().manifest;
+    const Manifest& last = parts_.back().manifest;
+    settings_ = joined(first, last);
+    info_ = first.clip;
+    info_.name = parts_.front().folder.string();
+    const bool whole = first.frames.front().index == 0 && value_of(settings_, "end").empty();
+    if (!whole) {
+        info_.frames = last.frames.back().index - first.frames.front().index + 1;
+        info_.duration = info_.rate > 0 ? static_cast<double>(info_.frames) / info_.rate : 0;
+    }
+}
+
+std::int64_t StoredFields::expected_frames() const {
+    const Manifest& last = parts_.back().manifest;
+    video::FrameSpan span = parts_.front().manifest.span;
+    span.end = last.span.end;
+    span.stop = last.span.stop;
+    return vvr::video::expected_frames(last.clip, span);
+}
+
+std::int64_t StoredFields::interval(std::int64_t asked) const {
+    const std::int64_t every = std::max<std::int64_t>(1, parts_.front().manifest.flow_every);
+    return (asked + every - 1) / every * every;
+}
+
+fields::Field StoredFields::read_field(const Part& part, const StoredFrame& frame,
+                                       const fields::FieldNeeds& needs) const {
+    fields::Field field;
+    field.index = frame.index;
+    field.pts = frame.pts;
+    field.scalar = read_grey(part.folder / stored::scalar_file(frame.index), field_size());
+    const bool asked = frame.index % needs.every == 0;
+    const auto fail = [](const fs::path& file, const std::string& what) {
+        throw Error(ErrorKind::io, fmt::format("'{}': {}; run `vvr extract` again", file.string(), what));
+    };
+    if (needs.flow_of_every_frame || (asked && (needs.seeds || needs.flow))) {
+        if (!frame.seeds) fail(part.folder / stored::manifest, fmt::format("frame {} has no 'seeds'", frame.index));
+    }
+    if (asked && needs.seeds) {
+        const fs::path file = part.folder / stored::seed_file(frame.index);
+        fields::SeedList list = fields::read_seeds(file.string());
+        if (list.frame != frame.index)
+            fail(file, fmt::format("the seeds of frame {}, not {}", list.frame, frame.index));
+        if (list.size != field_size()) {
+            fail(file, fmt::format("seeds of a field of {}x{} where {}x{} is due", list.size.width, list.size.height,
+                                   field_size().width, field_size().height));
+        }
+        if (std::ssize(list.seeds) != *frame.seeds) {
+            fail(file, fmt::format("{} seeds where the manifest says {}", list.seeds.size(), *frame.seeds));
+        }
+        field.seeds = std::move(list.seeds);
+    }
+    if (needs.flow_of_every_frame || (asked && needs.flow)) {
+        const fs::path file = part.folder / stored::flow_file(frame.index);
+        field.flow = fields::read_flo(file.string());
+        if (field.flow.u.size() != field_size()) {
+            fail(file, fmt::format("a flow of {}x{} where {}x{} is due", field.flow.u.width(), field.flow.u.height(),
+                                   field_size().width, field_size().height));
+        }
+    }
+    return field;
+}
+
+fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
+    if (needs.flow_of_every_frame && parts_.front().manifest.flow_every != 1) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was not extracted with the flow of each frame, which these colours need: extract "
+                                "it again, or render the clip itself",
+                                info_.name),
+                    {setting::flow_every.name});
+    }
+    if ((needs.seeds || needs.flow) && parts_.front().manifest.flow_every == 0) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without flow, so there are no arrows or tracelines: extract it "
+                                "again, or don't show them",
+                                info_.name),
+                    {"show"});
+    }
+    if (needs.colour && !parts_.front().manifest.colour) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' was extracted without the frames' colours: extract it again with them, or "
+                                "render the clip itself",
+                                info_.name),
+                    {"with-color"});
+    }
+    fields::FieldSummary summary;
+    for (const Part& part : parts_) summary.damaged += part.manifest.damaged;
+    const Part& some = parts_.front();
+    if (some.manifest.colour && some.manifest.reference) {
+        summary.reference.colour = read_colour(some.folder / stored::reference, field_size());
+        summary.reference.grey = Plane<std::uint8_t>(field_size());
+        std::ranges::transform(
+            summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
+            [](const Bgr& bgr) { return static_cast<std::uint8_t>((bgr[0] + 2 * bgr[1] + bgr[2]) / 4); });
+    }
+    for (const Part& part : parts_) {
+        for (const StoredFrame& stored : part.manifest.frames) {
+            video::Frame frame{.index = stored.index, .pts = stored.pts, .grey = {}, .colour = {}};
+            const bool first = &stored == &parts_.front().manifest.frames.front();
+            const bool last = &stored == &parts_.back().manifest.frames.back();
+            if (needs.colour) {
+                frame.colour = read_colour(
+                    part.folder / stored::colour_file(stored.index,
+                                                      part.manifest.old_colour ? stored::old_colour : stored::colour),
+                    field_size());
+            } else if (first || last) {
+                frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
+            }
+            ++summary.frames;
+            sink(std::make_shared<const video::Frame>(std::move(frame)), read_field(part, stored, needs));
+        }
+    }
+    return summary;
+}
+
+}  // namespace vvr::store

@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <system_error>
+
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/base/text.h"
+#include "core/video/input.h"
+#include "core/video/input_files.h"
+#include "core/video/recording.h"
+#include "core/video/stream_info.h"
+#include "core/video/video_files.h"
+
+namespace vvr::video {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view list_ending = ".txt";
+constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
+
+[[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
+    throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
+                                           "the folder of the list",
+                                           list, number, why));
+}
+
+/// The files that a list names. Others may have written it, so it leads nowhere out of its folder.
+std::vector<std::string> files_of_list(const std::string& list) {
+    std::error_code none;
+    if (fs::file_size(list, none) > most_list_bytes) {
+        throw Error(ErrorKind::limit, fmt::format("'{}' is too large for a list of files: at most {} MB are read", list,
+                                                  most_list_bytes / 1024 / 1024));
+    }
+    std::ifstream text(list);
+    if (!text) throw Error(ErrorKind::io, fmt::format("cannot read '{}'; check its permissions", list));
+    const fs::path folder = fs::path(list).parent_path();
+    const fs::path real_folder = fs::canonical(folder.empty() ? "." : folder, none);
+    std::vector<std::string> files;
+    std::string line;
+    for (std::int64_t number = 1; std::getline(text, line); ++number) {
+        if (line.ends_with('\r')) line.pop_back();
+        if (line.empty() || line.starts_with('#')) continue;
+        if (!is_plain_path(line)) refuse_line(list, number, "its path leads out of the folder, or is none");
+        const fs::path file = folder / line;
+        const fs::path real = fs::canonical(file, none);
+        if (none || !fs::is_regular_file(real, none)) {
+            refuse_line(list, number, fmt::format("there is no file '{}'", file.string()));
+        }
+        const fs::path below = real.lexically_relative(real_folder);
+        if (below.empty() || *below.begin() == "..")
+            refuse_line(list, number, "it is a link that leads out of the folder");
+        files.push_back(file.string());
+    }
+    return files;
+}
+
+bool holds_pictures(const fs::path& folder) {
+    std::error_code none;
+    for (fs::directory_iterator entry(folder, none); !none && entry != fs::directory_iterator();
+         entry.increment(none)) {
+        if (is_picture_name(entry->path().filename().string())) return true;
+    }
+    return false;
+}
+
+/// Whether a name has to be looked at as a whole by others: a stream, a sequence of pictures, nothing that is there.
+bool is_single_source(const std::string& name) {
+    std::error_code none;
+    const fs::file_status status = fs::status(name, none);
+    if (name == "-" || (is_url(name) && !fs::exists(status))) return true;
+    if (fs::is_directory(status)) return holds_pictures(name) || video_files_in(name).empty();
+    if (fs::exists(status)) return !fs::is_regular_file(status);
+    const std::vector<std::string> found = expand_glob(name);
+    return std::ranges::none_of(found, [](const std::string& match) {
+        std::error_code ignored;
+        return is_video_name(match) || (fs::is_directory(match, ignored) && !is_single_source(match));
+    });
+}
+
+/// Whether it is a text: a video may have any name.
+bool is_list(const std::string& name) {
+    std::error_code none;
+    if (extension_of(name) != list_ending || !fs::is_regular_file(name, none)) return false;
+    std::array<char, 512> begin{};
+    std::ifstream file(name, std::ios::binary);
+    file.read(begin.data(), begin.size());
+    return std::none_of(begin.begin(), begin.begin() + file.gcount(), [](char c) { return c >= 0 && c < '\t'; });
+}
+
+void add_files(const std::string& name, std::vector<std::string>& files) {
+    std::error_code none;
+    const auto add = [&files](const std::vector<std::string>& more) {
+        files.insert(files.end(), more.begin(), more.end());
+    };
+    if (fs::is_directory(name, none)) {
+        add(video_files_in(name));
+    } else if (is_list(name)) {
+        add(files_of_list(name));
+    } else if (fs::exists(name, none)) {
+        files.push_back(name);
+    } else {
+        for (const std::string& match : expand_glob(name)) add_files(match, files);
+    }
+}
+
+[[noreturn]] void refuse_part(const std::string& name) {
+    std::error_code none;
+    if (name == "-" || is_url(name)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("'{}' is a stream, and only files can be one recording together", name));
+    }
+    if (!fs::exists(name, none)) open_file(name);  // says why not
+    throw Error(ErrorKind::usage, fmt::format("'{}' holds no video files, so it can't be a part of one recording with "
+                                              "the others; give video files, or folders of them",
+                                              name));
+}
+
+// ---- When each begins
+
+double written_at(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return 0;
+    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
+}
+
+/// A file whose name doesn't tell when it begins.
+struct UndatedSegment {
+    std::size_t segment = 0;
+    ClipHeader header;
+    double written = 0;
+};
+
+ClipHeader header_of(const std::string& path) {
+    try {
+        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 25));
+    } catch (const Error&) {
+        return {};  // it is named when it is read
+    }
+}
+
+/// Whether times make sense for files that follow each other: few begin before the one before has ended.
+/// \param share of the files that may
+bool follow_each_other(std::vector<std::pair<double, double>> spans, double share) {
+    constexpr double overlap = 5;  // seconds
+    std::ranges::sort(spans);
+    std::size_t wrong = 0;
+    for (std::size_t i = 1; i < spans.size(); ++i) wrong += spans[i].first + overlap < spans[i - 1].second ? 1 : 0;
+    return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
+}
+
+void set_times_of_containers(Recording& recording) {
+    std::vector<UndatedSegment> untold;
+    for (std::size_t i = 0; i < recording.segments.size(); ++i) {
+        const Segment& segment = recording.segments[i];
+        if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
+    }
+    if (untold.empty()) return;
+    const auto try_times = [&](ClockSource source, double share,
+                               const std::function<std::optional<double>(const UndatedSegment&)>& begin_of) {
+        std::vector<std::pair<double, double>> spans;
+        for (const UndatedSegment& file : untold) {
+            const auto begin = begin_of(file);
+            if (!begin && file.header.length > 0) return false;
+            if (begin) spans.emplace_back(*begin, *begin + file.header.length);
+        }
+        if (spans.empty() || !follow_each_other(spans, share)) return false;
+        for (const UndatedSegment& file : untold) {
+            const auto begin = begin_of(file);
+            if (!begin) continue;
+            recording.segments[file.segment].begin = std::llround(*begin);
+            recording.segments[file.segment].begin_source = source;
+        }
+        return true;
+    };
+    const std::string files = untold.size() == recording.segments.size()
+                                  ? "its files' names do not tell"
+                                  : fmt::format("the names of {} do not tell", counted(std::ssize(untold), "file"));
+    if (try_times(ClockSource::container, 0.4, [](const UndatedSegment& file) -> std::optional<double> {
+            if (!file.header.created) return std::nullopt;
+            return static_cast<double>(*file.header.created);
+        })) {
+        recording.warnings.push_back(fmt::format(
+            "'{}': {} when it was recorded, so each is placed by when its container says it was written; times of day "
+            "are not shown (--start-time container shows these)",
+            recording.name, files));
+        return;
+    }
+    // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
+    if (try_times(ClockSource::modified, 0.05, [](const UndatedSegment& file) -> std::optional<double> {
+            if (file.header.length <= 0) return std::nullopt;
+            return file.written - file.header.length;
+        })) {
+        recording.warnings.push_back(fmt::format(
+            "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
+            "times of day are not shown (--start-time modified shows these)",
+            recording.name, files));
+        return;
+    }
+    recording.warnings.push_back(fmt::format(
+        "'{}': {} when it was recorded, and the times at which the files were written contradict each other; "
+        "they follow each other by their names",
+        recording.name, files));
+}
+
+/// In the order of time; what has none stays behind the file that it follows by its name.
+void sort_by_time(std::vector<Segment>& segments) {
+    std::optional<std::int64_t> before;
+    std::vector<std::pair<std::int64_t, Segment>> keyed;
+    for (Segment& segment : segments) {
+        if (segment.begin) before = segment.begin;
+        keyed.emplace_back(before.value_or(std::numeric_limits<std::int64_t>::min()), std::move(segment));
+    }
+    std::ranges::stable_sort(keyed, {}, [](const auto& entry) { return entry.first; });
+    segments.clear();
+    for (auto& entry : keyed) segments.push_back(std::move(entry.second));
+}
+
+/// What people call the files: the name that was given, or the folder that all are in.
+std::string name_of(std::span<const std::string> names, const std::vector<std::string>& files) {
+    if (names.size() == 1) return names.front();
+    fs::path common = fs::path(files.front()).parent_path();
+    for (const std::string& file : files) {
+        while (!common.empty()) {
+            const fs::path below = fs::path(file).lexically_relative(common);
+            if (!below.empty() && *below.begin() != "..") break;
+            common = common.has_relative_path() ? common.parent_path() : fs::path();
+        }
+    }
+    return common.empty() || !common.has_filename() ? files.front() : common.string();
+}
+
+}  // namespace
+
+SegmentBegin begin_of(const Segment& segment, std::optional<std::int64_t> origin, std::optional<double> end) {
+    constexpr double tolerance = 1;
+    if (!end) return {};
+    if (!segment.begin || !origin) return {*end, true, false};
+    const double begin = static_cast<double>(*segment.begin - *origin);
+    if (std::abs(begin - *end) <= tolerance) return {*end, true, false};
+    return {begin, false, begin < *end};
+}
+
+Segment segment_from_name(const std::string& path, const RecorderNames& layouts) {
+    RecorderName told = layouts.read(whole_path(path));
+    Segment segment{path};
+    segment.camera = std::move(told.camera);
+    segment.layout = std::move(told.layout);
+    if (told.begin) {
+        segment.begin = utc_of(*told.begin, std::llround(written_at(path)));
+        segment.begin_source = ClockSource::file_name;
+    }
+    return segment;
+}
+
+std::optional<Recording> find_recording(std::span<const std::string> names, const RecorderNames& layouts, bool join) {
+    if (names.size() == 1) {
+        std::error_code none;
+        const bool single = fs::is_regular_file(names.front(), none) && !is_list(names.front());
+        if (single || is_single_source(names.front())) return std::nullopt;
+    }
+    std::vector<std::string> files;
+    for (const std::string& name : names) {
+        if (is_single_source(name)) refuse_part(name);
+        add_files(name, files);
+    }
+    std::ranges::sort(files, natural_less);
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    if (files.empty()) {
+        throw Error(ErrorKind::io,
+                    fmt::format("'{}' names no file; it has the path of a video file in each line", names.front()));
+    }
+    Recording recording{name_of(names, files), {}, {}};
+    for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));
+    recording.camera = find_camera(recording.name, recording.segments, layouts, join);
+    if (!join) require_related(recording);
+    set_times_of_containers(recording);
+    sort_by_time(recording.segments);
+    return recording;
+}
+
+}  // namespace vvr::video

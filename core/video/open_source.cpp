@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/base/plane.h"
+#include "core/base/text.h"
+#include "core/video/av.h"
+#include "core/video/file_source.h"
+#include "core/video/frame_source.h"
+#include "core/video/frame_times.h"
+#include "core/video/input.h"
+#include "core/video/input_files.h"
+#include "core/video/picture_source.h"
+#include "core/video/recorder_names.h"
+#include "core/video/recording.h"
+#include "core/video/recording_source.h"
+#include "core/video/scaler.h"
+#include "core/video/settings.h"
+#include "core/video/video_files.h"
+
+namespace vvr::video {
+
+std::vector<Frame> FrameSource::sample(int count) {
+    rewind();
+    Scaler scale(*this);
+    TimeSampler<Frame> sampler(count);
+    while (const auto decoded = next()) {
+        if (sampler.wants(decoded->pts)) sampler.keep(decoded->pts, scale(*decoded));
+    }
+    rewind();
+    return sampler.take();
+}
+
+Size field_size_for(Size shown, Size asked) {
+    constexpr int default_long_side = 384;
+    constexpr Size automatic{0, 0};
+    constexpr Size source{-1, -1};
+    Size size = asked == source ? shown : asked;
+    if (asked == automatic) size = fit_into(shown, default_long_side);
+    if (size.width < 1 || size.height < 1) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("a field of {}x{} pixels: both sides have to be at least 1", size.width, size.height));
+    }
+    if (std::int64_t{size.width} * size.height > av::max_pixels) {
+        throw Error(
+            ErrorKind::limit,
+            fmt::format("a field of {}x{} pixels is more than the {} megapixels that vvr takes; choose smaller fields",
+                        size.width, size.height, av::max_pixels / 1'000'000),
+            {"field-size"});
+    }
+    return size;
+}
+
+void FrameSource::seek(double) {
+    rewind();
+}
+
+namespace {
+
+/// Of a folder of pictures that has videos too: which of them are not drawn.
+std::optional<std::string> videos_beside_pictures(const std::string& folder) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(folder, none)) return std::nullopt;
+    std::vector<std::string> videos = video_files_in(folder);
+    if (videos.empty()) return std::nullopt;
+    std::ranges::sort(videos, natural_less);
+    return fmt::format("'{}' holds pictures, which are drawn as one clip; {} in it {} ignored, '{}'{}", folder,
+                       counted(std::ssize(videos), "video"), videos.size() == 1 ? "is" : "are", videos.front(),
+                       videos.size() == 1 ? "" : " and others");
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOptions& options) {
+    check(setting::rate, options.rate);
+    if (auto files = list_pictures(name)) return std::make_unique<PictureSource>(name, std::move(*files), options);
+    return std::make_unique<FileSource>(open_input(name), options);
+}
+
+std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
+                                          const RecorderNames& layouts, std::vector<std::string>& warnings) {
+    if (auto recording = find_recording(names, layouts, options.join)) {
+        check(setting::rate, options.rate);
+        warnings = recording->warnings;
+        return std::make_unique<RecordingSource>(std::move(*recording), options);
+    }
+    SourceOptions one = options;
+    one.begin = segment_from_name(names.front(), layouts).begin;
+    if (const auto ignored = videos_beside_pictures(names.front())) warnings.push_back(*ignored);
+    return open_source(names.front(), one);
+}
+
+}  // namespace vvr::video
