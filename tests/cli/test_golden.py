@@ -1,6 +1,6 @@
 """The golden pictures of tests/golden: each is what is drawn now, and none could pass for another.
 
-`VVR_BLESS=1 ctest --test-dir build/release -R cli.golden_picture` draws them anew; look at them before you commit them.
+`VVR_BLESS=1 scripts/test golden_picture` draws them anew; look at them before you commit them.
 
 The tolerance is the default one. It is there for other versions of Mesa, whose edges and rounding differ by a few
 levels at single pixels: docs/golden-images.md has the measurements. The same Mesa gives the same bytes.
