@@ -93,6 +93,7 @@ def test_live_page_tells_its_age_by_the_clock_of_the_server(t, ahead):
 def test_live_page_is_readable_and_says_what_it_shows(t):
     page_of(t, "front <b>gate.html", 6, "--title", "a\u202egpj <i>gate</i>")
     with Live(t, "front <b>gate.html") as page:
-        check(re.fullmatch(r"a\[U\+202E\]gpj <i>gate</i> · .* 20\d\d, .*", page.text_of("h1")) and page.count("h1 *") == 0, page.text_of("h1"))
+        # What is watched is a finished file here, so nothing tells its date.
+        check(page.text_of("h1") == "a[U+202E]gpj <i>gate</i>" and page.count("h1 *") == 0, page.text_of("h1"))
         expect_readable(page, 10)
         expect_names(page)
