@@ -110,7 +110,12 @@ LandlockRules::~LandlockRules() {
 
 void LandlockRules::allow(const std::filesystem::path& path, Use use) {
     const int file = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (file < 0) return;
+    if (file < 0) {
+        // What is not there, or not ours, needs no rule. Without one for want of descriptors or memory, a clip would be
+        // left out.
+        if (errno == ENOENT || errno == ENOTDIR || errno == EACCES || errno == ELOOP) return;
+        refuse(path.c_str(), errno);
+    }
     struct stat status {};
     const bool is_folder = ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
     std::uint64_t rights = std::ranges::find(uses, use, &UseRow::use)->rights & file_rights_of(abi_);

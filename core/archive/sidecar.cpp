@@ -330,6 +330,21 @@ std::optional<Sidecar> read_sidecar_file(const fs::path& out, const std::string&
     return sidecar && sidecar_path("", sidecar->clip.path).string() == file ? sidecar : std::nullopt;
 }
 
+namespace {
+
+/// What was left out of a day, or damaged in it, in a line: a few of the problems, and how many more there are.
+std::string problems_of(const Json& problems) {
+    constexpr std::size_t most = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(problems.size(), most); ++i) {
+        text += (i == 0 ? "" : "; ") + problems[i].get<std::string>();
+    }
+    if (problems.size() > most) text += fmt::format("; and {} more, in its report", problems.size() - most);
+    return text;
+}
+
+}  // namespace
+
 void apply_report(Sidecar& sidecar, const fs::path& report) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ErrorKind::io,
@@ -344,6 +359,7 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
         sidecar.seconds = json.at("span").at("seconds").get<double>();
         sidecar.recorded = optional_of<std::string>(json.at("input").at("recorded"));
         sidecar.recorded_by = source_of(json.at("input").at("recorded_by"));
+        if (sidecar.day && sidecar.reason.empty()) sidecar.reason = problems_of(json.at("problems"));
         // An index has to put a clip somewhere, and says by what.
         if (!sidecar.recorded) sidecar.recorded = optional_of<std::string>(json.at("input").at("written"));
         if (const Json& events = json.at("events"); !events.is_null()) {

@@ -46,7 +46,7 @@ struct Sidecar {
     State state = State::done;
     int tries = 1;
     int status = 0;      ///< exit status of the last try
-    std::string reason;  ///< why it failed
+    std::string reason;  ///< why it failed; of one that is done, what is not right
     std::vector<OutputKind> files;
     double took = 0;  ///< seconds that the last try took
 

@@ -1,5 +1,6 @@
 """Files that are not what their names say, have no end, or go away while they are read."""
 
+import json
 import http.server
 import os
 import random
@@ -233,3 +234,14 @@ def test_a_server_leads_to_no_other_host(t):
     t.vvr("watch", first.address + "/other", *watch, timeout=60).expect(
         2, f"the server leads to another one, '{host}'; if that is right, give its address")
     check(not t.path("out.png").exists(), "a picture of another host")
+
+
+def test_an_archive_names_what_a_day_lacks(t):
+    t.path("in/gate").mkdir(parents=True)
+    for second in range(3):
+        t.clip(f"in/gate/20261120_08000{second}.avi", 1)
+    t.path("in/gate/20261120_080001.avi").write_bytes(b"no video" * 100)
+    t.vvr("archive", "in", "-o", "out", "--per", "day", "--settle", "0", "--size", "64x40", "--backend", "software").expect(
+        0, "warning: gate/2026-11-20: 'in/gate/20261120_080001.avi' is not a video that libav knows")
+    sidecar = json.loads(t.path("out/gate/2026-11-20.json").read_text())
+    check("20261120_080001.avi" in sidecar["reason"], f"{sidecar}")

@@ -57,6 +57,9 @@ SCENES = (
     Scene("archive", ("archive", "{in}/clips", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
     Scene("worker", ("archive", "{in}/one", "-o", "pictures", "--jobs", "1", "--size", "64x40", "--backend", "software",
                      "--sandbox", "off"), (), "worker"),
+    Scene("recording", ("render", "{in}/day", "-o", "out.png", "--report", "out.json", *SMALL), ("out.png", "out.json")),
+    Scene("day", ("archive", "{in}/days", "-o", "pictures", "--per", "day", "--jobs", "1", "--size", "64x40", "--backend", "software"), ()),
+    Scene("cut", ("cut", "{in}/day", "--from", "0.5s", "--to", "1.5s", "-o", "piece.avi"), ("piece.avi",)),
     Scene("watch", ("watch", "{in}/cam.ts", "-o", "out.png", "--brick", "1s", "--reference", "first", "--start-time",
                     "2026-11-21 08:00:00", *SMALL), ("out.png",)),
 )
@@ -64,7 +67,7 @@ SCENES = (
 
 def make_inputs(folder):
     """The clips of all scenes, of a second or two."""
-    for name in ("clips", "one"):
+    for name in ("clips", "one", "day", "days/gate", "days/hall"):
         (folder / name).mkdir(parents=True)
 
     def ffmpeg(seconds, codec, name):
@@ -73,7 +76,8 @@ def make_inputs(folder):
 
     ffmpeg(1, ("-c:v", "mpeg4", "-g", "5"), "clip.avi")
     ffmpeg(2, ("-c:v", "libx264", "-preset", "ultrafast", "-g", "10", "-bf", "0"), "cam.ts")
-    for name in ("clips/a.avi", "clips/b.avi", "one/a.avi"):
+    day = ("20261120_080000.avi", "20261120_080001.avi")
+    for name in ("clips/a.avi", "clips/b.avi", "one/a.avi", *(f"{folder}/{name}" for folder in ("day", "days/gate", "days/hall") for name in day)):
         shutil.copy(folder / "clip.avi", folder / name)
         os.utime(folder / name, (time.time() - 86400,) * 2)  # nobody still writes it
 
