@@ -1,7 +1,7 @@
 """Files that are not what their names say, have no end, or go away while they are read."""
 
-import json
 import http.server
+import json
 import os
 import random
 import resource
