@@ -7,8 +7,7 @@
 namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
-inline constexpr Setting reference{
-    .name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true, .alias = "empty-scene"};
+inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{"threshold",
                                    "GREY",
                                    "smaller differences count as none; the default is that of --filter",
