@@ -25,21 +25,14 @@ inline constexpr Setting time{.name = "time",
                               .unit = "NAME",
                               .help = "how the room along the arc is given to time",
                               .not_live_reason = "the pictures of a stream share one scale of time"};
-inline constexpr Setting skip_idle{.name = "skip-idle",
-                                   .unit = "TIME",
-                                   .help = "another way to say --time busy; 0 is --time even",
-                                   .range = {0, 86'400},
-                                   .not_live_reason = "the pictures of a stream share one scale of time"};
 
 inline constexpr Setting layout{"layout", "NAME", "how the volume lies in space"};
 inline constexpr Setting radius{"radius", "IN:OUT", "inner and outer radius of the horseshoe", {0.01, 100}};
 inline constexpr Setting height{"height", "UNITS", "height of a frame; square pixels if not given", {0.001, 100}};
 inline constexpr Setting size{
     .name = "size", .unit = "WxH", .help = "pixels of the picture", .range = {1, 16'384}, .alias = "resolution"};
-inline constexpr Setting camera{.name = "camera",
-                                .unit = "AZIMUTH,ELEVATION",
-                                .help = "where the viewer of the picture is: degrees to the right and above the floor",
-                                .alias = "view"};
+inline constexpr Setting camera{"camera", "AZIMUTH,ELEVATION",
+                                "where the viewer of the picture is: degrees to the right and above the floor"};
 inline constexpr Setting slice_view{"slice-view", "AZIMUTH,ELEVATION",
                                     "viewer whose slices are shown by the part slices; the picture's own if not given"};
 inline constexpr Setting fov{"fov", "DEGREES", "vertical field of view; 0 = orthographic", {0, 150}};
@@ -69,7 +62,6 @@ inline constexpr Setting start_time{.name = "start-time",
                                         "container says it was written; 'modified' = when the file was last written, "
                                         "less its length; 'none' = times run from 0:00",
                                     .default_text = "recorded where its name tells it, else none",
-                                    .alias = "clock",
                                     .not_live_reason = "a stream is not recorded; give the date and time"};
 /// Of a live stream.
 inline constexpr Setting stream_clock{.name = "start-time",
@@ -77,8 +69,7 @@ inline constexpr Setting stream_clock{.name = "start-time",
                                       .help =
                                           "what a clock shows when the stream begins: 2026-11-21 08:00:00; 'none' = "
                                           "times run from 0:00",
-                                      .default_text = "now, by this machine's clock",
-                                      .alias = "clock"};
+                                      .default_text = "now, by this machine's clock"};
 inline constexpr Setting transfer{.name = "transfer",
                                   .unit = "NAME",
                                   .help = "colour and opacity of the volume's values",

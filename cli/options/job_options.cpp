@@ -51,14 +51,6 @@ void add_brick_options(CommandLine& line, app::BrickOptions& options) {
     line.number(Group::bricks, options.max_layers, setting::layers);
     line.choice(Group::bricks, app::time_scales, app::time_scales.front().name, setting::time,
                 [&options](const app::TimeScaleRow& row) { options.time = row.scale; });
-    line.value(Group::bricks, setting::skip_idle, "", [&options](const std::string& given) {
-        const double longest = parse_duration(given, setting::skip_idle.range);
-        options.time = longest > 0 ? app::TimeScale::busy : app::TimeScale::even;
-    });
-}
-
-std::string name_of(app::TimeScale time) {
-    return std::string(std::ranges::find(app::time_scales, time, &app::TimeScaleRow::scale)->name);
 }
 
 }  // namespace
@@ -195,11 +187,7 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series) {
                     "a series: -o out.{brick:4}.png");
     }
     job.settings = shown(line.values(picture_groups));
-    // What stands there can be given back: --skip-idle decides the scale of time, and --brick how many bricks there
-    // are.
-    for (image::Metadata::value_type& one : job.settings) {
-        if (one.first == setting::time.name) one.second = name_of(job.bricks.time);
-    }
+    // What stands there can be given back: --brick decides how many bricks there are.
     if (line.has(setting::brick) && !series)
         std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
     job.given = shown(line.given(std::array{Group::input, Group::fields}));

@@ -34,14 +34,14 @@ std::string text_of_path(std::string_view path) {
     std::string text;
     while (!path.empty()) {
         const auto byte = static_cast<unsigned char>(path[0]);
-        const std::size_t length = character_length(path);
-        if (length == 0 || byte < 0x20 || byte == 0x7F || byte == '%') {
+        const std::optional<Character> character = first_character(path);
+        const std::size_t length = character ? character->length : 1;
+        if (!character || byte < 0x20 || byte == 0x7F || byte == '%') {
             text += fmt::format("%{:02X}", byte);
-            path.remove_prefix(1);
         } else {
             text += path.substr(0, length);
-            path.remove_prefix(length);
         }
+        path.remove_prefix(length);
     }
     return text;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,7 +27,13 @@ std::string shown_lines(std::string_view text);
 /// every `scheme://...` in it.
 std::string redact_secrets(std::string_view text);
 
-/// Length in bytes of the UTF-8 character at the front of a text that is not empty; 0 if there is none.
-std::size_t character_length(std::string_view text);
+/// A character of UTF-8.
+struct Character {
+    char32_t code = 0;
+    std::size_t length = 0;  ///< in bytes
+};
+
+/// The character at the front of a text; nothing where the text is empty or begins with bytes that are not UTF-8.
+std::optional<Character> first_character(std::string_view text);
 
 }  // namespace vvr

@@ -117,9 +117,6 @@ std::span<const SolverRow> flow_solvers();
 /// The paper's: Jacobi steps from zero.
 std::unique_ptr<FlowMethod> make_jacobi(const SolverSettings& settings);
 
-/// The same equations solved to the truth by full multigrid, `iterations` cycles a grid.
-std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings);
-
 /// Coarse to fine: at each scale `iterations` times the second frame is warped by the flow so far and the equations
 /// solved again, after Meinhardt-Llopis, Sánchez and Kondermann (Image Processing On Line, 2013). Follows motion of
 /// many pixels per frame.

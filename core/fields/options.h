@@ -12,9 +12,9 @@ namespace vvr::fields {
 struct FlowOptions {
     std::string method = "horn-schunck";  ///< a name in the flow table, or "none"
     std::string solver = "pyramid";       ///< a name in the solver table
-    std::string derivatives = "barron";   ///< "barron" or "cube", for the solvers jacobi and multigrid
+    std::string derivatives = "barron";   ///< "barron" or "cube", for the solver jacobi
     std::optional<double> alpha{};  ///< weight of smoothness (the paper's "λ = 100" is α² = 100); else the solver's
-    std::optional<int> iterations{};     ///< steps, cycles or warps; else the solver's
+    std::optional<int> iterations{};     ///< steps or warps; else the solver's
     std::optional<double> pre_smooth{};  ///< σ of the Gaussian before derivatives, 0 = none; else the solver's
     std::int64_t every = 1;              ///< flow and seeds at frames whose index is a multiple of it
     bool every_frame = false;            ///< flow, not seeds, at all frames

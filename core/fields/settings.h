@@ -7,8 +7,7 @@
 namespace vvr::setting {
 
 inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
-inline constexpr Setting reference{
-    .name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true, .alias = "empty-scene"};
+inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
 inline constexpr Setting threshold{"threshold",
                                    "GREY",
                                    "smaller differences count as none; the default is that of --filter",
@@ -39,11 +38,8 @@ inline constexpr Setting alpha{"alpha",
                                "weight of smooth flow; its square is the paper's λ; by --solver",
                                {0.01, 10'000},
                                "the solver's"};
-inline constexpr Setting iterations{"iterations",
-                                    "COUNT",
-                                    "the solver's warps (pyramid), cycles (multigrid) or steps (jacobi)",
-                                    {1, 100'000},
-                                    "the solver's"};
+inline constexpr Setting iterations{
+    "iterations", "COUNT", "the solver's warps (pyramid) or steps (jacobi)", {1, 100'000}, "the solver's"};
 inline constexpr Setting pre_smooth{
     "pre-smooth", "PIXELS", "Gaussian smoothing before derivatives; by --solver", {0, 5}, "the solver's"};
 

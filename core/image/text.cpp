@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <fontconfig/fontconfig.h>
@@ -18,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/base/file_io.h"
 #include "core/base/plane.h"
+#include "core/base/text.h"
 #include "core/image/picture.h"
 
 namespace vvr::image {
@@ -58,21 +60,6 @@ struct CloseFace {
     void operator()(FT_Face face) const { FT_Done_Face(face); }
 };
 
-/// The code points of valid UTF-8.
-std::u32string code_points(const std::string& text) {
-    std::u32string points;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto first = static_cast<std::uint8_t>(text[at++]);
-        const int following = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-        char32_t point = following == 0 ? first : first & (0x3FU >> following);
-        for (int k = 0; k < following && at < text.size(); ++k) {
-            point = point << 6 | (static_cast<std::uint8_t>(text[at++]) & 0x3FU);
-        }
-        points.push_back(point);
-    }
-    return points;
-}
-
 void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane<Rgba>& pixels) {
     const int columns = static_cast<int>(letter.width);
     const int rows = static_cast<int>(letter.rows);
@@ -92,14 +79,16 @@ struct Font::Parts {
     std::unique_ptr<std::remove_pointer_t<FT_Library>, CloseLibrary> library;
     std::unique_ptr<std::remove_pointer_t<FT_Face>, CloseFace> face;
 
-    /// Calls `use` with each letter of a line and the place of its bitmap's corner.
+    /// Calls `use` with each letter of a line of UTF-8 and the place of its bitmap's corner.
     bool for_letters(const std::string& text, int size,
                      const std::function<void(const FT_Bitmap&, int left, int top)>& use) const {
         if (!face || FT_Set_Pixel_Sizes(face.get(), 0, static_cast<FT_UInt>(size)) != 0) return false;
         int x = 0;
-        for (const char32_t point : code_points(text)) {
+        for (std::string_view rest = text; !rest.empty();) {
+            const Character character = first_character(rest).value_or(Character{U'?', 1});
+            rest.remove_prefix(character.length);
             // A letter that can't be loaded is left out.
-            if (FT_Load_Char(face.get(), point, FT_LOAD_RENDER) != 0) continue;
+            if (FT_Load_Char(face.get(), character.code, FT_LOAD_RENDER) != 0) continue;
             const FT_GlyphSlot letter = face->glyph;
             use(letter->bitmap, x + letter->bitmap_left, -letter->bitmap_top);
             x += static_cast<int>(letter->advance.x >> 6);
@@ -185,22 +174,6 @@ auto with_font(const Use& use) {
     return use(*text.font);
 }
 
-/// Length in bytes of the UTF-8 sequence at `at`; 0 if it is not one.
-std::size_t sequence_length(const std::string& text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    const std::uint8_t first = byte(at);
-    std::size_t length = 0;
-    if (first < 0x80) length = 1;
-    if (first >= 0xC2 && first < 0xE0) length = 2;
-    if (first >= 0xE0 && first < 0xF0) length = 3;
-    if (first >= 0xF0 && first < 0xF5) length = 4;
-    if (length == 0 || at + length > text.size()) return 0;
-    for (std::size_t i = at + 1; i < at + length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    }
-    return length;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> font_places() {
@@ -215,17 +188,12 @@ std::vector<std::filesystem::path> font_places() {
 
 std::string printable(const std::string& text) {
     std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = sequence_length(text, at);
-        const auto byte = static_cast<std::uint8_t>(text[at]);
-        if (length == 0) {
-            result += '?';
-        } else if (byte < 0x20 || byte == 0x7F) {
-            result += ' ';
-        } else {
-            result.append(text, at, length);
-        }
-        at += std::max<std::size_t>(length, 1);
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::optional<Character> character = first_character(rest);
+        const std::size_t length = character ? character->length : 1;
+        const bool control = character && (character->code < 0x20 || character->code == 0x7F);
+        result += !character ? "?" : control ? " " : rest.substr(0, length);
+        rest.remove_prefix(length);
     }
     return result;
 }

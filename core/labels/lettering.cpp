@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
+#include "core/base/text.h"
 #include "core/image/picture.h"
 
 namespace vvr::labels {
 
 namespace {
-
-bool is_middle_of_character(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
-}
 
 /// How bright a colour looks, 0..1.
 float lightness(const image::Rgba& colour) {
@@ -104,9 +102,11 @@ std::string elide(const std::string& text, int size, int width) {
     const std::size_t most = 4 * static_cast<std::size_t>(std::max(0, width));
     if (text.size() <= most && fits(text)) return text;
     std::vector<std::size_t> ends;  // of each character but the last
-    for (std::size_t k = 1; k < std::min(text.size(), most); ++k) {
-        if (!is_middle_of_character(text[k])) ends.push_back(k);
+    for (std::size_t end = 0; end < std::min(text.size(), most);) {
+        end += first_character(std::string_view(text).substr(end)).value_or(Character{0, 1}).length;
+        ends.push_back(end);
     }
+    if (!ends.empty() && ends.back() == text.size()) ends.pop_back();
     const auto too_long =
         std::ranges::partition_point(ends, [&](std::size_t end) { return fits(text.substr(0, end) + "…"); });
     return too_long == ends.begin() ? std::string() : text.substr(0, *std::prev(too_long)) + "…";

@@ -151,8 +151,8 @@ DataFolder::~DataFolder() {
 
 bool DataFolder::remove_data() const {
     bool removed = true;
-    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::old_colour,
-                             stored::reference, stored::first, stored::last}) {
+    for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour, stored::reference,
+                             stored::first, stored::last}) {
         std::error_code error;
         fs::remove_all(folder_ / name, error);
         removed = removed && !error;
@@ -368,10 +368,7 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
             const bool first = &stored == &parts_.front().manifest.frames.front();
             const bool last = &stored == &parts_.back().manifest.frames.back();
             if (needs.colour) {
-                frame.colour = read_colour(
-                    part.folder / stored::colour_file(stored.index,
-                                                      part.manifest.old_colour ? stored::old_colour : stored::colour),
-                    field_size());
+                frame.colour = read_colour(part.folder / stored::colour_file(stored.index), field_size());
             } else if (first || last) {
                 frame.colour = read_colour(part.folder / (first ? stored::first : stored::last), field_size());
             }

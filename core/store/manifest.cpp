@@ -154,8 +154,8 @@ std::filesystem::path scalar_file(std::int64_t index) {
 std::filesystem::path flow_file(std::int64_t index) {
     return std::filesystem::path(flow) / fmt::format("{:06}.flo", index);
 }
-std::filesystem::path colour_file(std::int64_t index, const char* folder) {
-    return std::filesystem::path(folder) / fmt::format("{:06}.png", index);
+std::filesystem::path colour_file(std::int64_t index) {
+    return std::filesystem::path(colour) / fmt::format("{:06}.png", index);
 }
 std::filesystem::path seed_file(std::int64_t index) {
     return std::filesystem::path(seeds) / fmt::format("{:06}.txt", index);
@@ -223,8 +223,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     manifest.field_size = read_size(reader, "field_width", "field_height");
     manifest.flow_every = reader.integer("flow_every", 0, largest_count);
     manifest.damaged = reader.integer("damaged", 0, largest_count);
-    manifest.old_colour = !reader.has(stored::colour) && reader.has(stored::old_colour);
-    manifest.colour = reader.flag(manifest.old_colour ? stored::old_colour : stored::colour);
+    manifest.colour = reader.flag(stored::colour);
     manifest.reference = reader.flag("reference");
     const Reader settings = reader.object("settings");
     for (const auto& [option, value] : reader.at("settings").items()) {

@@ -31,7 +31,6 @@ struct Manifest {
     std::int64_t flow_every = 1;
     std::int64_t damaged = 0;  ///< packets that did not decode, of these frames and their neighbours
     bool colour = false;       ///< whether every frame's picture is here
-    bool old_colour = false;   ///< in the folder that was called stored::old_colour
     bool reference = false;    ///< whether there was an empty scene to compare with
     std::vector<std::pair<std::string, std::string>> settings;  ///< long names of options, and their texts
     std::vector<StoredFrame> frames;                            ///< one after the other, no gap
@@ -44,14 +43,13 @@ inline constexpr const char* scalar = "scalar";
 inline constexpr const char* flow = "flow";
 inline constexpr const char* seeds = "seeds";
 inline constexpr const char* colour = "color";
-inline constexpr const char* old_colour = "colour";  ///< its name before version 0.1.0 came out
 inline constexpr const char* reference = "reference.png";
 inline constexpr const char* first = "first.png";
 inline constexpr const char* last = "last.png";
 
 std::filesystem::path scalar_file(std::int64_t index);
 std::filesystem::path flow_file(std::int64_t index);
-std::filesystem::path colour_file(std::int64_t index, const char* folder = colour);
+std::filesystem::path colour_file(std::int64_t index);
 std::filesystem::path seed_file(std::int64_t index);
 }  // namespace stored
 

@@ -54,9 +54,7 @@ def kernels(setting):
     single = benchmarks(setting, "flow_of|filter_of|seeds_of", f"--benchmark_repetitions={setting.runs}", "--benchmark_min_time=0.1")
     jacobi = compared["JacobiAgainstPlainLoop"][0]
     text, reached, by_memory = roofline(setting, jacobi, compared["Roofline"][0])
-    grid = compared["MultigridAgainstJacobi"][0]
-    text += (f"\nThe multigrid solver takes {grid['multigrid_ms']:.2f} ms and leaves {grid['multigrid_residual']:.1e} of the "
-             f"residual, where 60 steps leave {grid['jacobi_residual']:.1e}.\n\n")
+    text += "\n"
 
     def rows_of(prefix, frames):
         return [[name.split("/")[1], spread([row["cpu_time"] / frames for row in rows])]

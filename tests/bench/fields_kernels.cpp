@@ -102,38 +102,6 @@ void Roofline(benchmark::State& state) {
 }
 BENCHMARK(Roofline)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-// `residual` is what is left of the equations' residual; 60 steps take it down by about 40.
-void MultigridAgainstJacobi(benchmark::State& state) {
-    const fields::PlaneStack d = derivatives();
-    fields::LinearSystem system(size, alpha * alpha);
-    fields::Multigrid grids;
-    std::vector<double> jacobi, multigrid;
-    double start_residual = 0, end_residual = 0, jacobi_residual = 0;
-    for (auto _ : state) {
-        auto start = std::chrono::steady_clock::now();
-        system.load(d);
-        system.clear();
-        system.relax(steps);
-        benchmark::ClobberMemory();
-        jacobi.push_back(milliseconds(start));
-        start = std::chrono::steady_clock::now();
-        grids.solve(d, alpha * alpha, 2);
-        benchmark::ClobberMemory();
-        multigrid.push_back(milliseconds(start));
-        jacobi_residual = system.residual();
-        end_residual = grids.finest().residual();
-        system.clear();
-        start_residual = system.residual();
-    }
-    std::ranges::sort(jacobi);
-    std::ranges::sort(multigrid);
-    state.counters["jacobi_ms"] = jacobi[jacobi.size() / 2];
-    state.counters["multigrid_ms"] = multigrid[multigrid.size() / 2];
-    state.counters["jacobi_residual"] = jacobi_residual / start_residual;
-    state.counters["multigrid_residual"] = end_residual / start_residual;
-}
-BENCHMARK(MultigridAgainstJacobi)->Iterations(30)->Unit(benchmark::kMillisecond);
-
 /// The whole flow of a frame by one method, without what is done once a frame.
 void flow_of_a_frame(benchmark::State& state, const std::string& name, const std::string& solver) {
     fields::FlowOptions options;
@@ -149,7 +117,6 @@ void flow_of_a_frame(benchmark::State& state, const std::string& name, const std
     for (auto _ : state) benchmark::DoNotOptimize((*method)(about, {0, 0, size}));
 }
 BENCHMARK_CAPTURE(flow_of_a_frame, jacobi, "horn-schunck", "jacobi")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(flow_of_a_frame, multigrid, "horn-schunck", "multigrid")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(flow_of_a_frame, pyramid, "horn-schunck", "pyramid")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(flow_of_a_frame, dis, "dis", "pyramid")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(flow_of_a_frame, farneback, "farneback", "pyramid")->Unit(benchmark::kMillisecond);

@@ -29,7 +29,6 @@ struct Method {
     const char* solver;
 };
 constexpr Method methods[] = {{"Horn–Schunck, pyramid (the default)", "horn-schunck", "pyramid"},
-                              {"Horn–Schunck, multigrid", "horn-schunck", "multigrid"},
                               {"Horn–Schunck, 60 Jacobi steps", "horn-schunck", "jacobi"},
                               {"OpenCV's dense inverse search", "dis", "pyramid"},
                               {"OpenCV's Farneback", "farneback", "pyramid"}};

@@ -110,7 +110,7 @@ def test_cluster_draws_a_clip_in_parts(t):
     options = ("--grid", "9", "--color=video", "--size", "160x100", "--camera", "-20,40", "--opacity", "2")
     small = ("--size", "160x100")
     # The long ones keep flow of a part of their frames.
-    for clip, *options in [("clip.avi", *options), ("long.avi", *small), ("long.avi", *small, "--skip-idle", "1"),
+    for clip, *options in [("clip.avi", *options), ("long.avi", *small), ("long.avi", *small, "--time", "busy"),
                            ("long.avi", *small, "--preset", "day")]:
         t.vvr("render", clip, "-o", "whole.png", "--backend", "software", *options).expect(0, " frames in ")
         t.path("parts.png").unlink(missing_ok=True)

@@ -119,19 +119,6 @@ def test_part_gives_the_picture_that_the_clip_gives(t):
             same(t, "clip.png", "data.png")
 
 
-def test_extraction_with_the_old_name_of_colours_is_read(t):
-    moving_clip(t)
-    t.vvr("extract", "clip.mkv", "-o", "data", "--with-color").expect(0)
-    t.render("data", "--color", "video", "--backend", "software", output="new.png").expect(0)
-    t.path("data/color").rename(t.path("data/colour"))
-    manifest = t.path("data/manifest.json")
-    manifest.write_text(manifest.read_text().replace('"color":', '"colour":'))
-    t.render("data", "--color", "video", "--backend", "software", output="old.png").expect(0)
-    same(t, "new.png", "old.png")
-    t.vvr("extract", "clip.mkv", "-o", "data").expect(0)
-    check(not t.path("data/colour").exists() and not t.path("data/color").exists(), "old colours are left over")
-
-
 def test_extract_takes_pictures_at_full_size(t):
     t.path("frames").mkdir()
     t.clip("frames/%03d.png", seconds=0.5, size="500x40", codec=())

@@ -104,7 +104,7 @@ def test_a_film_of_the_window(t):
         (("--slide", "3", "--animate", "3"), "a.mp4", "--slide moves the window and --animate the stripes"),
         (("--slide", "3", "--golden", "g.png"), "a.mp4", "--golden compares one picture, and --slide makes a film"),
         (("--slide", "0"), "a.mp4", "--slide: '0' is not a whole number from 1 to 1000"),
-        (("--slide", "3", "--skip-idle", "2"), "a.mp4", "--time busy is for one picture of a clip"),
+        (("--slide", "3", "--time", "busy"), "a.mp4", "--time busy is for one picture of a clip"),
     ]:
         t.render("clip.mkv", *look, *arguments, output=output).expect(1, *texts)
 

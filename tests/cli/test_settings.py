@@ -57,7 +57,7 @@ def test_settings_of_each_solver_can_be_given_back(t):
 
 
 @pytest.mark.parametrize("options", [
-    ("--brick", "5f"), ("--skip-idle", "1s"), ("--preset", "paper"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"),
+    ("--brick", "5f"), ("--time", "busy"), ("--preset", "paper"), ("--preset", "day"), ("--theme", "dark"), ("--color", "hull"),
     ("--color", "signed", "--filter", "edges"), ("--transfer", "heat"), ("--flow", "none"), ("--field-size", "32x24", "--step", "2"),
     ("--start", "3f", "--end", "1.5s"), ("--slices", "40", "--height", "0.4", "--slice-view", "0,46")])
 def test_settings_of_other_options_can_be_given_back(t, options):

@@ -23,13 +23,12 @@ Plane<float> along_time(std::span<const Plane<float>* const> frames, std::span<c
 struct LinearWorkspace {
     PlaneStack derivatives;
     LinearSystem system;
-    Multigrid grids;
 };
 
 /// Horn and Schunck's equations of one frame, linearised about zero flow: good to some two pixels per frame.
-class Linear : public FlowMethod {
+class Jacobi final : public FlowMethod {
   public:
-    explicit Linear(const SolverSettings& settings)
+    explicit Jacobi(const SolverSettings& settings)
         : alpha2_(static_cast<float>(settings.alpha * settings.alpha)),
           iterations_(settings.iterations),
           cube_(settings.cube),
@@ -39,6 +38,9 @@ class Linear : public FlowMethod {
         const auto smoothing = static_cast<int>(taps_.size() / 2);
         return cube_ ? smoothing + 1 : smoothing + 2;
     }
+
+    // What a step tells a point comes from the points beside it.
+    int margin() const override { return iterations_; }
 
     FlowFrame prepare(const Plane<std::uint8_t>& grey) const override { return {grey, {smoothed(grey, taps_)}}; }
 
@@ -51,14 +53,12 @@ class Linear : public FlowMethod {
         } else {
             barron_derivatives(planes, taps_, part, work.derivatives);
         }
-        return solve(work);
+        work.system.reset(work.derivatives.size(), alpha2_);
+        work.system.load(work.derivatives);
+        work.system.clear();
+        work.system.relax(iterations_);
+        return work.system.flow();
     }
-
-  protected:
-    virtual Flow solve(LinearWorkspace& work) const = 0;
-
-    float alpha2() const { return alpha2_; }
-    int iterations() const { return iterations_; }
 
   private:
     // Between this frame and the next; at the clip's end, where none comes, between the one before and this.
@@ -78,43 +78,10 @@ class Linear : public FlowMethod {
     mutable oneapi::tbb::enumerable_thread_specific<LinearWorkspace> workspaces_;
 };
 
-class Jacobi final : public Linear {
-  public:
-    using Linear::Linear;
-
-    // What a step tells a point comes from the points beside it.
-    int margin() const override { return iterations(); }
-
-  private:
-    Flow solve(LinearWorkspace& work) const override {
-        work.system.reset(work.derivatives.size(), alpha2());
-        work.system.load(work.derivatives);
-        work.system.clear();
-        work.system.relax(iterations());
-        return work.system.flow();
-    }
-};
-
-class FullMultigrid final : public Linear {
-  public:
-    using Linear::Linear;
-
-    int margin() const override { return 32; }
-
-  private:
-    Flow solve(LinearWorkspace& work) const override {
-        work.grids.solve(work.derivatives, alpha2(), iterations());
-        return work.grids.finest().flow();
-    }
-};
-
 }  // namespace
 
 std::unique_ptr<FlowMethod> make_jacobi(const SolverSettings& settings) {
     return std::make_unique<Jacobi>(settings);
-}
-std::unique_ptr<FlowMethod> make_multigrid(const SolverSettings& settings) {
-    return std::make_unique<FullMultigrid>(settings);
 }
 
 }  // namespace vvr::fields

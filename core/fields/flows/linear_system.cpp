@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "core/kernels/linear_rows.h"
@@ -115,12 +114,13 @@ void LinearSystem::restrict_to(LinearSystem& coarse) const {
     coarse.invert();
 }
 
-template <class Take>
-void LinearSystem::for_each_residual(Take take) const {
+void LinearSystem::restrict_residual(LinearSystem& coarse) const {
     const auto width = static_cast<std::size_t>(size().width);
-    const std::size_t room = (width + 63) / 32 * 32;
+    const int coarse_width = coarse.size().width;
+    const std::size_t room = static_cast<std::size_t>(coarse_width + 63) / 32 * 64;
     const auto r1 = aligned_floats(room);
     const auto r2 = aligned_floats(room);
+    const std::array upper{aligned_floats(room), aligned_floats(room)};
     for (int j = 0; j < size().height; ++j) {
         kernels::residual_row(
             {.u_above = work_.row(u(), j - 1),
@@ -133,23 +133,14 @@ void LinearSystem::for_each_residual(Take take) const {
             a_, r1.get(), r2.get(), size().width);
         r1[width] = r1[width - 1];
         r2[width] = r2[width - 1];
-        take(j, r1.get(), r2.get());
-    }
-}
-
-void LinearSystem::restrict_residual(LinearSystem& coarse) const {
-    const int coarse_width = coarse.size().width;
-    const std::size_t room = static_cast<std::size_t>(coarse_width + 63) / 32 * 64;
-    const std::array upper{aligned_floats(room), aligned_floats(room)};
-    for_each_residual([&](int j, const float* r1, const float* r2) {
         if (j % 2 == 0) {
-            std::copy_n(r1, size().width + 1, upper[0].get());
-            std::copy_n(r2, size().width + 1, upper[1].get());
-            if (j + 1 < size().height) return;
+            std::copy_n(r1.get(), width + 1, upper[0].get());
+            std::copy_n(r2.get(), width + 1, upper[1].get());
+            if (j + 1 < size().height) continue;
         }
-        kernels::mean_of_pairs(upper[0].get(), r1, coarse.data_.row(f1, j / 2), coarse_width);
-        kernels::mean_of_pairs(upper[1].get(), r2, coarse.data_.row(f2, j / 2), coarse_width);
-    });
+        kernels::mean_of_pairs(upper[0].get(), r1.get(), coarse.data_.row(f1, j / 2), coarse_width);
+        kernels::mean_of_pairs(upper[1].get(), r2.get(), coarse.data_.row(f2, j / 2), coarse_width);
+    }
     coarse.invert();
     coarse.clear();
 }
@@ -167,14 +158,6 @@ void LinearSystem::add(const LinearSystem& coarse) {
     work_.replicate_border(v());
 }
 
-double LinearSystem::residual() const {
-    double sum = 0;
-    for_each_residual([&](int, const float* r1, const float* r2) {
-        for (int i = 0; i < size().width; ++i) sum += double{r1[i]} * r1[i] + double{r2[i]} * r2[i];
-    });
-    return std::sqrt(sum / (static_cast<double>(size().width) * size().height));
-}
-
 void Multigrid::load(const PlaneStack& derivatives, float a) {
     const auto grid = [this](std::size_t k) -> LinearSystem& {
         if (k == grids_.size()) grids_.emplace_back();
@@ -190,30 +173,16 @@ void Multigrid::load(const PlaneStack& derivatives, float a) {
     }
 }
 
-void Multigrid::solve(const PlaneStack& derivatives, float a, int cycles) {
-    load(derivatives, a);
-    for (std::size_t k = 0; k < used_; ++k) grids_[k].clear();
-    grids_[used_ - 1].relax(2 * coarsest);
-    for (std::size_t k = used_ - 1; k-- > 0;) {
-        grids_[k].add(grids_[k + 1]);
-        for (int i = 0; i < cycles; ++i) cycle(k);
-    }
-}
-
 void Multigrid::improve(const PlaneStack& derivatives, float a, const Flow& flow) {
     load(derivatives, a);
     grids_.front().set(flow.u, flow.v);
-    cycle(0);
-}
-
-void Multigrid::cycle(std::size_t from) {
     const std::size_t last = used_ - 1;
-    for (std::size_t k = from; k < last; ++k) {
+    for (std::size_t k = 0; k < last; ++k) {
         grids_[k].relax(2);
         grids_[k].restrict_residual(grids_[k + 1]);
     }
     grids_[last].relax(2 * coarsest);
-    for (std::size_t k = last; k-- > from;) {
+    for (std::size_t k = last; k-- > 0;) {
         grids_[k].add(grids_[k + 1]);
         grids_[k].relax(1);
     }

@@ -45,9 +45,6 @@ class LinearSystem {
     /// Adds the coarser system's w, interpolated linearly.
     void add(const LinearSystem& coarse);
 
-    /// Root of the mean of the residual's square.
-    double residual() const;
-
   private:
     enum WorkPlane { u_even, v_even, u_odd, v_odd, m11, m12, m22, c1, c2, work_planes };
     enum DataPlane { j11, j12, j22, f1, f2, data_planes };
@@ -58,31 +55,24 @@ class LinearSystem {
     int v() const { return turn_ == 0 ? v_even : v_odd; }
     void invert();
 
-    template <class Take>
-    void for_each_residual(Take take) const;
-
     float a_ = 0;
     PlaneStack work_;  ///< flow before and after a step, taking turns, and the coefficients of a step
     PlaneStack data_;  ///< J and f
     int turn_ = 0;
 };
 
-/// Solves the equations to the truth by full multigrid (Brandt 1977): from the coarsest grid up, on each grid `cycles`
-/// V-cycles. Because Jacobi's iteration with this mask damps every wave that the coarser grid can't hold by a factor
-/// of three or more a step, a cycle takes the residual down by about ten.
+/// Brings a flow nearer to the equations' solution by one V-cycle over ever coarser grids (Brandt 1977). Because
+/// Jacobi's iteration with this mask damps every wave that the coarser grid can't hold by a factor of three or more a
+/// step, a cycle takes the residual down by about ten.
 class Multigrid {
   public:
-    /// From w = 0. Solving again, be it for another size, takes the same memory again.
-    void solve(const PlaneStack& derivatives, float a, int cycles);
-
-    /// From a flow that is near, with one cycle.
+    /// Does it again, be it for another size, in the same memory.
     void improve(const PlaneStack& derivatives, float a, const Flow& flow);
 
     LinearSystem& finest() { return grids_.front(); }
 
   private:
     void load(const PlaneStack& derivatives, float a);
-    void cycle(std::size_t from);
 
     std::vector<LinearSystem> grids_;
     std::size_t used_ = 0;  ///< of them

@@ -27,9 +27,9 @@ const options::CommandHelp help{
     .options = {{options::Group::run, 'q', {"quiet"}, "", "say nothing", {}},
                 {options::Group::look,
                  0,
-                 {"start-time", "clock"},
-                 "DATETIME",
-                 "when it began, which takes a line of its own as its name is long [now]",
+                 {"background", "background-color"},
+                 "COLOR",
+                 "what is behind all, which takes a line of its own as its name is long [none]",
                  {}},
                 {options::Group::look, 0, {"theme"}, "NAME", "colours [light]", {{"light", "dark on white"}}}},
     .examples = {{"vvr draw a b", "both"}}};
@@ -47,7 +47,7 @@ TEST(Help, HasGroupsInOrderValuesBelowOptionsAndExamplesLast) {
     const auto at = [&](const char* part) { return text.find(part); };
     EXPECT_LT(at("Usage: vvr draw INPUT... [OPTIONS]"), at("\nLook:\n"));
     EXPECT_LT(at("\nLook:\n"), at("\nRun:\n"));
-    EXPECT_LT(at("  --start-time, --clock DATETIME\n"), at("  --theme NAME"));
+    EXPECT_LT(at("  --background, --background-color COLOR\n"), at("  --theme NAME"));
     EXPECT_LT(at("  --theme NAME"), at("light          dark on white"));
     EXPECT_LT(at("  -q, --quiet"), at("\nExamples:\n  # both\n  vvr draw a b\n"));
 }

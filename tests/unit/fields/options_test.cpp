@@ -53,7 +53,7 @@ TEST(FieldOptions, UnknownNames) {
     EXPECT_EQ(error_of([](auto& o) { o.seeds.order = "size"; }),
               "seed-order: there is no 'size'; it is one of: magnitude, difference, age");
     EXPECT_EQ(error_of([](auto& o) { o.flow.solver = "pyramids"; }),
-              "solver: there is no 'pyramids' (did you mean 'pyramid'?); it is one of: pyramid, multigrid, jacobi");
+              "solver: there is no 'pyramids' (did you mean 'pyramid'?); it is one of: pyramid, jacobi");
 }
 
 TEST(FieldOptions, SeedSelections) {

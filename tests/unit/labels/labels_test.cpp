@@ -64,6 +64,7 @@ TEST(TimeTicks, AreRoundOnTheClockOnTheWall) {
 TEST(Text, IsMadePrintable) {
     EXPECT_EQ(image::printable("Tür \"1\" <b>\n"), "Tür \"1\" <b> ");
     EXPECT_EQ(image::printable("a\xFF\xC3z\xE2\x82"), "a??z??");
+    EXPECT_EQ(image::printable("\xC0\x80 \xED\xA0\x80"), "?? ???") << "what only looks like UTF-8";
     EXPECT_EQ(image::printable(""), "");
 }
 
