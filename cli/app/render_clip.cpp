@@ -193,7 +193,7 @@ void take_stills_from_scene(std::span<const events::Event> events, const Plane<B
     constexpr double best = std::numeric_limits<double>::max();
     const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
     for (const events::Event& event : events) {
-        const bool in_scene = event.in_scene.has_value() || event.kind == events::EventKind::taken;
+        const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
         if (!in_scene || event.tracks.empty()) continue;
         crops.keep(event.tracks.front(), {event.first, event.box, best}, frame);
     }

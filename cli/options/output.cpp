@@ -64,7 +64,7 @@ std::set<events::EventKind> parse_kinds(const std::string& list) {
     std::set<events::EventKind> kinds;
     std::istringstream words(list);
     for (std::string word; std::getline(words, word, ',');) {
-        kinds.insert(choose(text::events.name, word, events::event_kinds()).kind);
+        kinds.insert(choose(text::events.name, word, events::event_kinds).kind);
     }
     return kinds;
 }
@@ -188,9 +188,9 @@ void add_comparison_options(CommandLine& line, app::ComparisonOptions& options) 
 }
 
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice) {
-    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(events::event_kinds()), ",")),
+    line.value(group, text::events, fmt::format("{}", fmt::join(names_of(events::event_kinds), ",")),
                [&choice](const std::string& given) { choice.kinds = parse_kinds(given); },
-               {.values = values_of(events::event_kinds())});
+               {.values = values_of(events::event_kinds)});
     line.duration(group, choice.least, text::event_min_seconds);
 }
 

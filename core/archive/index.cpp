@@ -14,10 +14,13 @@
 #include "core/archive/output_files.h"
 #include "core/base/json_text.h"
 #include "core/base/wall_clock.h"
+#include "core/events/event_kind.h"
+#include "core/page/event_kinds.h"
 #include "core/page/text.h"
 #include "index_files.h"
 #include "index_script.h"
 #include "shared_files.h"
+#include "shared_script.h"
 
 namespace vvr::archive {
 
@@ -72,20 +75,59 @@ Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
             source_of_begin(sidecar, names)};
 }
 
-/// Seconds of what lay there for longest and of what stood for longest, and how many things were taken; null where it
-/// is not known.
-Json badges_of(const Sidecar& sidecar) {
-    if (sidecar.found.empty()) return {};
-    int left = 0;
-    int stood = 0;
-    int taken = 0;
-    for (const FoundEvent& event : sidecar.found) {
-        const int lasts = event.path.empty() ? 0 : event.path.back().time - event.path.front().time;
-        if (event.kind == 'l') left = std::max(left, lasts);
-        if (event.kind == 's') stood = std::max(stood, event.still);
-        if (event.kind == 't') ++taken;
+/// What the index tells of the events of a kind: seconds, or how many there are; 0 = nothing.
+Json tally_of(const events::EventKindRow& row, const std::vector<FoundEvent>& found) {
+    int most = 0;
+    int count = 0;
+    for (const FoundEvent& event : found) {
+        if (event.kind != row.kind) continue;
+        most = std::max(most, row.tally == events::Tally::still ? event.still : length_of(event));
+        ++count;
     }
-    return {left / 10.0, stood / 10.0, taken};
+    switch (row.tally) {
+        case events::Tally::none:
+            return 0;
+        case events::Tally::count:
+            return count;
+        case events::Tally::lasts:
+        case events::Tally::still:
+            return most / 10.0;
+    }
+    return {};
+}
+
+/// Of each kind, those that tell most first; null where it is not known.
+Json tallies_of(const Sidecar& sidecar) {
+    if (sidecar.found.empty()) return {};
+    Json tallies = Json::array();
+    for (const events::EventKindRow& row : events::ranked_kinds()) tallies.push_back(tally_of(row, sidecar.found));
+    return tallies;
+}
+
+/// The choices of kinds, those that tell most first.
+std::vector<const events::KindChoice*> choices_of_kinds() {
+    std::vector<const events::KindChoice*> choices;
+    for (const events::EventKindRow& row : events::ranked_kinds()) {
+        if (row.choice != nullptr && std::ranges::count(choices, row.choice) == 0) choices.push_back(row.choice);
+    }
+    return choices;
+}
+
+std::string buttons_of_kinds() {
+    std::string buttons;
+    for (const events::KindChoice* choice : choices_of_kinds()) {
+        buttons += fmt::format("<label><input type=\"radio\" name=\"kind\" value=\"{}\"><span>{}</span></label>\n",
+                               choice->name, choice->words);
+    }
+    return buttons;
+}
+
+std::string orders_of_kinds() {
+    std::string orders;
+    for (const events::KindChoice* choice : choices_of_kinds()) {
+        orders += fmt::format("<option value=\"{}\">{}</option>", choice->name, choice->order);
+    }
+    return orders;
 }
 
 constexpr int gone_bit = 1 << 8;
@@ -103,7 +145,7 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
              files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
                  (place.begin_source == ClockSource::container ? container_bit : 0) |
                  (place.begin_source == ClockSource::modified ? modified_bit : 0),
-             badges_of(sidecar)};
+             tallies_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);
         row.push_back(sidecar.reason);
@@ -198,7 +240,10 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
     std::set<std::string> found;
     for (const Place& place : places) found.insert(place.camera);
     const std::vector<std::string> cameras(found.begin(), found.end());
-    Json json{{"cameras", Json::array()}, {"zone", zone_of(places)}, {"clips", Json::array()}};
+    Json json{{"cameras", Json::array()},
+              {"zone", zone_of(places)},
+              {"kinds", page::json_of_kinds()},
+              {"clips", Json::array()}};
     for (const std::string& camera : cameras) json["cameras"].push_back(text_of_path(camera));
     json["recordings"] = Json::array();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -215,13 +260,14 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
     }
     json["days"] = days;
     const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);
-    const std::string script = page::joined(
-        std::string(shared_files::common_js) + std::string(shared_files::place_js) + std::string(shared_files::ways_js),
-        index_script::files);
+    const std::string script =
+        page::joined(page::joined(std::string(shared_files::common_js), shared_script::files), index_script::files);
     return page::fill(index_files::index_html, {
                                                    {"script policy", page::policy_hash(script)},
                                                    {"style policy", page::policy_hash(style)},
                                                    {"style", style},
+                                                   {"kinds", buttons_of_kinds()},
+                                                   {"orders", orders_of_kinds()},
                                                    {"script", script},
                                                    {"data", page::script_json(json_text(json, -1, true))},
                                                });

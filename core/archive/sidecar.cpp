@@ -24,12 +24,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kind_letters = "mslt";
 constexpr std::size_t before_path = 3;
 
-/// The first letter of a kind; of one that is not known, that of what moved.
-char kind_of(const std::string& name) {
-    return !name.empty() && kind_letters.find(name.front()) != std::string_view::npos ? name.front() : 'm';
+events::EventKind kind_of(const std::string& name) {
+    const auto row = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
+    if (row == events::event_kinds.end()) throw Error(ErrorKind::io, fmt::format("'{}' is no kind of event", name));
+    return row->kind;
+}
+
+/// The kind that a sidecar names: older ones by its first letter. Those had four kinds, in the order of EventKind.
+events::EventKind kind_in_sidecar(const std::string& name) {
+    constexpr std::string_view letters = "mslt";
+    const std::size_t place = name.size() == 1 ? letters.find(name) : std::string_view::npos;
+    return place == std::string_view::npos ? kind_of(name) : static_cast<events::EventKind>(place);
 }
 
 int whole(double value) {
@@ -62,11 +69,11 @@ FoundEvent event_of(const Json& event, double width, double height) {
     return found;
 }
 
+}  // namespace
+
 int length_of(const FoundEvent& event) {
     return event.path.empty() ? 0 : event.path.back().time - event.path.front().time;
 }
-
-}  // namespace
 
 std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
     const Json& events = report.at("events");
@@ -82,7 +89,7 @@ std::vector<FoundEvent> found_events(const Json& report, std::size_t most) {
 }
 
 Json json_of(const FoundEvent& event) {
-    Json json{std::string(1, event.kind), event.number, event.still};
+    Json json{events::name_of(event.kind), event.number, event.still};
     for (const events::Waypoint& point : event.path) {
         for (const int value : {point.time, point.x, point.y}) json.push_back(value);
     }
@@ -91,7 +98,7 @@ Json json_of(const FoundEvent& event) {
 
 FoundEvent found_event_of(const Json& json) {
     FoundEvent event;
-    event.kind = kind_of(json.at(0).get<std::string>());
+    event.kind = kind_in_sidecar(json.at(0).get<std::string>());
     event.number = whole(json.at(1));
     event.still = whole(json.at(2));
     for (std::size_t k = before_path; k + 2 < json.size(); k += 3) {
@@ -308,6 +315,8 @@ std::optional<Sidecar> parse_sidecar(const std::string& text) {
         return std::nullopt;
     } catch (const InvalidSidecar&) {
         return std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt;
     }
 }
 
@@ -369,6 +378,8 @@ void apply_report(Sidecar& sidecar, const fs::path& report) {
     } catch (const Json::exception& error) {
         refuse(error.what());
     } catch (const InvalidSidecar& error) {
+        refuse(error.what());
+    } catch (const Error& error) {
         refuse(error.what());
     }
     if (sidecar.seconds >= 0 && sidecar.seconds <= longest_recording) return;

@@ -12,13 +12,14 @@
 #include "core/archive/clips.h"
 #include "core/archive/output_files.h"
 #include "core/base/wall_clock.h"
+#include "core/events/event_kind.h"
 #include "core/events/path.h"
 
 namespace vvr::archive {
 
 /// What an archive knows of an event of a clip.
 struct FoundEvent {
-    char kind = 'm';                     ///< the first letter of its kind: m(oved), s(tood), l(eft), t(aken)
+    events::EventKind kind = events::EventKind::moved;
     int number = 0;                      ///< in the picture, the page and the report
     int still = 0;                       ///< tenths of a second for which it kept its place
     std::vector<events::Waypoint> path;  ///< its way, from its first to its last moment
@@ -27,13 +28,17 @@ struct FoundEvent {
 };
 
 /// The events of a report of `vvr render --report`, with simplified ways; at most `most`, those that last longest.
-/// \throws nlohmann::json::exception for what is no report
+/// \throws nlohmann::json::exception for what is no report, Error io for a kind that is not in the table
 std::vector<FoundEvent> found_events(const nlohmann::ordered_json& report, std::size_t most = 1000);
 
-/// As a sidecar and the index have it: ["l", 4, 261, 129, 500, 700, 390, 500, 700].
+/// Seconds from its first to its last moment, in tenths.
+int length_of(const FoundEvent& event);
+
+/// As a sidecar and the index have it: ["left", 4, 261, 129, 500, 700, 390, 500, 700].
 nlohmann::ordered_json json_of(const FoundEvent& event);
 
-/// \throws nlohmann::json::exception for what `json_of` does not make
+/// Older sidecars have the first letter of a kind in place of its name.
+/// \throws nlohmann::json::exception for what `json_of` does not make, Error io for a kind that is not in the table
 FoundEvent found_event_of(const nlohmann::ordered_json& json);
 
 /// What an archive knows about a clip, as a file beside its picture. Sidecars are the only database.

@@ -319,8 +319,7 @@ class Conclusion {
     void find_carrier(std::size_t k) {
         Candidate& candidate = candidates_[k];
         Tracklet& own = candidate.whole;
-        const bool is_thing = candidate.kind == EventKind::left || candidate.kind == EventKind::taken;
-        if (!candidate.wanted || !is_thing || !own.settled) return;
+        if (!candidate.wanted || !row_of(candidate.kind).is_thing || !own.settled) return;
         if (own.from && object_of_.contains(*own.from)) return;
         if (was_there_first(own) && !was_there_before(own)) {
             candidate.wanted = false;
@@ -406,7 +405,7 @@ class Conclusion {
             event.stays = std::move(own.stays);
             event.from = place_of(own.from, k);
             event.into = place_of(own.into, k);
-            if (event.kind == EventKind::left || event.kind == EventKind::taken) event.by = event.from;
+            if (row_of(event.kind).is_thing) event.by = event.from;
             event.portrait = own.portrait;
             if (own.in_scene && own.settled) {
                 event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};

@@ -4,13 +4,13 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "core/base/plane.h"
 #include "core/base/wall_clock.h"
+#include "core/events/event_kind.h"
 
 namespace vvr::events {
 
@@ -41,26 +41,6 @@ struct ScenePatch {
     Plane<std::uint8_t> values;  ///< of the ghost, in the box; 0 = not of the object
 };
 
-enum class EventKind {
-    moved,  ///< it went through the scene
-    stood,  ///< it went, and kept its place for a while
-    left,   ///< somebody put it down
-    taken,  ///< it belonged to the empty scene, and went
-};
-
-/// One row of the table of kinds.
-struct EventKindRow {
-    EventKind kind;
-    std::string_view name;
-    std::string_view help;
-};
-
-/// The kinds, in the order of EventKind.
-std::span<const EventKindRow> event_kinds();
-
-/// "moved", "stood", "left" or "taken".
-std::string_view name_of(EventKind kind);
-
 /// One object of the space-time volume, from its first to its last frame.
 struct Event {
     EventKind kind = EventKind::moved;
@@ -84,7 +64,7 @@ double stationary_seconds(const Event& event);
 
 /// Which events are wanted.
 struct EventChoice {
-    std::set<EventKind> kinds{EventKind::moved, EventKind::stood, EventKind::left, EventKind::taken};
+    std::set<EventKind> kinds = all_kinds();
     double least = 0;  ///< seconds; shorter ones are left out
 };
 

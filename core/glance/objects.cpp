@@ -45,9 +45,7 @@ std::vector<std::size_t> by_importance(std::span<const events::Event> events) {
     std::vector<std::size_t> order(events.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t k) {
-        const bool goes_alone =
-            events[k].kind == events::EventKind::moved || events[k].kind == events::EventKind::stood;
-        return std::tuple(goes_alone, -weight_of(events[k]), k);
+        return std::tuple(!row_of(events[k].kind).is_thing, -weight_of(events[k]), k);
     };
     std::ranges::sort(order, {}, key);
     return order;
@@ -74,25 +72,16 @@ glm::dvec2 place_at(const events::Event& event, double seconds) {
 }
 
 std::vector<std::string> activity_texts(const events::Event& event) {
-    switch (event.kind) {
-        case events::EventKind::left:
-            return {"left behind", "left"};
-        case events::EventKind::taken:
-            return {"taken away", "taken"};
-        case events::EventKind::stood:
-            if (const events::Stay* const stay = longest_stay(event)) {
-                const std::string length = labels::format_length(seconds_of(*stay));
-                return {fmt::format("stood {}", length), "stood"};
-            }
-            break;
-        case events::EventKind::moved:
-            break;
-    }
-    return direction_texts(event);
+    const events::EventKindRow& row = row_of(event.kind);
+    const events::Stay* const stay = longest_stay(event);
+    const bool tells_length = row.activity.find("{}") != std::string_view::npos;
+    if (row.activity.empty() || (tells_length && stay == nullptr)) return direction_texts(event);
+    const std::string length = tells_length ? labels::format_length(seconds_of(*stay)) : std::string();
+    return {fmt::format(fmt::runtime(row.activity), length), std::string(row.activity_short)};
 }
 
 std::vector<events::Stay> standing_times(const events::Event& event) {
-    if (event.kind != events::EventKind::left) return event.stays;
+    if (!row_of(event.kind).lies) return event.stays;
     const events::Stay* const stay = longest_stay(event);
     events::Stay whole = stay != nullptr ? *stay : events::Stay{};
     whole.first = event.first;

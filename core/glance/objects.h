@@ -31,10 +31,10 @@ const events::Stay* longest_stay(const events::Event& event);
 glm::dvec2 place_at(const events::Event& event, double seconds);
 
 /// What it did, in a word or three, and shorter where there is little room: "went ↗", with its way in the frame,
-/// "stood 14 s", "left behind", "taken away".
+/// "stood 14 s", "left behind"; the table of kinds has the words.
 std::vector<std::string> activity_texts(const events::Event& event);
 
-/// The times for which a picture shows that it stood or lay: its stays; of what was left, all of its time.
+/// The times for which a picture shows that it stood or lay: its stays; of what lies there, all of its time.
 std::vector<events::Stay> standing_times(const events::Event& event);
 
 /// When: "0:06–0:28", and shorter: "0:06".

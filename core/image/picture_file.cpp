@@ -47,17 +47,19 @@ struct Format {
     bool settings;    ///< holds attributes of any name; else the settings become lines of the description
     bool pixel_data;  ///< holds further channels of floats
     int most_side;    ///< pixels, where the encoder would end the program for more
+    /// What becomes of the encoder's bytes of an 8-bit file; null = they stay.
+    std::vector<std::byte> (*finished)(const std::vector<std::byte>&);
 };
 
 constexpr int any_side = 1 << 30;
 
 constexpr std::array formats{
-    Format{".png", Stored::uint8, true, true, false, any_side},
-    Format{".exr", Stored::half, true, true, true, any_side},
-    Format{".tif", Stored::uint16, true, false, false, any_side},
-    Format{".tiff", Stored::uint16, true, false, false, any_side},
-    Format{".jpg", Stored::uint8, false, false, false, 65500},
-    Format{".jpeg", Stored::uint8, false, false, false, 65500},
+    Format{".png", Stored::uint8, true, true, false, any_side, with_utf8_texts},
+    Format{".exr", Stored::half, true, true, true, any_side, nullptr},
+    Format{".tif", Stored::uint16, true, false, false, any_side, nullptr},
+    Format{".tiff", Stored::uint16, true, false, false, any_side, nullptr},
+    Format{".jpg", Stored::uint8, false, false, false, 65500, nullptr},
+    Format{".jpeg", Stored::uint8, false, false, false, 65500, nullptr},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
@@ -190,7 +192,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
         picture = {};
         file.values = std::as_bytes(std::span(values));
         std::vector<std::byte> encoded = picture_codec().encode(file);
-        return file.format == "png" ? with_utf8_texts(encoded) : encoded;
+        return format.finished != nullptr ? format.finished(encoded) : encoded;
     }
     file.attributes.emplace_back("Compression", "zip");
     const PixelData none;

@@ -17,10 +17,13 @@
 #include "core/events/path.h"
 #include "core/image/picture_file.h"
 #include "core/labels/time_ticks.h"
+#include "core/page/event_kinds.h"
 #include "core/page/text.h"
+#include "core/space/layout.h"
 #include "page_files.h"
 #include "page_script.h"
 #include "shared_files.h"
+#include "shared_script.h"
 
 namespace vvr::page {
 
@@ -252,6 +255,7 @@ Json json_of(const PageContent& content) {
               {"times", json_of(moments.times)},
               {"clock", json_of(content.clock)},
               {"told", row_of(source_of(content)).words},
+              {"kinds", json_of_kinds()},
               {"index", Json()},
               {"live", Json()},
               {"pixels", json_of_frames(content.picture.pixel_data.frame, moments.times.front().first)},
@@ -285,8 +289,7 @@ std::string list_of(const PageContent& content) {
         list += fmt::format(
             "<li>{}. {}: {}{}</li>\n", &event - content.events->data() + 1,
             moment_text(event.first.seconds, content.clock) + " – " + moment_text(event.last.seconds, content.clock),
-            event.kind == events::EventKind::left ? std::string_view("left behind") : events::name_of(event.kind),
-            still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
+            row_of(event.kind).words, still > 0 ? fmt::format(", still for {:.1f} s in all", still) : "");
     }
     return list;
 }
@@ -321,8 +324,10 @@ std::string told_by(const PageContent& content) {
 /// In which direction time runs in the picture, for people.
 std::string way_of_time(const image::Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &image::Metadata::value_type::first);
-    const bool bent = layout == settings.end() || layout->second == "horseshoe";
-    return bent ? "around the horseshoe, from its left end to its right" : "from left to right";
+    const auto row = layout == settings.end()
+                         ? space::layouts().begin()
+                         : std::ranges::find(space::layouts(), layout->second, &space::LayoutRow::name);
+    return row == space::layouts().end() ? std::string() : row->way_of_time;
 }
 
 }  // namespace
@@ -331,9 +336,8 @@ std::string make_page(const PageContent& content) {
     const Json data = json_of(content);
     const Size size = content.picture.pixels.size();
     const std::string style = std::string(shared_files::theme_css) + std::string(page_files::page_css);
-    const std::string script = joined(
-        std::string(shared_files::common_js) + std::string(shared_files::place_js) + std::string(shared_files::ways_js),
-        page_script::files);
+    const std::string script =
+        joined(joined(std::string(shared_files::common_js), shared_script::files), page_script::files);
     // Bytes that are not UTF-8 become U+FFFD; in the clip's URL they are escaped already.
     const auto shown = [](const std::string& text) {
         return html_text(Json::parse(json_text(text)).get<std::string>());
@@ -354,6 +358,7 @@ std::string make_page(const PageContent& content) {
                                             counted(frames_in(content.moments.times), "frame"), told_by(content))},
                     {"way", way_of_time(content.settings)},
                     {"list", list_of(content)},
+                    {"first kind", std::string(events::ranked_kinds().front().words)},
                     {"style", style},
                     {"script", script},
                     {"picture", url_of_picture(content)},

@@ -49,8 +49,7 @@ constexpr int line = 2;  // pixels
 
 /// What tells more is greater.
 auto worth(const events::Event& event) {
-    constexpr std::array rank{0, 1, 3, 2};  // in the order of EventKind
-    return std::tuple(rank[static_cast<std::size_t>(event.kind)], events::stationary_seconds(event),
+    return std::tuple(-row_of(event.kind).rank, events::stationary_seconds(event),
                       event.last.seconds - event.first.seconds);
 }
 

@@ -50,8 +50,8 @@ class Stills {
     std::vector<Kept> kept_;
 };
 
-/// The still that tells most of a clip: of what was left behind, else of what was taken, of what stood for longest, of
-/// what was there for longest; with a frame around it. Without events it is the one in the middle.
+/// The still that tells most of a clip, with a frame around what it tells of: of the kind of the best rank, of what
+/// stood for longest, of what was there for longest. Without events it is the one in the middle.
 /// \param field size of the field, whose pixels are the unit of events
 /// \returns nothing where there are no stills
 std::optional<Still> best_still(std::span<const Still> stills, std::span<const events::Event> events, Size field);

@@ -101,6 +101,7 @@ class Layout {
 struct LayoutRow {
     std::string name;
     std::string help;
+    std::string way_of_time;  ///< in the picture, for people: "from left to right"
     std::unique_ptr<Layout> (*make)(const LayoutShape&);
 };
 

@@ -24,10 +24,10 @@ def cards(page):
 
 
 def test_index_tells_what_was_left(t):
-    left = ["l", 1, 255, 10, 500, 500, 270, 500, 500]       # 26 s
-    stood = ["s", 2, 1850, 0, 100, 100, 3000, 200, 100]     # for 3:05
-    taken = ["t", 3, 0, 5, 1, 1, 9, 2, 2]
-    passed = ["m", 1, 0, 0, 0, 0, 50, 1000, 0]
+    left = ["left", 1, 255, 10, 500, 500, 270, 500, 500]       # 26 s
+    stood = ["stood", 2, 1850, 0, 100, 100, 3000, 200, 100]     # for 3:05
+    taken = ["taken", 3, 0, 5, 1, 1, 9, 2, 2]
+    passed = ["moved", 1, 0, 0, 0, 0, 50, 1000, 0]
     known(t, "gate/a.avi", NOW - HOUR, events=1, found=[left])
     known(t, "gate/b.avi", NOW - 2 * HOUR, events=3, found=[passed, stood, taken])
     known(t, "gate/c.avi", NOW - 3 * HOUR, events=9, found=[passed] * 9)
@@ -113,7 +113,7 @@ def test_index_leads_from_clip_to_clip(t):
 
 
 def test_index_by_days(t):
-    left = ["l", 1, 0, 0, 1, 1, 260, 1, 1]
+    left = ["left", 1, 0, 0, 1, 1, 260, 1, 1]
     for day in range(40):
         for camera in ("gate", "hall"):
             if camera == "gate" or day % 3 == 0:
@@ -126,8 +126,8 @@ def test_index_by_days(t):
         check(page.texts("#overview .month")[:1] == ["November 2026"], str(page.texts("#overview .month")))
         check(page.count("#overview td button") == 40 + 14, "cells")
         check(page.count("#overview td button .hours i") == 24 * 54, "hours")
-        check(page.texts("#overview tr:has(.left) th") == ["Mon 16"] and page.texts("#overview .left") == ["left 26 s"], "what was left")
-        page.run("document.querySelector('#overview .left').closest('button').click()")
+        check(page.texts("#overview tr:has(.strong) th") == ["Mon 16"] and page.texts("#overview .strong") == ["left 26 s"], "what was left")
+        page.run("document.querySelector('#overview .strong').closest('button').click()")
         page.wait("the day's clips", "return document.querySelectorAll('.card').length === 1")
         check(page.text("count") == "1 of 54 clips on 2026-11-16", page.text("count"))
 
@@ -140,7 +140,7 @@ def scene_page(t, clips=30, of_each=20):
         found = []
         for number in range(1, of_each + 1):
             path = wander(chance, 0)
-            found.append(["mslt"[number % 4], number, 0, *path])
+            found.append([["moved", "stood", "left", "taken"][number % 4], number, 0, *path])
             if k % 3:
                 paths[f"gate/{k}.avi", number] = path
         known(t, f"{'gate' if k % 3 else 'hall'}/{k}.avi", NOW - k * 7 * HOUR, events=of_each, found=found)
@@ -213,9 +213,9 @@ def test_index_asks_the_scene_over_all_days(t):
 
 def test_index_answers_a_hundred_thousand_events_at_once(t):
     chance = random.Random(5)
-    known(t, "gate/a.avi", NOW, events=1, found=[["m", 1, 0, 0, 1, 1]])
+    known(t, "gate/a.avi", NOW, events=1, found=[["moved", 1, 0, 0, 1, 1]])
     write_index(t)
-    events = [["m", number, 0, *wander(chance, 0)] for number in range(100_000)]
+    events = [["moved", number, 0, *wander(chance, 0)] for number in range(100_000)]
     name = next(t.path("out").glob("index.????-??-??.js"))
     url = re.search(r'\[\["([^"]*)"', name.read_text())[1]
     day = name.name[6:16]
@@ -238,7 +238,7 @@ def test_index_answers_a_hundred_thousand_events_at_once(t):
 
 
 def test_index_of_ten_thousand_clips_opens_at_once(t):
-    stood = ["s", 1, 90, 0, 1, 1, 100, 5, 5]
+    stood = ["stood", 1, 90, 0, 1, 1, 100, 5, 5]
     for number in range(10_000):
         known(t, f"cam {number % 8}/{number:05}.avi", NOW - 600 * number, events=number % 3, found=[] if number % 50 else [stood])
     write_index(t)

@@ -14,9 +14,12 @@ from harness import check, part_name
 
 def test_every_format(t):
     t.clip()
-    for ending in ("png", "exr", "tif", "tiff", "jpg", "jpeg"):
-        t.render("clip.avi", output=f"out.{ending}").expect(0)
-        check(t.path(f"out.{ending}").stat().st_size > 500, f"out.{ending} is small")
+    said = t.render("clip.avi", output="out").expect(1, "a name without an ending is not an output format").err
+    pictures = said.partition("there are ")[2].partition(" .html")[0].split()
+    check(".png" in pictures, said)
+    for ending in pictures:
+        t.render("clip.avi", output=f"out{ending}").expect(0)
+        check(t.path(f"out{ending}").stat().st_size > 500, f"out{ending} is small")
 
 
 def test_same_bytes_every_time(t):
@@ -55,7 +58,7 @@ def test_settings_stand_in_the_picture(t):
 def test_unknown_format(t):
     t.clip()
     t.render("clip.avi", output="out.pgn").expect(
-        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png .exr .tif .tiff .jpg .jpeg .html .gif .mp4 .webm")
+        1, "'.pgn' is not an output format (did you mean '.png'?); there are .png ", ".html .gif .mp4 .webm")
     t.render("clip.avi", output="out.htlm").expect(1, "'.htlm' is not an output format (did you mean '.html'?)")
     t.render("clip.avi", output="out").expect(1, "a name without an ending is not an output format")
     t.expect_files("clip.avi")

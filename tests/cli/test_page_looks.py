@@ -99,7 +99,7 @@ def show_view(page, view):
 
 def index_of_all_kinds(t):
     """An index with a card of each kind."""
-    left, stood, taken = ["l", 1, 0, 0, 100, 100, 260, 100, 100], ["s", 2, 90, 0, 5, 5, 100, 500, 900], ["t", 3, 0, 0, 1, 1, 9, 9, 9]
+    left, stood, taken = ["left", 1, 0, 0, 100, 100, 260, 100, 100], ["stood", 2, 90, 0, 5, 5, 100, 500, 900], ["taken", 3, 0, 0, 1, 1, 9, 9, 9]
     known(t, "gate/a.avi", NOW, events=3, found=[left, stood, taken])
     known(t, "hall/b.avi", NOW - HOUR, events=0)
     known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
@@ -329,7 +329,7 @@ def expect_upright(page):
 
 def test_index_of_names_that_turn_the_writing(t):
     for number, name in enumerate(TURNED):
-        known(t, f"{RLO}cam{number}/{name}", NOW - number * HOUR, events=1, found=[["m", 1, 0, 0, 1, 1, 5, 5, 5]])
+        known(t, f"{RLO}cam{number}/{name}", NOW - number * HOUR, events=1, found=[["moved", 1, 0, 0, 1, 1, 5, 5, 5]])
     known(t, f"{RLO}cam0/{RLO}bad.avi", NOW, state="failed", tries=1, status=3, reason=f"'{RLO}bad.avi' is not a video", files={})
     write_index(t)
     os.environ["TZ"] = "UTC"

@@ -20,7 +20,7 @@ struct Image {
 
 /// Writes a picture with its settings. The file is replaced as a whole or not touched at all; no date goes into it, so
 /// the same image gives the same bytes.
-/// \param file its ending says the format: .png .jpg .tif .exr
+/// \param file its ending says the format: .png and the others of `vvr render -o`
 /// \throws Failure usage for an ending that no format has, or an image whose values are not 4·width·height; io
 [[gnu::visibility("default")]] void write_image(const std::string& file, const Image& image);
 

@@ -40,18 +40,18 @@ function folded(text) {
 }
 
 // Each row: camera, address, begins (seconds since 1970), length, events or null, the kinds of files that there are,
-// seconds for which something was left and stood and how many things were taken, and of a failure its status, its reason
-// and the number of tries, and of one whose picture is there all the same the moment until which that shows the clip.
+// what is told of the events of each of `data.kinds` (seconds, or how many; 0 = nothing), and of a failure its status, its
+// reason and the number of tries, and of one whose picture is there all the same the moment until which that shows the clip.
 const [hasPicture, hasPage, hasThumbnail, hasStill, hasGone, hasDamage] = [1, 2, 4, 16, 256, 512];
 // Where nothing tells when a clip was recorded, it stands where it was written.
 const [byContainer, byFile] = [1024, 2048];
 // A recording is all that a camera recorded on a day, in one picture.
 const rows = [...data.clips.map(row => ({row})), ...data.recordings];
-const clips = rows.map(({row: [camera, url, begins, seconds, events, files, badges, status, reason, tries, until], date: wholeDay, clips: of}) => {
+const clips = rows.map(({row: [camera, url, begins, seconds, events, files, tallies, status, reason, tries, until], date: wholeDay, clips: of}) => {
     const date = wallOf(begins);
     const path = readable(url).replace(/^\.\//, '');
-    const [left, stood, taken] = badges ?? [0, 0, 0];
-    const clip = {camera, url, path, begins, seconds, events, files, left, stood, taken, status, reason: reason && upright(reason), tries,
+    const tallyOf = Object.fromEntries(data.kinds.map(({name}, rank) => [name, tallies?.[rank] ?? 0]));
+    const clip = {camera, url, path, begins, seconds, events, files, tallyOf, status, reason: reason && upright(reason), tries,
                   wholeDay, of, name: wholeDay ? many(of, 'clip') : path.slice(path.lastIndexOf('/') + 1), time: timeOf(date), day: wholeDay ?? dayOf(date), hour: date.getUTCHours()};
     clip.failed = status !== undefined;
     clip.until = until === undefined ? '' : dayOf(wallOf(until)) + ' ' + timeOf(wallOf(until));
@@ -105,8 +105,10 @@ function grouped(list, key) {
 // ---- What is asked for: kept in the address, so that going back from a clip's page finds it again
 
 const asked = {view: 'clips', text: '', kind: 'all', order: 'newest', camera: null, day: null};
-const choices = {view: ['clips', 'days', 'scene'], kind: ['all', 'events', 'left', 'stood', 'unseen', 'failed'],
-                 order: ['newest', 'left', 'stood', 'events']};
+// The kinds of events that are chosen together, by what the choice is called.
+const kindsOfChoice = grouped(data.kinds.filter(({choice}) => choice !== null), 'choice');
+const choices = {view: ['clips', 'days', 'scene'], kind: ['all', 'events', ...kindsOfChoice.keys(), 'unseen', 'failed'],
+                 order: ['newest', ...kindsOfChoice.keys(), 'events']};
 
 function readAsked() {
     const parts = new URLSearchParams(location.hash.slice(1));
@@ -132,8 +134,7 @@ function keepAsked() {
 const isWanted = {
     all: () => true,
     events: clip => clip.events > 0,
-    left: clip => clip.left > 0 || clip.taken > 0,
-    stood: clip => clip.stood > 0,
+    ...Object.fromEntries([...kindsOfChoice].map(([choice, ofChoice]) => [choice, clip => ofChoice.some(({name}) => clip.tallyOf[name] > 0)])),
     unseen: clip => clip.drawn && !seen.has(clip.url),
     failed: clip => clip.failed,
 };

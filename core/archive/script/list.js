@@ -3,13 +3,14 @@
 
 function badgesOf(clip) {
     const badges = [];
-    if (clip.left > 0) badges.push(element('span', 'badge left', 'left ' + lengthOf(clip.left)));
-    if (clip.taken > 0) badges.push(element('span', 'badge left', 'taken' + (clip.taken > 1 ? ' ' + clip.taken : '')));
-    if (clip.stood > 0) badges.push(element('span', 'badge stood', 'stood ' + lengthOf(clip.stood)));
+    for (const {name, emphasis, tally} of data.kinds) {
+        const told = clip.tallyOf[name];
+        if (told > 0) badges.push(element('span', 'badge ' + emphasis, name + (tally !== 'count' ? ' ' + lengthOf(told) : told > 1 ? ' ' + told : '')));
+    }
     if (clip.events !== null) {
         badges.push(clip.events ? element('span', 'badge', many(clip.events, 'event')) : element('span', 'badge none', 'no events'));
     }
-    if (clip.damaged) badges.push(element('span', 'badge left', 'damaged'));
+    if (clip.damaged) badges.push(element('span', 'badge strong', 'damaged'));
     return badges;
 }
 
@@ -29,7 +30,7 @@ function factsOf(clip) {
     const badges = element('span', 'badges');
     if (clip.drawn) badges.append(...badgesOf(clip));
     if (clip.failed && clip.drawn) {
-        const old = element('span', 'badge left', 'failed; shows what was until ' + clip.until);
+        const old = element('span', 'badge strong', 'failed; shows what was until ' + clip.until);
         old.title = `Failed ${clip.tries === 1 ? 'once' : clip.tries + ' times'}, status ${clip.status}: ${clip.reason}`;
         badges.append(old);
     }
@@ -90,8 +91,10 @@ addEventListener('beforeprint', () => {
 
 const orders = {
     newest: null,
-    left: (a, b) => b.left - a.left || b.taken - a.taken,
-    stood: (a, b) => b.stood - a.stood,
+    ...Object.fromEntries([...kindsOfChoice].map(([choice, ofChoice]) => [choice, (a, b) => {
+        const differs = ofChoice.find(({name}) => a.tallyOf[name] !== b.tallyOf[name]);
+        return differs ? b.tallyOf[differs.name] - a.tallyOf[differs.name] : 0;
+    }])),
     events: (a, b) => (b.events ?? 0) - (a.events ?? 0),
 };
 /// Pictures of whole days come first, what failed last.

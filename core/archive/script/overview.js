@@ -18,13 +18,13 @@ function cellOf(all, most) {
         hours.append(hour);
     }
     const events = clipsOf.reduce((sum, clip) => sum + (clip.events ?? 0), 0);
-    const left = Math.max(...clipsOf.map(clip => clip.left));
-    const stood = Math.max(...clipsOf.map(clip => clip.stood));
     const failed = clipsOf.filter(clip => clip.failed).length;
     const words = element('span', 'badges');
     words.append(element('span', '', many(events, 'event')));
-    if (left > 0) words.append(element('span', 'badge left', 'left ' + lengthOf(left)));
-    if (stood > 0) words.append(element('span', 'badge stood', 'stood ' + lengthOf(stood)));
+    for (const {name, emphasis} of data.kinds.filter(({tally}) => tally === 'lasts' || tally === 'still')) {
+        const longest = Math.max(...clipsOf.map(clip => clip.tallyOf[name]));
+        if (longest > 0) words.append(element('span', 'badge ' + emphasis, name + ' ' + lengthOf(longest)));
+    }
     if (failed) words.append(element('span', 'bad', `✕${failed} failed`));
     button.append(hours, words);
     button.ariaLabel = `${cameraName(clipsOf[0].camera)}, ${clipsOf[0].day}: ${words.textContent}`;

@@ -23,7 +23,7 @@ function vvrDay(day, list) {
     for (const [url, events] of list) {
         const clip = clipOfUrl.get(url);
         if (!clip) continue;
-        for (const [kind, number, still, ...path] of events) found.push({clip, kind, number, still: still / 10, path, bounds: boundsOf(path)});
+        for (const [kind, number, still, ...path] of events) found.push({clip, kind: kindOf(kind), number, still: still / 10, path, bounds: boundsOf(path)});
     }
     eventsOfDay.set(day, found);
 }
@@ -146,22 +146,20 @@ function drawHours(found) {
     at('hours').ariaLabel = found.length ? `Events by hour of the day; most, ${most}, from ${busiest} to ${busiest + 1}` : 'No events';
 }
 
-const kindNames = {m: 'moved', s: 'stood', l: 'left behind', t: 'taken'};
 const mostFound = 300;
 
 function listFound(found, count) {
     at('foundheading').textContent = place ? `${found.length.toLocaleString('en')} of ${many(count, 'event')}` : many(count, 'event');
-    const rank = {l: 0, t: 1, s: 2, m: 3};
     const byNews = (a, b) => b.event.clip.begins + b.how.at - a.event.clip.begins - a.how.at;
-    const sorted = [...found].sort(place ? byNews : (a, b) => rank[a.event.kind] - rank[b.event.kind] || byNews(a, b));
+    const sorted = [...found].sort(place ? byNews : (a, b) => a.event.kind.rank - b.event.kind.rank || byNews(a, b));
     const items = sorted.slice(0, mostFound).map(({event, how}) => {
         const link = element('a');
         link.href = event.clip.url + (event.clip.files & hasPage ? `.html#event=${event.number}` : '.png');
         link.addEventListener('click', () => see(event.clip));
         const when = wallOf(event.clip.begins + how.at);
-        const badge = element('span', 'badge ' + ({l: 'left', t: 'left', s: 'stood'}[event.kind] ?? 'none'), kindNames[event.kind]);
+        const badge = element('span', 'badge ' + event.kind.emphasis, event.kind.words);
         const lasts = (event.path.at(-3) - event.path[0]) / 10;
-        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words() || lengthOf(event.kind === 's' ? event.still : lasts)));
+        link.append(element('b', '', `${dayOf(when)} ${timeOf(when)}`), ' ', badge, ' ', element('small', '', how.words() || lengthOf(event.kind.tally === 'still' ? event.still : lasts)));
         const item = element('li');
         item.append(link);
         return item;

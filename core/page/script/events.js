@@ -14,12 +14,11 @@ const numberOf = place => events[place].number ?? place + 1;
 const placeOfNumber = number => events.findIndex((_, place) => numberOf(place) === number);
 
 const secondsFor = event => secondsOf(event.last) - secondsOf(event.first);
-const kindRank = {left: 0, taken: 1, stood: 2, moved: 3};
 const orders = {
     time: (a, b) => a - b,
     newest: (a, b) => events[b].first - events[a].first,
     longest: (a, b) => secondsFor(events[b]) - secondsFor(events[a]),
-    kind: (a, b) => kindRank[events[a].kind] - kindRank[events[b].kind] || events[b].still - events[a].still,
+    kind: (a, b) => kindOf(events[a].kind).rank - kindOf(events[b].kind).rank || events[b].still - events[a].still,
 };
 
 const asksForSome = () => kind !== 'all' || leastSeconds > 0 || asked !== null;
@@ -62,7 +61,7 @@ function textOf(event) {
 
 /// "came out of 5", each number a link to its event.
 function relationsOf(event) {
-    return [[event.from, 'came out of'], [event.into, 'went into'], [event.by, event.kind === 'taken' ? 'taken by' : 'put down by']]
+    return [[event.from, 'came out of'], [event.into, 'went into'], [event.by, kindOf(event.kind).by]]
         .filter(([number]) => number !== null && number !== undefined)
         .map(([number, words]) => {
             const link = element('a', 'relation', `${words} ${numberOf(number)}`);
@@ -91,7 +90,8 @@ function itemOf(number) {
     button.setAttribute('aria-current', number === chosen);
     if (event.colour) button.style.borderLeftColor = event.colour;
     const words = element('span', 'words');
-    const badge = element('span', 'kind ' + event.kind, event.kind === 'left' ? 'left behind' : event.kind);
+    const {emphasis, words: kindWords} = kindOf(event.kind);
+    const badge = element('span', 'kind ' + emphasis, kindWords);
     const more = textOf(event).split(' · ').slice(1).join(' · ');
     words.append(element('b', '', `${numberOf(number)}.  ${clockOf(secondsOf(event.first))} – ${clockOf(secondsOf(event.last))}`),
                  badge, element('small', '', more));
@@ -108,9 +108,9 @@ function itemOf(number) {
 function drawChips() {
     const counts = new Map();
     for (const event of events) counts.set(event.kind, (counts.get(event.kind) ?? 0) + 1);
-    const kinds = Object.keys(kindRank).filter(name => counts.has(name));
+    const kinds = [...counts.keys()].sort((a, b) => kindOf(a).rank - kindOf(b).rank);
     at('kinds').replaceChildren(...['all', ...kinds].map(name => {
-        const chip = element('button', 'chip', name === 'all' ? `all ${events.length}` : `${name === 'left' ? 'left behind' : name} ${counts.get(name)}`);
+        const chip = element('button', 'chip', name === 'all' ? `all ${events.length}` : `${kindOf(name).words} ${counts.get(name)}`);
         chip.type = 'button';
         chip.setAttribute('aria-pressed', name === kind);
         chip.addEventListener('click', () => {

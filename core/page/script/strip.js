@@ -169,7 +169,7 @@ function drawBars(numbers, {rows, count}) {
     }));
 }
 
-/// How many events there are at each moment, and a mark for each thing that was left or taken.
+/// How many events there are at each moment, and a mark for each thing that was put down or taken.
 function drawDensity(numbers) {
     const cells = 240;
     const counts = new Float32Array(cells);
@@ -178,7 +178,7 @@ function drawDensity(numbers) {
         const event = data.events[number];
         const [from, to] = [event.first, event.last].map(frame => clamp(Math.floor(shareOnStrip(secondsOf(frame)) * cells), 0, cells - 1));
         for (let cell = from; cell <= to; ++cell) ++counts[cell];
-        if (event.kind === 'left' || event.kind === 'taken') marks.push(number);
+        if (kindOf(event.kind).isThing) marks.push(number);
     }
     const most = Math.max(1, ...counts);
     const columns = Array.from(counts, (count, cell) => {

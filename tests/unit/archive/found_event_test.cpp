@@ -3,6 +3,7 @@
 
 #include "core/archive/index.h"
 #include "core/archive/sidecar.h"
+#include "core/base/error.h"
 
 namespace vvr {
 namespace {
@@ -15,12 +16,45 @@ TEST(FoundEvent, IsReadFromAReport) {
          "path": [{"seconds": 1.5, "place": {"x": 19.5, "y": 49.5}}, {"seconds": 9, "place": {"x": 19.5, "y": 49.5}}]}]})");
     const std::vector<archive::FoundEvent> found = archive::found_events(report);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0], (archive::FoundEvent{'l', 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
-    EXPECT_EQ(archive::json_of(found[0]).dump(), R"(["l",3,63,15,100,500,90,100,500])");
+    EXPECT_EQ(found[0], (archive::FoundEvent{events::EventKind::left, 3, 63, {{15, 100, 500}, {90, 100, 500}}}));
+    EXPECT_EQ(archive::json_of(found[0]).dump(), R"(["left",3,63,15,100,500,90,100,500])");
     EXPECT_EQ(archive::found_event_of(archive::json_of(found[0])), found[0]);
-    EXPECT_EQ(archive::found_event_of(Json::parse(R"(["<b>", 1, 2])")).kind, 'm');
-    EXPECT_THROW(archive::found_event_of(Json::parse(R"(["l", "x"])")), Json::exception);
+    EXPECT_THROW(archive::found_event_of(Json::parse(R"(["left", "x"])")), Json::exception);
     EXPECT_THROW(archive::found_events(Json::parse("{}")), Json::exception);
+}
+
+TEST(FoundEvent, OfEachKindStaysWhatItIs) {
+    for (const events::EventKindRow& row : events::event_kinds) {
+        const archive::FoundEvent event{row.kind, 1, 2, {{0, 1, 2}}};
+        EXPECT_EQ(archive::found_event_of(archive::json_of(event)), event) << row.name;
+    }
+}
+
+TEST(FoundEvent, OfAnOlderSidecarHasALetter) {
+    const std::vector<std::pair<const char*, events::EventKind>> letters{{"m", events::EventKind::moved},
+                                                                         {"s", events::EventKind::stood},
+                                                                         {"l", events::EventKind::left},
+                                                                         {"t", events::EventKind::taken}};
+    for (const auto& [letter, kind] : letters) {
+        EXPECT_EQ(archive::found_event_of(Json{letter, 1, 2}).kind, kind) << letter;
+    }
+}
+
+TEST(FoundEvent, OfAnUnknownKindIsNone) {
+    for (const char* name : {"flew", "x", "", "ms", "<b>"}) {
+        EXPECT_THROW(archive::found_event_of(Json{name, 1, 2}), Error) << name;
+    }
+    const Json report = Json::parse(R"({"input": {"width": 200, "height": 100},
+        "events": [{"number": 1, "kind": "l", "stays": [], "path": []}]})");
+    EXPECT_THROW(archive::found_events(report), Error) << "reports have never had letters";
+
+    archive::Sidecar sidecar;
+    sidecar.clip = {"cam/a.avi", 1, 0};
+    sidecar.found = {{events::EventKind::left, 1, 0, {{0, 1, 2}}}};
+    std::string text = archive::format_sidecar(sidecar);
+    EXPECT_TRUE(archive::parse_sidecar(text));
+    text.replace(text.find("\"left\""), 6, "\"flew\"");
+    EXPECT_FALSE(archive::parse_sidecar(text)) << "its clip is new, and drawn again";
 }
 
 TEST(FoundEvent, IsDroppedWhereThereAreTooMany) {
@@ -42,7 +76,7 @@ TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
     archive::Sidecar sidecar;
     sidecar.clip = {"cam/</script><b>.avi", 1, 0};
     sidecar.recorded = "2026-11-21 08:00:07";
-    sidecar.found = {{'l', 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
+    sidecar.found = {{events::EventKind::left, 1, 0, {{0, 1, 2}, {10, 1, 2}}}};
     archive::Sidecar other = sidecar;
     other.recorded = "2026-11-20 10:00:00";
     const archive::DayFiles days = archive::make_day_files({sidecar, other});
@@ -50,7 +84,7 @@ TEST(DayFiles, HoldTheEventsOfADayAndNoMarkup) {
     const std::string& text = days.at("index.2026-11-21.js");
     EXPECT_EQ(text.find('<'), std::string::npos);
     EXPECT_TRUE(text.starts_with("vvrDay(\"2026-11-21\",[[\"./cam/%3C"));
-    EXPECT_NE(text.find(R"([["l",1,0,0,1,2,10,1,2]])"), std::string::npos);
+    EXPECT_NE(text.find(R"([["left",1,0,0,1,2,10,1,2]])"), std::string::npos);
     for (const auto& [name, unused] : days) EXPECT_TRUE(archive::is_day_file(name));
     for (const char* name : {"index.html", "index.js", "index.2026-11-2.js", "index.2026x11-21.js",
                              "xindex.2026-11-21.js", "index.2026-11-21.js.bak", "index..js"}) {
