@@ -160,7 +160,9 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
             end = std::max(end.value_or(0), begin + video::length_of(video::open_input(file.path), rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {
-            if (error.kind() != ErrorKind::not_video && error.kind() != ErrorKind::io) throw;
+            // A picture of the recording passes over what is no video, and so its times. What can't be read now may be
+            // read there, so times would be of other footage here.
+            if (error.kind() != ErrorKind::not_video) throw;
             problems.emplace_back(error.what());
         }
     }
