@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "cli/app/volume_paint.h"
+#include "cli/app/colour.h"
 #include "core/bricks/volume.h"
 #include "core/fields/settings.h"
 #include "core/glance/trails.h"

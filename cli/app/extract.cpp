@@ -35,11 +35,11 @@ void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     const auto begin = [&, count = count](int number) { return clip.frames * number / count; };
     job.fields.span.first = begin(part - 1);
     const std::int64_t first = job.fields.span.first;
-    put(job.settings, setting::start.name,
-        first == 0 ? std::string(setting::start.default_text) : fmt::format("{}f", first));
+    image::put(job.settings, setting::start.name,
+               first == 0 ? std::string(setting::start.default_text) : fmt::format("{}f", first));
     if (part == count) return;
     job.fields.span.stop = begin(part);
-    put(job.settings, setting::end.name, fmt::format("{}f", *job.fields.span.stop));
+    image::put(job.settings, setting::end.name, fmt::format("{}f", *job.fields.span.stop));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ std::string settings_that_differ(const image::Metadata& before, const image::Met
     constexpr std::size_t most = 5;
     std::vector<std::string> differ;
     for (const auto& [name, value] : now) {
-        const std::string was = value_of(before, name);
+        const std::string was = image::value_of(before, name);
         if (was.empty() || was == value || name == "renderer" || name == "font") continue;
         differ.push_back(fmt::format("{} was {}, is {}", name, was, value));
     }
@@ -121,8 +121,8 @@ void show_other_differences(const fs::path& golden, const image::Metadata& golde
     constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
                                                                           {"font", "lettered in"}};
     for (const auto& [name, how] : suspects) {
-        const std::string before = value_of(golden_settings, name);
-        const std::string now = value_of(metadata, name);
+        const std::string before = image::value_of(golden_settings, name);
+        const std::string now = image::value_of(metadata, name);
         if (before.empty() || before == now) continue;
         observer.info(fmt::format("'{}' was {} {}, this {}", golden.string(), how, before,
                                   now.empty() ? "is not" : fmt::format("{} {}", how.substr(how.find(' ') + 1), now)));

@@ -85,11 +85,11 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     if (others.size() == 1) {
         throw Error(ErrorKind::usage,
                     fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it",
-                                others.front().first, value_of(job.given, others.front().first), folder,
+                                others.front().first, image::value_of(job.given, others.front().first), folder,
                                 others.front().second, command),
                     {others.front().first});
     }
-    const std::string preset = value_of(job.settings, "preset");
+    const std::string preset = image::value_of(job.settings, "preset");
     throw Error(ErrorKind::usage,
                 fmt::format("'{}' was extracted with other settings than are asked for: {}; leave these out, or run "
                             "`vvr {}{}` with them",

@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/record.h"
+#include "cli/app/colour.h"
 #include "cli/app/settings.h"
-#include "cli/app/volume_paint.h"
 #include "core/base/error.h"
 #include "core/base/file_io.h"
 #include "core/base/file_name.h"
@@ -115,7 +114,7 @@ Products products_of(const RenderJob& job) {
 RenderJob with_extracted(RenderJob job, const image::Metadata& extracted) {
     for (const auto& [name, value] : extracted) {
         if (name == setting::filter.name) job.fields.filter = value;
-        put(job.settings, name, value);
+        image::put(job.settings, name, value);
     }
     return job;
 }
@@ -165,7 +164,7 @@ RenderJob with_colour(RenderJob job) {
     }
     if (&asked == &colour_rows().front()) job.look.colour = objects ? "object" : "transfer";
     job.picture.colour = find_colour(job.look.colour).drawn;
-    put(job.settings, setting::colour.name, job.look.colour);
+    image::put(job.settings, setting::colour.name, job.look.colour);
     return job;
 }
 

@@ -138,7 +138,7 @@ struct LookOptions {
     scene::Theme theme = scene::themes().front();
     std::optional<glm::vec4> background{};              ///< multiplied by its opacity; none = the theme's
     std::optional<scene::TransferFunction> transfer{};  ///< none = the theme's
-    std::string colour = "auto";                        ///< a name in the table of colours (cli/app/volume_paint.h)
+    std::string colour = "auto";                        ///< a name in the table of colours (cli/app/colour.h)
     std::string title;                                  ///< empty = the clip's name
     std::filesystem::path font;                         ///< of all text; empty = fontconfig's sans
     StartTime start_time;

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/app/colour.h"
 #include "cli/app/settings.h"
-#include "cli/app/volume_paint.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
 #include "core/image/text.h"
@@ -26,23 +26,24 @@ auto row_of(const Rows& rows, const std::string& name) {
 }
 
 std::string threshold_of(const image::Metadata& settings) {
-    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
+    const fields::FilterRow* const filter = row_of(fields::filters(), image::value_of(settings, setting::filter.name));
     return filter == nullptr ? "" : fmt::to_string(filter->traits.threshold);
 }
 
 template <auto Member>
 std::string of_solver(const image::Metadata& settings) {
-    const fields::SolverRow* const solver = row_of(fields::flow_solvers(), value_of(settings, setting::solver.name));
+    const fields::SolverRow* const solver =
+        row_of(fields::flow_solvers(), image::value_of(settings, setting::solver.name));
     return solver == nullptr ? "" : fmt::to_string(solver->defaults.*Member);
 }
 
 /// Empty where a second filter brings a transfer function of its own: no one name stands for both.
 std::string transfer_of(const image::Metadata& settings) {
-    const ColourRow* const colour = row_of(colour_rows(), value_of(settings, setting::colour.name));
+    const ColourRow* const colour = row_of(colour_rows(), image::value_of(settings, setting::colour.name));
     if (colour != nullptr && !colour->filter.empty()) return "";
-    const fields::FilterRow* const filter = row_of(fields::filters(), value_of(settings, setting::filter.name));
+    const fields::FilterRow* const filter = row_of(fields::filters(), image::value_of(settings, setting::filter.name));
     if (filter != nullptr && !filter->transfer.empty()) return std::string(filter->transfer);
-    const scene::Theme* const theme = row_of(scene::themes(), value_of(settings, setting::theme.name));
+    const scene::Theme* const theme = row_of(scene::themes(), image::value_of(settings, setting::theme.name));
     return theme == nullptr ? "" : std::string(theme->transfer);
 }
 
@@ -74,24 +75,10 @@ image::Metadata used_settings(const image::Metadata& settings) {
     return used;
 }
 
-void put(image::Metadata& settings, std::string_view name, const std::string& value) {
-    const auto known = std::ranges::find(settings, name, &image::Metadata::value_type::first);
-    if (known == settings.end()) {
-        settings.emplace_back(name, value);
-    } else {
-        known->second = value;
-    }
-}
-
-std::string value_of(const image::Metadata& settings, std::string_view name) {
-    const auto found = std::ranges::find(settings, name, &image::Metadata::value_type::first);
-    return found == settings.end() ? "" : found->second;
-}
-
 image::Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
     image::Metadata settings = used_settings(job.settings);
     const bool text = !report.lettering.labels.empty() || !report.lettering.badges.empty();
-    if (text) put(settings, setting::font.name, image::font_name());
+    if (text) image::put(settings, setting::font.name, image::font_name());
     return settings;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "cli/app/job.h"
 #include "cli/app/report.h"
@@ -12,12 +11,6 @@ namespace vvr::app {
 /// Settings with the values that were used: where a filter, a solver or a theme decided, the value that it has, as one
 /// would give it on the command line. What nobody gave and nothing decided is left out.
 image::Metadata used_settings(const image::Metadata& settings);
-
-/// Sets a value, in place of the one that has its name.
-void put(image::Metadata& settings, std::string_view name, const std::string& value);
-
-/// The value of that name; empty where there is none.
-std::string value_of(const image::Metadata& settings, std::string_view name);
 
 /// The settings that were used, and the font of the text where there is text: the machine's, if nobody named one.
 image::Metadata settings_and_font(const RenderJob& job, const RenderReport& report);

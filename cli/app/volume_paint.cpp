@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/app/settings.h"
-#include "core/base/choice.h"
 #include "core/fields/filter.h"
 #include "core/scene/theme.h"
 #include "core/scene/transfer_function.h"
@@ -12,8 +10,6 @@
 namespace vvr::app {
 
 namespace {
-
-constexpr const char* by_direction = "direction";
 
 // Pixels per frame: up to the first nothing moves, from the second on it does.
 constexpr float resting = 0.2F;
@@ -24,37 +20,7 @@ Bgr bgr_of(const glm::vec3& colour) {
     return {static_cast<std::uint8_t>(level.b), static_cast<std::uint8_t>(level.g), static_cast<std::uint8_t>(level.r)};
 }
 
-std::vector<ColourRow> make_rows() {
-    std::vector<ColourRow> rows{
-        {"auto",
-         "object where the legend is shown, the filter marks objects, and no transfer function is given; else "
-         "transfer"},
-        {"object", "each object its own; what is no object's is grey and faint", gl::VolumeColour::object},
-        {"transfer", "the transfer function's, of the filter's values"},
-        {"video", "the video's own", gl::VolumeColour::own, true},
-        {by_direction, "which way it moves, as a wheel of colours; grey where it rests", gl::VolumeColour::own, false,
-         true},
-        {"speed", "how fast it moves, as arrows have it", gl::VolumeColour::own, false, true},
-        {"time", "the moment, from the first to the last", gl::VolumeColour::time},
-    };
-    for (const fields::FilterRow& filter : fields::filters()) {
-        const std::string name(filter.name);
-        rows.push_back(
-            {name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false, false, name});
-    }
-    return rows;
-}
-
 }  // namespace
-
-const std::vector<ColourRow>& colour_rows() {
-    static const std::vector<ColourRow> rows = make_rows();
-    return rows;
-}
-
-const ColourRow& find_colour(const std::string& name) {
-    return choose(setting::colour.name, name, colour_rows());
-}
 
 scene::TransferFunction second_transfer_of(const RenderJob& job) {
     if (job.look.transfer) return *job.look.transfer;
@@ -73,7 +39,7 @@ VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job
 Bgr VolumePaint::colour_of_flow(float u, float v) const {
     const scene::Theme& theme = job_.look.theme;
     const float speed = std::hypot(u, v);
-    if (row_.name == by_direction) {
+    if (row_.name == colour_by_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
         if (share == 0) return bgr_of(theme.unowned);
         return bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));

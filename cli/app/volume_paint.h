@@ -1,32 +1,14 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <vector>
 
+#include "cli/app/colour.h"
 #include "cli/app/job.h"
 #include "core/fields/field.h"
 #include "core/video/frame.h"
 #include "gl/render_options.h"
 
 namespace vvr::app {
-
-/// One row of the table of colours: where those of the volume come from. Its opacity is the transfer function's, of the
-/// filter's values.
-struct ColourRow {
-    std::string name;
-    std::string help;
-    gl::VolumeColour drawn = gl::VolumeColour::transfer;
-    bool needs_pictures = false;
-    bool needs_flow = false;  ///< of each frame
-    std::string filter{};     ///< a second filter, whose values have the colours; empty = none
-};
-
-/// The rows; the first leaves the choice open.
-const std::vector<ColourRow>& colour_rows();
-
-/// \throws Error usage when there is no such row
-const ColourRow& find_colour(const std::string& name);
 
 /// The transfer function whose colours a second filter's values have: the one that was asked for, else the filter's
 /// own, else one that all eyes tell apart.

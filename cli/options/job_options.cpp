@@ -5,8 +5,8 @@
 #include <sstream>
 #include <tuple>
 
+#include "cli/app/colour.h"
 #include "cli/app/settings.h"
-#include "cli/app/volume_paint.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"

@@ -9,6 +9,20 @@
 
 namespace vvr::image {
 
+void put(Metadata& settings, std::string_view name, const std::string& value) {
+    const auto known = std::ranges::find(settings, name, &Metadata::value_type::first);
+    if (known == settings.end()) {
+        settings.emplace_back(name, value);
+    } else {
+        known->second = value;
+    }
+}
+
+std::string value_of(const Metadata& settings, std::string_view name) {
+    const auto found = std::ranges::find(settings, name, &Metadata::value_type::first);
+    return found == settings.end() ? "" : found->second;
+}
+
 Picture to_picture(Plane<Rgba> drawn) {
     return {std::move(drawn), Encoding::srgb, {}};
 }

@@ -46,6 +46,12 @@ Picture to_picture(Plane<Rgba> drawn);
 /// Settings of a picture: name and value, in the order given. In a file their names begin with `vvr:`.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+/// Sets a value, in place of the one that has its name.
+void put(Metadata& settings, std::string_view name, const std::string& value);
+
+/// The value of that name; empty where there is none.
+std::string value_of(const Metadata& settings, std::string_view name);
+
 /// One plane of a picture's pixel data, and the channel of a file that holds it.
 struct PixelDataChannel {
     std::string_view name;

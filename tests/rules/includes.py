@@ -3,7 +3,7 @@
 - A file includes only headers of its own library and of those that this library links, directly or through others.
 - Libraries link only what comes before them: the rooms of core in the order of core/CMakeLists.txt (docs/design.md
   lists them in that order too), then gl, then cli/app, then the rest of cli, then cli/library.
-- Folders do not include each other in a cycle.
+- Folders do not include each other in a cycle, nor do files: a header and its source are one file for that.
 - core, gl, cli/app and cli/library use neither the library for the command line nor the one for logs.
 - Headers that other programs include use the standard library and each other alone, and only cli/library uses them.
 """
@@ -128,25 +128,40 @@ def wrong_links(house):
                 yield f"{library} in {home} links {other} in {house.home[other]}, which comes after it"
 
 
-def cycles(house):
-    """For each folder of a cycle the shortest way back to it, once for each set of folders."""
-    edges = collections.defaultdict(dict)
-    for file, number, _, folder in house.includes:
-        if folder not in (None, str(file.parent)) and file not in house.program_of:
-            edges[str(file.parent)].setdefault(folder, f"{file}:{number}")
+def cycles_among(edges):
+    """For each set of nodes of a cycle the shortest way around it, once. Each node has those it leads to, each with its place."""
     found = {}
     for begin in sorted(edges):
         ways, known = collections.deque([[begin]]), set()
         while ways:
             way = ways.popleft()
-            for folder in edges[way[-1]]:
-                if folder == begin:
+            for node in edges.get(way[-1], {}):
+                if node == begin:
                     found.setdefault(frozenset(way), [*way, begin])
-                elif folder not in known:
-                    known.add(folder)
-                    ways.append([*way, folder])
+                elif node not in known:
+                    known.add(node)
+                    ways.append([*way, node])
     for way in found.values():
         yield f"cycle {' -> '.join(way)}: {', '.join(edges[one][other] for one, other in itertools.pairwise(way))}"
+
+
+def cycles(house):
+    """Among folders."""
+    edges = collections.defaultdict(dict)
+    for file, number, _, folder in house.includes:
+        if folder not in (None, str(file.parent)) and file not in house.program_of:
+            edges[str(file.parent)].setdefault(folder, f"{file}:{number}")
+    yield from cycles_among(edges)
+
+
+def cycles_of_files(house):
+    """Among the files of a folder."""
+    edges = collections.defaultdict(dict)
+    for file, number, header, folder in house.includes:
+        mine, other = str(file.with_suffix("")), str(pathlib.Path(header).with_suffix(""))
+        if folder == str(file.parent) and mine != other and file not in house.program_of:
+            edges[mine].setdefault(other, f"{file}:{number}")
+    yield from cycles_among(edges)
 
 
 def wrong_docs(house):
@@ -159,7 +174,7 @@ def wrong_docs(house):
 
 def complaints(root):
     house = House(root)
-    return [text for rule in (wrong_includes, wrong_public, wrong_links, cycles, wrong_docs) for text in rule(house)]
+    return [text for rule in (wrong_includes, wrong_public, wrong_links, cycles, cycles_of_files, wrong_docs) for text in rule(house)]
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ HOUSE = {
     "core/base/version.cpp": "#include <string>\n",
     "core/video/CMakeLists.txt": "vvr_room(video frame.cpp ROOMS base LIBRARIES fmt::fmt)\n",
     "core/video/frame.cpp": '#include "core/base/version.h"\n',
+    "core/video/later.h": "#include <string>\n",
+    "core/video/later.cpp": '#include "core/video/late.h"\n',
     "core/fields/CMakeLists.txt": "vvr_room(fields flow.cpp ROOMS video)\n",
     "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
@@ -59,6 +61,8 @@ def test_a_house_in_order_passes(tmp_path):
     ("cli/app/late.h", "#include <spdlog/logger.h>\n", "includes spdlog/logger.h, which only"),
     ("cli/app/late.h", '#include "cli/commands/render.h"\n', "of vvr_cli, which vvr_app doesn't link"),
     ("cli/late.h", '#include "cli/commands/render.h"\n', "cycle cli -> cli/commands -> cli: cli/late.h:1, cli/commands/render.cpp:2"),
+    ("core/video/late.h", '#include "core/video/later.h"\n', "cycle core/video/late -> core/video/later -> core/video/late: "
+     "core/video/late.h:1, core/video/later.cpp:1"),
     ("cli/library/vvr/late.h", '#include "core/base/version.h"\n', "vvr/late.h:1: includes core/base/version.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <fmt/format.h>\n", "includes fmt/format.h, which other programs don't have"),
     ("cli/library/vvr/late.h", "#include <vvr/none.h>\n", "includes vvr/none.h, which is not in cli/library/vvr"),

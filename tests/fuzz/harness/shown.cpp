@@ -12,9 +12,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::require(std::ranges::none_of(shown, is_control), "nothing controls a terminal");
     fuzz::require(shown.find("\xe2\x80\xae") == std::string::npos, "nothing turns the direction");
     for (std::string_view rest = shown; !rest.empty();) {
-        const std::size_t length = character_length(rest);
-        fuzz::require(length > 0, "what is shown is UTF-8");
-        rest.remove_prefix(length);
+        const auto character = first_character(rest);
+        fuzz::require(character.has_value(), "what is shown is UTF-8");
+        rest.remove_prefix(character->length);
     }
     fuzz::require(redact_secrets(text).size() <= text.size(), "secrets are left out");
     shown_lines(text);

@@ -1,0 +1,43 @@
+#include "cli/app/colour.h"
+
+#include "cli/app/settings.h"
+#include "core/base/choice.h"
+#include "core/fields/filter.h"
+
+namespace vvr::app {
+
+namespace {
+
+std::vector<ColourRow> make_rows() {
+    std::vector<ColourRow> rows{
+        {"auto",
+         "object where the legend is shown, the filter marks objects, and no transfer function is given; else "
+         "transfer"},
+        {"object", "each object its own; what is no object's is grey and faint", gl::VolumeColour::object},
+        {"transfer", "the transfer function's, of the filter's values"},
+        {"video", "the video's own", gl::VolumeColour::own, true},
+        {colour_by_direction, "which way it moves, as a wheel of colours; grey where it rests", gl::VolumeColour::own,
+         false, true},
+        {"speed", "how fast it moves, as arrows have it", gl::VolumeColour::own, false, true},
+        {"time", "the moment, from the first to the last", gl::VolumeColour::time},
+    };
+    for (const fields::FilterRow& filter : fields::filters()) {
+        const std::string name(filter.name);
+        rows.push_back(
+            {name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false, false, name});
+    }
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<ColourRow>& colour_rows() {
+    static const std::vector<ColourRow> rows = make_rows();
+    return rows;
+}
+
+const ColourRow& find_colour(const std::string& name) {
+    return choose(setting::colour.name, name, colour_rows());
+}
+
+}  // namespace vvr::app
