@@ -25,9 +25,9 @@ os.environ["VVR_CONFIG"] = ""  # what the machine's own config file says shall d
 
 
 @pytest.fixture
-def t(request, tmp_path):
+def t(request, tmp_path, monkeypatch):
     """The folder of one test, with ways to run vvr in it; it goes when the test has passed."""
-    yield Bench(os.environ["VVR"], SOURCE, tmp_path)
+    yield Bench(os.environ["VVR"], SOURCE, tmp_path, monkeypatch)
     if request.node.stash.get(PASSED, False):
         shutil.rmtree(tmp_path, ignore_errors=True)
 

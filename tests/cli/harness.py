@@ -54,10 +54,15 @@ class Result:
 class Bench:
     """The folder of one test, with ways to fill it and to run vvr in it."""
 
-    def __init__(self, vvr, source, folder):
+    def __init__(self, vvr, source, folder, monkeypatch):
         self.vvr_path = vvr
+        self._monkeypatch = monkeypatch
         self.source = pathlib.Path(source)
         self.folder = pathlib.Path(folder)
+
+    def zone(self, name):
+        """The time zone of what runs from here to the end of the test."""
+        self._monkeypatch.setenv("TZ", name)
 
     def run(self, command, **options):
         options = {"cwd": self.folder, "stdin": subprocess.DEVNULL, "timeout": 120} | options

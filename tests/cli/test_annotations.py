@@ -43,13 +43,12 @@ def test_labels_with_a_title_and_a_clock(t):
 
 def test_labels_with_the_clock_of_the_recording(t):
     t.clip("2026-11-21T07-30-00Z.mp4", seconds=12, codec=("-c:v", "mpeg4"))
-    os.environ["TZ"] = "Europe/Berlin"
+    t.zone("Europe/Berlin")
     for options in ((), ("--start-time", "recorded")):
         texts = texts_of(labels_of(t, "2026-11-21T07-30-00Z.mp4", *options))
         check("120 frames, 2026-11-21 08:30:00 to 08:30:11 (CET, UTC+1; by file name)" in texts, str(texts))
     texts = texts_of(labels_of(t, "2026-11-21T07-30-00Z.mp4", "--start-time", "none"))
     check("120 frames, 0.0 s to 11.9 s" in texts and "0:00" in texts, str(texts))
-    del os.environ["TZ"]
     told = t.vvr("info", "2026-11-21T07-30-00Z.mp4")
     check("recorded 2026-11-21 07:30:00 UTC, by file name" in told.out, str(told))
     t.clip()
@@ -67,7 +66,7 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
     """A container's creation_time and a file's modification time are shown by whom they are asked for, as what they are."""
     t.clip("dated.mp4", seconds=12, codec=("-c:v", "mpeg4", "-metadata", "creation_time=2026-11-21T07:30:00Z"))
     os.utime(t.path("dated.mp4"), (1795300012, 1795300012))  # 2026-11-21 22:26:52
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     for output in ("out.png", "out.html"):
         t.vvr("render", "dated.mp4", "-o", output, "--size", "640x480", "--report", "report.json", "--quiet").expect(0)
     report = json.loads(t.path("report.json").read_text())
@@ -97,13 +96,12 @@ def test_when_a_file_was_written_is_no_time_of_day(t):
         page = t.path("out.html").read_text(encoding="utf-8")
         data = json.loads(page.split('id="data">')[1].split("</script>")[0])
         check(data["clock"]["by"] == words and f"120 frames; times of day {words}</p>" in page, page[-3000:])
-    del os.environ["TZ"]
 
 
 def test_parts_of_a_clip_by_the_clock(t):
     t.clip("gate_2026-11-21_23-59-50.avi", seconds=20)
     name = "gate_2026-11-21_23-59-50.avi"
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     for options, frames, says in [
         (("--start", "@23:59:55", "--end", "@00:00:02"), (50, 120), "2026-11-21 23:59:55 to 2026-11-22 00:00:02 (UTC; by file name)"),
         (("--start", "2026-11-21 23:59:55", "--end", "2026-11-22T00:00:02"), (50, 120), "2026-11-21 23:59:55 to 2026-11-22 00:00:02"),
@@ -131,7 +129,6 @@ def test_parts_of_a_clip_by_the_clock(t):
     for option, value in (("--start", "@02:00"), ("--end", "2026-11-22 02:00"), ("--between", "02:00-05:00")):
         t.render("clip.avi", option, value).expect(
             1, f"{option} {value}: nothing tells at which time of day 'clip.avi' was recorded; say when it begins with --start-time DATETIME")
-    del os.environ["TZ"]
 
 
 def test_parts_of_each_night(t):
@@ -139,14 +136,13 @@ def test_parts_of_each_night(t):
     t.clip("2026-11-20_22-00-00.avi", seconds=20)
     for name in ("2026-11-21_21-59-50.avi", "2026-11-21_22-00-10.avi", "2026-11-22_12-00-00.avi"):
         t.path(name).write_bytes(t.path("2026-11-20_22-00-00.avi").read_bytes())
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     files = sorted(path.name for path in t.path(".").glob("*.avi"))
     t.vvr("render", *files, "-o", "out.png", "--size", "640x480", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
     report = json.loads(t.path("r.json").read_text())
     check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
     check("left out, no signal" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
     t.vvr("extract", *files, "-o", "data", "--between", "22:00-05:00").expect(1, "has 2 parts of it, and an extraction is of one stretch")
-    del os.environ["TZ"]
 
 
 def test_labels_can_be_switched_off(t):

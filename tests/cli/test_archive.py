@@ -323,7 +323,7 @@ def test_archive_knows_the_names_of_recorders(t):
         data = json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
         return {row[1]: (data["cameras"][row[0]], row[2]) for row in data["clips"]}, data["zone"]
 
-    os.environ["TZ"] = "Asia/Kolkata"
+    t.zone("Asia/Kolkata")
     found, zone = index("--names", "{camera} at %d.%m.%Y %H-%M")
     day = 1795219200  # 2026-11-21 00:00 UTC
     check(found["./2026-11-21/08/gate/00.10.mp4"] == ("gate", day + 8 * 3600 + 10), f"Frigate's are in UTC: {found}")
@@ -332,7 +332,6 @@ def test_archive_knows_the_names_of_recorders(t):
     check(zone[0][1:] == [19800, "IST, UTC+5:30"], str(zone))
     found, _ = index()
     check(found["./hall/door%20at%2021.11.2026%2009-30.avi"][0] == "hall", f"not drawn again, and indexed by its folder: {found}")
-    del os.environ["TZ"]
 
 
 def test_archive_without_opengl_blames_no_clip(t):
@@ -660,7 +659,7 @@ def days_of(t):
 
 def test_archive_says_where_a_day_is_that_of_writing(t):
     """Nothing tells when these were recorded: log, report, sidecar and index say that the day is by when they were written."""
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     t.path("in/gate").mkdir(parents=True)
     t.clip("in/gate/a.avi", seconds=2)
     t.clip("in/gate/b.avi", seconds=2)
@@ -693,7 +692,7 @@ def test_archive_says_where_a_day_is_that_of_writing(t):
 
 
 def test_archive_draws_days_of_cameras(t):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     segments = [f"2026-11-21/08/{camera}/00.{second:02}.avi" for camera in ("gate", "hall") for second in (0, 2, 4)]
     frigate(t, *segments, "2026-11-22/00/gate/00.00.avi")
     archive(t, "--per", "day", "--dry-run").expect(0, out=None)
@@ -727,7 +726,6 @@ def test_archive_draws_days_of_cameras(t):
     archive(t, "--per", "both", "--exclude", "*/hall/*", "--exclude", "2026-11-21/08/hall/*", "--prune").expect(0, "3 clips drawn")
     check("2026-11-21/08/gate/00.02.avi.png" in outputs(t) and "2026-11-21/08/hall/00.02.avi.png" not in outputs(t), f"{outputs(t)}")
     archive(t, "--per", "week").expect(1, "--per: there is no 'week'")
-    del os.environ["TZ"]
 
 
 def test_archive_takes_no_camera_for_a_way_out(t):

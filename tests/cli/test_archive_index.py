@@ -46,7 +46,7 @@ def write_index(t):
 
 
 def opened(t):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     return Index(t, "out/index.html")
 
 

@@ -294,7 +294,7 @@ def test_page_saves_a_still(t, clip, codec, server):
 
 def test_page_and_index_tell_the_same_crossings(t):
     """For the same clip and line, whatever the line: the same events, ways and times of day."""
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     t.scene("walkers", "walkers.y4m", "--size", "192x144", "--frames", "300", "--seed", "5")
     t.path("in/gate").mkdir(parents=True)
     t.ffmpeg("-i", "walkers.y4m", "-c:v", "mpeg4", "-q:v", "3", "in/gate/20261117T071500.avi")

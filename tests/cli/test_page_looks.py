@@ -4,7 +4,6 @@ axe-core is in no Debian package, so what it would find is looked for here: cont
 and the order in which Tab goes.
 """
 
-import os
 import re
 import time
 
@@ -104,7 +103,7 @@ def index_of_all_kinds(t):
     known(t, "hall/b.avi", NOW - HOUR, events=0)
     known(t, "hall/bad.avi", NOW - 2 * HOUR, state="failed", tries=3, status=3, reason="'bad.avi' is not a video", files={})
     write_index(t)
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     return "out/index.html"
 
 
@@ -234,7 +233,7 @@ def test_index_is_printed_whole(t):
     for number in range(200):
         known(t, f"{('gate', 'hall', 'yard', 'street')[number % 4]}/{number}.avi", NOW - number // 2 * 24 * HOUR, events=1)
     write_index(t)
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     with Index(t, "out/index.html") as page:
         check(page.run("return document.querySelectorAll('.card').length") < 200, "all is built at once")
         page.window(718, 1047)
@@ -332,7 +331,7 @@ def test_index_of_names_that_turn_the_writing(t):
         known(t, f"{RLO}cam{number}/{name}", NOW - number * HOUR, events=1, found=[["moved", 1, 0, 0, 1, 1, 5, 5, 5]])
     known(t, f"{RLO}cam0/{RLO}bad.avi", NOW, state="failed", tries=1, status=3, reason=f"'{RLO}bad.avi' is not a video", files={})
     write_index(t)
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     with Index(t, "out/index.html") as page:
         page.wait("cards", "return document.querySelectorAll('.card').length === 5")
         for view in VIEWS:

@@ -95,7 +95,7 @@ def told(t, *names, folder="."):
 
 @pytest.mark.parametrize("part", range(3))
 def test_tree_tells_camera_begin_and_order(t, part):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     little_clip(t)
     for tree in list(TREES)[part::3]:
         files = make_tree(t, tree, tree)
@@ -114,7 +114,7 @@ def test_tree_tells_camera_begin_and_order(t, part):
 
 
 def test_tree_says_the_same_wherever_one_stands(t):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     little_clip(t)
     path = "recordings/2026-11-21/22/gate/05.00.avi"
     t.path(path).parent.mkdir(parents=True)
@@ -138,7 +138,7 @@ def test_tree_says_the_same_wherever_one_stands(t):
 
 
 def test_cameras_of_one_folder_are_several_days(t):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     little_clip(t, seconds=2)
     t.path("in").mkdir()
     for camera in CAMERAS:

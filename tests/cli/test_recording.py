@@ -205,7 +205,7 @@ def test_recording_that_cannot_be(t):
 def test_recording_has_the_clock_of_the_day(t):
     whole_clip(t)
     # Across midnight, and in the zone of the machine: Frigate's names are in UTC.
-    os.environ["TZ"] = "Europe/Berlin"
+    t.zone("Europe/Berlin")
     cut(t, begin=datetime.datetime(2026, 11, 21, 22, 59, 40))
     look = ("--size", "640x400", "--backend", "software", "--report", "r.json")
     t.render("day", *look).expect(0)
@@ -234,7 +234,6 @@ def test_recording_has_the_clock_of_the_day(t):
     check([segment["file"] for segment in report["segments"]] == names and report["span"]["last"] == 39.9, f"{report['segments']}")
     check(report["clock"]["first"] == "2026-03-29T01:59:40+01:00" and report["clock"]["last"] == "2026-03-29T03:00:19+02:00", f"{report['clock']}")
     check("03:00:00" in [label["text"] for label in report["labels"]], "no tick on the new clock")
-    del os.environ["TZ"]
 
 
 VISITS = 30
@@ -259,7 +258,7 @@ def generated_day(t, segments, folder="day"):
 
 
 def check_day(t, segments):
-    os.environ["TZ"] = "UTC"
+    t.zone("UTC")
     times = generated_day(t, segments)
     done = subprocess.Popen([t.vvr_path, "render", "day", "-o", "day.png", "--size", "320x200", "--backend", "software", "--report",
                              "r.json"], cwd=t.folder, stderr=subprocess.PIPE)
@@ -283,7 +282,6 @@ def check_day(t, segments):
         check(event["first"]["file"] == f"day/{file:%Y-%m-%d/%H}/gate/{file:%M.%S}.mkv", f"{event['first']} and {file}")
         check(0 <= event["first"]["offset"] <= 2.1, f"{event['first']}")
     check(report["volume"]["squeezed"], "nothing is squeezed")
-    del os.environ["TZ"]
     return report["peak_memory_bytes"], report["seconds"]["total"], most_open
 
 

@@ -47,7 +47,7 @@ def test_settings_of_each_filter_can_be_given_back(t):
 def test_settings_of_each_solver_can_be_given_back(t):
     t.clip()
     names = values_of("solver")
-    check(len(names) >= 2, f"{names}")
+    check({"pyramid", "jacobi"} <= set(names), f"{names}")
     seen = set()
     for name in names:
         settings = given_back(t, "clip.avi", "--solver", name, "--show", "volume,arrows")

@@ -1,7 +1,6 @@
 #include "core/events/colouring.h"
 
 #include <algorithm>
-#include <ctime>
 #include <random>
 #include <set>
 #include <vector>
@@ -91,7 +90,7 @@ TEST(Colouring, NeighboursDifferInAnyBusySceneWhereColoursSuffice) {
     }
 }
 
-TEST(Colouring, IsTheSameEachTimeAndQuickForADay) {
+TEST(Colouring, IsTheSameEachTimeForADay) {
     std::mt19937 random(3);
     const auto upto = [&](double most) { return std::uniform_real_distribution<>(0, most)(random); };
     std::vector<events::Event> day;
@@ -100,10 +99,7 @@ TEST(Colouring, IsTheSameEachTimeAndQuickForADay) {
         const double length = k % 50 == 0 ? 3000 : 20;
         day.push_back(walker(begin, begin + upto(length), {upto(360), upto(270)}, {upto(360), upto(270)}));
     }
-    const std::clock_t begin = std::clock();
     const std::vector<int> colours = events::colours_of(day);
-    const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    EXPECT_LT(took, 30) << "processor time: a thirtieth of a second, two without optimisation";
     EXPECT_EQ(colours, events::colours_of(day));
     for (int c = 0; c < events::object_colours; ++c) EXPECT_GT(std::ranges::count(colours, c), 500) << c;
 }

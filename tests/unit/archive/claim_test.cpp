@@ -1,0 +1,156 @@
+#include "core/archive/claim.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/archive/prune.h"
+#include "core/archive/sidecar.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "core/base/file_name.h"
+#include "core/image/atomic_file.h"
+#include "tests/unit/archive/archive.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using test::Archive;
+
+TEST_F(Archive, WaitsNoLongerForALockThanItMay) {
+    const auto held = archive::LockFile::try_take(out(), "index.html");
+    EXPECT_THROW(archive::LockFile::wait_for(out(), "index.html", 50ms), Error);
+    EXPECT_NO_THROW(archive::LockFile::wait_for(out(), "other.html", 50ms));
+}
+
+TEST_F(Archive, IsClaimedByOneAtATime) {
+    auto first = archive::LockFile::try_take(out(), "a.avi");
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(first->is_stale());
+    EXPECT_FALSE(archive::LockFile::try_take(out(), "a.avi"));
+    EXPECT_TRUE(archive::LockFile::try_take(out(), "b.avi"));
+    const fs::path file = fs::directory_iterator(out())->path();
+    EXPECT_TRUE(archive::LockFile::is_lock_file(file));
+    EXPECT_FALSE(archive::LockFile::take_over(file));
+    first.reset();
+    EXPECT_TRUE(fs::is_empty(out())) << "a claim leaves no file";
+    EXPECT_TRUE(archive::LockFile::try_take(out(), std::string(255, 'a')));
+    EXPECT_THROW(archive::LockFile::try_take(out() / "none", "a"), Error);
+}
+
+TEST_F(Archive, TidiesAfterThoseWhoWereKilled) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
+        ::_exit(claim ? 0 : 1);  // without a destructor, as SIGKILL would
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+    write(out() / "a.avi.png");
+    write(out() / "other.png");
+    {
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
+        ASSERT_TRUE(claim);
+        EXPECT_TRUE(claim->is_stale());
+        archive::tidy(out(), archive::list_outputs(out(), in()));
+        EXPECT_TRUE(fs::exists(out() / "a.avi.png")) << "somebody is at it";
+    }
+    const pid_t other = ::fork();
+    if (other == 0) {
+        const auto claim = archive::LockFile::try_take(out(), "a.avi");
+        ::_exit(claim ? 0 : 1);
+    }
+    ASSERT_EQ(::waitpid(other, &status, 0), other);
+    archive::tidy(out(), archive::list_outputs(out(), in()));
+    EXPECT_FALSE(fs::exists(out() / "a.avi.png")) << "half of a clip's files that nobody will finish";
+    EXPECT_TRUE(fs::exists(out() / "other.png"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
+}
+
+TEST_F(Archive, TakesOverNoClaimThatIsNone) {
+    write(out() / "victim/photo.png");
+    write(out() / "photo.png");
+    std::vector<fs::path> files;
+    for (const std::string& name : {std::string("victim/photo"), std::string("../out/victim/photo"), std::string("."),
+                                    (out() / "victim/photo").string(), std::string(".."), std::string(),
+                                    std::string("photo\0", 6), std::string(longest_name + 1, 'n')}) {
+        files.push_back(leave_claim(name, name));
+    }
+    files.push_back(leave_claim("another name", "photo"));
+    write(out() / "elsewhere", "photo");
+    files.push_back(leave_claim("photo", ""));
+    fs::remove(files.back());
+    fs::create_symlink("elsewhere", files.back());
+    files.push_back(leave_claim("pipe", ""));
+    fs::remove(files.back());
+    ASSERT_EQ(::mkfifo(files.back().c_str(), 0666), 0);
+    for (const fs::path& file : files) {
+        EXPECT_TRUE(archive::LockFile::is_lock_file(file));
+        EXPECT_FALSE(archive::LockFile::take_over(file)) << file;
+        EXPECT_TRUE(fs::exists(file)) << file;
+    }
+    archive::tidy(out(), archive::list_outputs(out(), in()));
+    EXPECT_TRUE(fs::exists(out() / "victim/photo.png"));
+    EXPECT_TRUE(fs::exists(out() / "photo.png"));
+    EXPECT_TRUE(archive::LockFile::take_over(leave_claim("good", "good")));
+}
+
+TEST_F(Archive, ClaimsThroughNoLink) {
+    const fs::path file = leave_claim("a.avi", "");
+    for (const char* target : {"nowhere", "empty"}) {
+        write(out() / "empty", "");
+        fs::remove(file);
+        fs::create_symlink(target, file);
+        EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
+        EXPECT_FALSE(fs::exists(out() / "nowhere"));
+        EXPECT_TRUE(fs::is_empty(out() / "empty"));
+        EXPECT_TRUE(fs::is_symlink(file));
+    }
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_THROW(archive::LockFile::try_take(out(), "a.avi"), Error);
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST_F(Archive, TidiesOnlyWhatIsTheClips) {
+    done("x.report");
+    leave_claim("x", "x");
+    leave_claim("index", "index");
+    write(out() / "index.html");
+    write(out() / "x.png");
+    fs::create_symlink("index.html", out() / "x.html");
+    fs::create_directory(out() / "x.jpg");
+    archive::tidy(out(), archive::list_outputs(out(), in()));
+    EXPECT_FALSE(fs::exists(out() / "x.png"));
+    EXPECT_TRUE(fs::is_symlink(out() / "x.html"));
+    EXPECT_TRUE(fs::exists(out() / "x.jpg"));
+    EXPECT_TRUE(fs::exists(out() / "index.html"));
+    EXPECT_TRUE(archive::read_sidecar(out(), "x.report")) << "where the report of x would be";
+    EXPECT_TRUE(archive::list_outputs(out(), in()).claims.empty());
+}
+
+TEST_F(Archive, RemovesLeftoversOfItsOwnNamesOnly) {
+    const auto hidden = [&](const std::string& name) {
+        char text[64];
+        std::snprintf(text, sizeof text, ".vvr-%016lx-1-0.part", static_cast<unsigned long>(fnv1a(name)));
+        write(out() / text);
+        return out() / text;
+    };
+    const fs::path ours = hidden("a.avi.png"), theirs = hidden("b.avi.png");
+    const std::vector<std::string> names = archive::written_names("a.avi");
+    image::remove_leftovers(out(), names);
+    EXPECT_FALSE(fs::exists(ours));
+    EXPECT_TRUE(fs::exists(theirs));
+}
+
+}  // namespace
+}  // namespace vvr

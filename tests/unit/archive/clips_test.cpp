@@ -1,0 +1,116 @@
+#include "core/archive/clips.h"
+
+#include <chrono>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/image/atomic_file.h"
+#include "core/video/recorder_names.h"
+#include "tests/unit/archive/archive.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Archive;
+
+TEST_F(Archive, FindsClipsInFolders) {
+    for (const char* name :
+         {"a.avi", "cam/b.mp4", "cam/2026-11-21/c.mkv", "notes.txt", ".hidden.avi", ".trash/d.avi"}) {
+        write(in() / name);
+    }
+    EXPECT_EQ(found(), (std::vector<std::string>{"a.avi", "cam/2026-11-21/c.mkv", "cam/b.mp4"}));
+    EXPECT_EQ(found(archive::ClipNames({"*.txt"})), (std::vector<std::string>{"notes.txt"}));
+    const archive::Clip clip = archive::scan_archive(in(), out(), archive::ClipNames()).clips.front();
+    EXPECT_EQ(clip.size, 1);
+    EXPECT_EQ(archive::stat_clip(in(), "a.avi")->modified, clip.modified);
+    EXPECT_FALSE(archive::stat_clip(in(), "z.avi"));
+}
+
+TEST_F(Archive, FollowsEachFolderOnce) {
+    write(in() / "cam/a.avi");
+    write(in().parent_path() / "elsewhere/b.avi");
+    fs::create_directory_symlink("..", in() / "cam/up");
+    fs::create_directory_symlink("cam", in() / "a link that comes first");
+    fs::create_directory_symlink("../elsewhere", in() / "away");
+    fs::create_directory_symlink("../elsewhere", in() / "away again");
+    fs::create_symlink("turn.avi", in() / "round.avi");
+    fs::create_symlink("round.avi", in() / "turn.avi");
+    fs::create_symlink("cam/a.avi", in() / "one.avi");
+    EXPECT_EQ(found(), (std::vector<std::string>{"away/b.avi", "cam/a.avi", "one.avi"}));
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[0].path, "round.avi");
+}
+
+TEST_F(Archive, NeverTakesItsOwnPicturesForClips) {
+    const fs::path pictures = in() / "pictures";
+    write(pictures / "cam/a.avi");
+    write(in() / "b.avi");
+    EXPECT_EQ(archive::scan_archive(in(), pictures, archive::ClipNames({"*"})).clips.size(), 1);
+    EXPECT_THROW(archive::scan_archive(in(), in(), archive::ClipNames()), Error);
+    EXPECT_THROW(archive::scan_archive(in() / "none", out(), archive::ClipNames()), Error);
+    EXPECT_THROW(archive::scan_archive(in() / "b.avi", out(), archive::ClipNames()), Error);
+}
+
+TEST_F(Archive, RefusesNamesWhoseFilesWouldClash) {
+    for (const char* name : {"index", "a", "a.report", "b.avi", "b.mp4", "c", "c.png/d"}) write(in() / name);
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames({"*"}));
+    std::set<std::string> refused;
+    for (const archive::ScanProblem& problem : scan.problems) refused.insert(problem.path);
+    EXPECT_EQ(refused, (std::set<std::string>{"index", "a.report", "c"}));
+    EXPECT_EQ(scan.clips.size(), 4);
+}
+
+TEST_F(Archive, RefusesNamesThatAreTooLong) {
+    const std::string possible = std::string(239, 'n') + ".avi", long_one = "n" + possible;
+    for (const std::string& name : {possible, long_one, std::string(251, 'm') + ".avi"}) write(in() / "cam" / name);
+    const archive::Scan scan = archive::scan_archive(in(), out(), archive::ClipNames());
+    EXPECT_EQ(found(), (std::vector<std::string>{"cam/" + possible}));
+    ASSERT_EQ(scan.problems.size(), 2);
+    EXPECT_EQ(scan.problems[1].path, "cam/" + long_one);
+    EXPECT_EQ(scan.problems[1].reason, "its '" + long_one +
+                                           ".report.json' would be too long a name (256 bytes, 255 are "
+                                           "possible); rename the clip");
+}
+
+TEST(CameraDays, AreOfTheDayOnTheLocalWall) {
+    ::setenv("TZ", "Europe/Berlin", 1);
+    ::tzset();
+    const std::vector<archive::Clip> clips{{"2026-11-21/22/gate/59.50.mp4", 5, 10},
+                                           {"2026-11-21/23/gate/00.00.mp4", 7, 20},
+                                           {"2026-11-21/23/gate/00.10.mp4", 9, 30},
+                                           {"hall/x.mp4", 1, 20}};
+    using std::chrono::nanoseconds;
+    const std::chrono::system_clock::time_point now{nanoseconds(30)};
+    const archive::CameraDays grouped = archive::group_by_day(clips, video::RecorderNames(), {now, nanoseconds(10)});
+    const auto& days = grouped.days;
+    ASSERT_EQ(days.size(), 3U);
+    EXPECT_EQ(days[0].clip.path, "gate/2026-11-21");
+    EXPECT_EQ(days[1].clip.path, "gate/2026-11-22") << "Frigate's hour 23 is past midnight in Berlin";
+    EXPECT_EQ(days[1].files.size(), 1U) << "the newest is still being written";
+    EXPECT_EQ(grouped.waiting, 1U);
+    EXPECT_EQ(days[2].clip.path, "hall/1970-01-01") << "by when it was written";
+    EXPECT_TRUE(grouped.problems.empty());
+
+    const std::chrono::system_clock::time_point before{nanoseconds(5)};
+    const auto ahead = archive::group_by_day(clips, video::RecorderNames(), {before, nanoseconds(2)}).days;
+    EXPECT_EQ(ahead[1].files.size(), 2U) << "a clip of the future is there";
+    EXPECT_EQ(ahead[1].clip.modified, 30) << "all are of the future: the clock was set back";
+    const auto one_ahead =
+        archive::group_by_day(clips, video::RecorderNames(), {now - nanoseconds(5), nanoseconds(2)}).days;
+    EXPECT_EQ(one_ahead[1].files.size(), 2U);
+    EXPECT_EQ(one_ahead[1].clip.modified, 20) << "a time of the future is not that of the newest";
+    ::setenv("TZ", "UTC", 1);
+    ::tzset();
+}
+
+}  // namespace
+}  // namespace vvr

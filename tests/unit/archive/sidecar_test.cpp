@@ -1,0 +1,133 @@
+#include "core/archive/sidecar.h"
+
+#include <filesystem>
+#include <string>
+
+#include <sys/stat.h>
+
+#include <gtest/gtest.h>
+
+#include "core/archive/clips.h"
+#include "core/archive/output_files.h"
+#include "core/archive/prune.h"
+#include "core/base/error.h"
+#include "tests/unit/archive/archive.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Archive;
+
+TEST_F(Archive, ReadsWhatItWroteOfAClip) {
+    archive::Sidecar sidecar = done("cam/\xFF.avi", {archive::OutputKind::picture, archive::OutputKind::report});
+    sidecar.events = 3;
+    sidecar.recorded = "2026-11-21 08:00:07";
+    sidecar.seconds = 12.5;
+    archive::write_sidecar(out(), sidecar);
+    const auto read = archive::read_sidecar(out(), sidecar.clip.path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
+    EXPECT_EQ(read->clip.path, "cam/\xFF.avi");
+    EXPECT_EQ(read->files, sidecar.files);
+
+    sidecar.state = archive::Sidecar::State::failed;
+    sidecar.reason = "no \"video\" \xFF";
+    sidecar.tries = 2;
+    archive::write_sidecar(out(), sidecar);
+    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->tries, 2);
+    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->state, archive::Sidecar::State::failed);
+}
+
+TEST_F(Archive, ReadsNoNumberThatCannotBe) {
+    const std::string text = archive::format_sidecar(done("a.avi"));
+    ASSERT_TRUE(archive::parse_sidecar(text));
+    for (const auto& [what, number] : {std::pair{"\"seconds\": 0.0", "1e15"},
+                                       {"\"seconds\": 0.0", "-1"},
+                                       {"\"modified_ns\": 1000000000", "9000000000000000000"},
+                                       {"\"modified_ns\": 1000000000", "-1"},
+                                       {"\"modified_ns\": 1000000000", "1e18"},
+                                       {"\"tries\": 1", "18446744073709551615"},
+                                       {"\"frames\": 0", "-7"},
+                                       {"\"bytes\": 3", "1e300"},
+                                       {"\"status\": 0", "99999"}}) {
+        std::string forged = text;
+        const std::string from(what);
+        ASSERT_NE(forged.find(from), std::string::npos) << what;
+        forged.replace(forged.find(from), from.size(), from.substr(0, from.find(' ') + 1) + number);
+        EXPECT_FALSE(archive::parse_sidecar(forged)) << what << " " << number;
+    }
+}
+
+TEST_F(Archive, KnowsTheClipsOfADayAndWhatAFailureShows) {
+    archive::Sidecar sidecar = done("gate/2026-11-21");
+    sidecar.day = archive::Sidecar::Day{
+        "gate", "2026-11-21", 3, {"gate/2026-11-21/08/00.avi", "gate/2026-11-21/08/\xFF%.avi", "x.avi"}};
+    sidecar.state = archive::Sidecar::State::failed;
+    sidecar.shows.emplace();
+    sidecar.shows->clip = {"gate/2026-11-21", 2, 900'000'000};
+    sidecar.frames = 7;
+    const auto read = archive::parse_sidecar(archive::format_sidecar(sidecar));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->day->files, sidecar.day->files);
+    ASSERT_TRUE(read->shows);
+    EXPECT_EQ(read->shows->clip.modified, 900'000'000);
+    EXPECT_EQ(read->frames, 7);
+    EXPECT_EQ(archive::format_sidecar(*read), archive::format_sidecar(sidecar));
+    std::string out_of_folder = archive::format_sidecar(sidecar);
+    out_of_folder.replace(out_of_folder.find("\"x.avi\""), 7, "\"../x\"");
+    EXPECT_FALSE(archive::parse_sidecar(out_of_folder));
+}
+
+TEST_F(Archive, ReadsOnlyFilesOfItsOwn) {
+    write(in() / "elsewhere.json", archive::format_sidecar(done("a.avi")));
+    const fs::path file = archive::sidecar_path(out(), "a.avi");
+    std::string problem;
+    const auto read = [&] { return archive::read_sidecar_file(out(), "a.avi.json", &problem).has_value(); };
+    EXPECT_TRUE(read());
+    EXPECT_EQ(problem, "");
+    fs::remove(file);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "") << "nothing is there";
+    fs::create_symlink(in() / "elsewhere.json", file);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "it is a link, and no file");
+    EXPECT_THROW(archive::check_own_place(file), Error);
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0666), 0);
+    EXPECT_FALSE(read());
+    EXPECT_EQ(problem, "it is a pipe, and no file");
+    fs::remove(file);
+    write(file, "{\n  \"vvr-archive\": 1,");
+    fs::resize_file(file, std::uintmax_t{1} << 36);
+    EXPECT_FALSE(read());
+    EXPECT_NE(problem.find("at most"), std::string::npos) << problem;
+    const archive::Outputs outputs = archive::list_outputs(out(), in());
+    ASSERT_EQ(outputs.problems.size(), 1U);
+    EXPECT_EQ(outputs.problems[0].path, "a.avi.json");
+    fs::create_directories(out() / "gate");
+    EXPECT_NO_THROW(archive::check_own_folder(out(), out() / "gate/new"));
+    fs::create_directory_symlink("gate", out() / "link");
+    EXPECT_THROW(archive::check_own_folder(out(), out() / "link"), Error);
+    EXPECT_THROW(archive::check_own_folder(out(), out() / "link/below"), Error);
+}
+
+TEST_F(Archive, TakesNothingElseForASidecar) {
+    const std::string text = archive::format_sidecar(done("a.avi"));
+    write(out() / "b.avi.json", text);  // a copy speaks of another clip
+    for (const char* other : {"", "{", "[]", "{\"vvr-archive\": 1}", "{\"clip\": 3}", "null"}) {
+        EXPECT_FALSE(archive::read_sidecar(out(), "b.avi"));
+        write(out() / "b.avi.json", other);
+    }
+    std::string newer = text;
+    newer.replace(newer.find("\"vvr-archive\": 1"), 16, "\"vvr-archive\": 2");
+    write(out() / "a.avi.json", newer);
+    EXPECT_FALSE(archive::read_sidecar(out(), "a.avi"));
+    std::string strange = text;
+    strange.replace(strange.find("\"a.avi.png\""), 11, "\"../../x\"");
+    write(out() / "a.avi.json", strange);
+    EXPECT_TRUE(archive::read_sidecar(out(), "a.avi")->files.empty()) << "names a file that is not its own";
+}
+
+}  // namespace
+}  // namespace vvr

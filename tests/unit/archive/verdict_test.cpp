@@ -1,0 +1,148 @@
+#include "core/archive/verdict.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/archive/clips.h"
+#include "core/archive/output_files.h"
+#include "core/archive/prune.h"
+#include "core/archive/sidecar.h"
+#include "core/base/error.h"
+#include "core/video/recorder_names.h"
+#include "tests/unit/archive/archive.h"
+
+namespace vvr {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using test::Archive;
+
+TEST_F(Archive, DecidesWhatIsToBeDone) {
+    const auto now = std::chrono::system_clock::now();
+    const archive::ArchiveRules rules{"s", "1.2.3", {archive::OutputKind::picture}, 3, 60s};
+    archive::Sidecar sidecar = done("a.avi");
+    const archive::Clip clip = sidecar.clip;
+    const auto need = [&](const archive::Clip& there, const std::optional<archive::Sidecar>& known) {
+        return archive::need_of(there, known, out(), rules, now);
+    };
+    EXPECT_EQ(need(clip, sidecar), archive::Need::nothing);
+    EXPECT_EQ(need(clip, {}), archive::Need::added);
+    EXPECT_EQ(need({"a.avi", 4, clip.modified}, sidecar), archive::Need::changed);
+    EXPECT_EQ(need({"a.avi", 3, clip.modified + 1}, sidecar), archive::Need::changed);
+    archive::Sidecar other = sidecar;
+    other.settings = "t";
+    EXPECT_EQ(need(clip, other), archive::Need::settings);
+    other = sidecar;
+    other.version = "1.0.0";
+    EXPECT_EQ(need(clip, other), archive::Need::nothing) << "a picture that is there stays, whatever drew it";
+    fs::remove(archive::output_path(out(), "a.avi", archive::OutputKind::picture));
+    EXPECT_EQ(need(clip, sidecar), archive::Need::missing);
+
+    sidecar.state = archive::Sidecar::State::failed;
+    sidecar.tries = 2;
+    EXPECT_EQ(need(clip, sidecar), archive::Need::retry);
+    sidecar.tries = 3;
+    EXPECT_EQ(need(clip, sidecar), archive::Need::given_up);
+    sidecar.version = "1.0.0";
+    EXPECT_EQ(need(clip, sidecar), archive::Need::retry) << "another version may know better";
+
+    const auto modified = [&](std::chrono::nanoseconds ago) {
+        return archive::Clip{"a.avi", 3, (now.time_since_epoch() - ago).count()};
+    };
+    EXPECT_EQ(need(modified(1s), {}), archive::Need::still_written);
+    EXPECT_EQ(need(modified(59s), sidecar), archive::Need::still_written);
+    EXPECT_EQ(need(modified(61s), {}), archive::Need::added);
+    EXPECT_EQ(need(modified(-30s), {}), archive::Need::still_written);
+    EXPECT_EQ(need(modified(-24h), {}), archive::Need::added) << "a clock that runs ahead";
+}
+
+TEST_F(Archive, ForgetsOnlyClipsThatHaveCertainlyGone) {
+    const video::RecorderNames recorders;
+    write(in() / "there.avi");
+    write(in() / "gate/2026-11-20/x.avi");
+    fs::create_directories(in() / "unmounted");
+    fs::create_directory_symlink("nowhere", in() / "linked");
+    const auto fate = [&](const archive::Sidecar& sidecar, const archive::ClipNames& names = archive::ClipNames()) {
+        return archive::source_state_of(in(), sidecar, archive::find_present(in(), out(), names, recorders), recorders);
+    };
+    for (const auto& [clip, expected, folder] : {
+             std::tuple{"there.avi", archive::SourceState::there, ""},
+             {"gone.avi", archive::SourceState::gone, ""},
+             {"gate/2026-11-20/y.avi", archive::SourceState::gone, ""},
+             {"gate/2026-11-19/x.avi", archive::SourceState::gone, ""},
+             {"2026-11-19/08/x.avi", archive::SourceState::gone, ""},
+             {"unmounted/a.avi", archive::SourceState::away, "unmounted"},
+             {"unmounted/deep/a.avi", archive::SourceState::away, "unmounted"},
+             {"linked/a.avi", archive::SourceState::away, "linked"},
+             {"no camera/b.avi", archive::SourceState::away, "no camera"},
+         }) {
+        const archive::SourceStatus verdict = fate(done(clip));
+        EXPECT_EQ(verdict.fate, expected) << clip;
+        EXPECT_EQ(verdict.folder, folder) << clip;
+    }
+    EXPECT_EQ(fate(done("there.avi"), archive::ClipNames({}, {"*"})).fate, archive::SourceState::there)
+        << "left out by a run, and there";
+
+    const auto day = [&](const std::string& date, const std::vector<std::string>& files) {
+        archive::Sidecar sidecar = done("gate/" + date);
+        sidecar.day = archive::Sidecar::Day{"gate", date, 1, files};
+        return fate(sidecar).fate;
+    };
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "gate/2026-11-19/y.avi"}), archive::SourceState::gone);
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "there.avi"}), archive::SourceState::there)
+        << "one of its clips is left";
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi", "unmounted/y.avi"}), archive::SourceState::away);
+    EXPECT_EQ(day("2026-11-19", {}), archive::SourceState::unknown) << "an older sidecar";
+    write(in() / "gate/2026-11-19 08-00-00.avi");
+    EXPECT_EQ(day("2026-11-19", {"gate/2026-11-19/x.avi"}), archive::SourceState::there)
+        << "another clip of the day is there";
+    write(in() / "gate/2026-11-20" / (std::string(250, 'n') + ".avi"));
+    EXPECT_NO_THROW(
+        archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)));
+    fs::create_symlink("nowhere", in() / "broken.avi");
+    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
+                 Error);
+    fs::remove_all(in());
+    fs::create_directories(in());
+    EXPECT_THROW(archive::check_can_prune(in(), archive::find_present(in(), out(), archive::ClipNames(), recorders)),
+                 Error);
+
+    const archive::Sidecar gone = done("gone.avi");
+    write(out() / "gone.avi.txt");
+    archive::remove_outputs(out(), gone);
+    EXPECT_FALSE(fs::exists(out() / "gone.avi.png"));
+    EXPECT_FALSE(fs::exists(out() / "gone.avi.json"));
+    EXPECT_TRUE(fs::exists(out() / "gone.avi.txt")) << "not ours";
+}
+
+TEST_F(Archive, DrawsADayAgainWhenEnoughHasCome) {
+    using std::chrono::minutes;
+    const auto ns = [](std::chrono::system_clock::time_point at) {
+        return std::chrono::nanoseconds(at.time_since_epoch()).count();
+    };
+    const auto now = std::chrono::system_clock::now();
+    archive::ArchiveRules rules;
+    rules.redraw = minutes(15);
+    archive::Sidecar before;
+    before.clip = {"gate/2026-11-21", 100, ns(now - minutes(20))};
+    before.settings = rules.settings;
+    const auto need = [&](std::int64_t size, std::chrono::system_clock::time_point newest) {
+        return archive::need_of_day({"gate/2026-11-21", size, ns(newest)}, before, out(), rules, now);
+    };
+    EXPECT_EQ(archive::need_of_day(before.clip, {}, out(), rules, now), archive::Need::added);
+    EXPECT_EQ(need(100, now - minutes(20)), archive::Need::nothing);
+    EXPECT_EQ(need(120, now - minutes(10)), archive::Need::later) << "ten minutes more, a while ago";
+    EXPECT_EQ(need(150, now - minutes(2)), archive::Need::changed) << "eighteen minutes more";
+    EXPECT_EQ(need(90, now - minutes(20)), archive::Need::nothing) << "the recorder removed some";
+    before.clip.modified = ns(now - minutes(40));
+    EXPECT_EQ(need(120, now - minutes(30)), archive::Need::changed) << "nothing has come since";
+}
+
+}  // namespace
+}  // namespace vvr
