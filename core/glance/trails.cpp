@@ -21,7 +21,6 @@ PixelBox map_box(const space::Layout& layout, const space::Camera& camera, Size 
     struct SurfacePoint {
         double from_middle;  ///< horizontal distance from the middle of `area`, pixels
         double row;
-        double row;
     };
     std::vector<SurfacePoint> surface;
     double lowest_of_arc = 0;
