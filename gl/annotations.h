@@ -11,26 +11,27 @@
 
 namespace vvr::gl {
 
-/// Draws what explains the volume: lines, frames that stand in it, and its shadow on the floor.
+/// Draws what explains the volume: lines, standing frames, and the volume's shadow on the floor.
 class Annotations {
   public:
     explicit Annotations(const GladGLContext& gl);
 
-    /// Replaces the pictures that are drawn.
+    /// Replaces the textures of the floor and of the standing frames.
     void upload(const scene::FloorShadow& floor, std::span<const scene::StandingFrame> frames);
 
     /// \param width in pixels of a picture of size `picture`
     void draw_lines(std::span<const scene::LineSegment> lines, const space::Camera& camera, double width, Size picture);
 
-    /// One of the frames that were uploaded, standing at its time; an opaque one writes depth.
+    /// Draws an uploaded frame at its time. An opaque frame writes depth.
+    /// \param number index of the frame in the last `upload`
     void draw_frame(const scene::StandingFrame& frame, std::size_t number, const space::Layout& layout,
                     const space::Camera& camera);
 
-    /// Draws one of the frames into a target of pixel data.
+    /// Draws a frame into a pixel data target.
     void draw_frame_pixel_data(const scene::StandingFrame& frame, const space::Layout& layout,
                                const space::Camera& camera, const PixelDataTarget& target);
 
-    /// \param floor the one that was uploaded
+    /// \param floor as in the last `upload`
     void draw_floor(const scene::FloorShadow& floor, const space::Layout& layout, const space::Camera& camera);
 
   private:
@@ -48,8 +49,8 @@ class Annotations {
     GlBuffer corners_;
     GlBuffer segments_;
     Program picture_program_;
-    std::optional<Program> floor_program_;       ///< made when it is first used
-    std::optional<Program> pixel_data_program_;  ///< as `floor_program_`
+    std::optional<Program> floor_program_;       ///< compiled on first use
+    std::optional<Program> pixel_data_program_;  ///< compiled on first use
     GlTexture floor_texture_;
     GlTexture tint_texture_;
     std::vector<GlTexture> frame_textures_;

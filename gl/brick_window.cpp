@@ -15,7 +15,7 @@ namespace vvr::gl {
 
 namespace {
 
-/// How the texels of a brick are stored.
+/// OpenGL's internal format and pixel format of a brick.
 struct Storage {
     GLint internal;
     GLenum format;
@@ -25,10 +25,10 @@ Storage storage_of(const bricks::BrickLayers& layers) {
     return layers.coloured() ? Storage{GL_RGBA8, GL_RGBA} : Storage{GL_R8, GL_RED};
 }
 
-// Texels that are laid out at a time: they stay in the second-level cache until they are in the texture.
+// Texels are uploaded in slabs that fit into the L2 cache.
 constexpr std::size_t slab_bytes = 512 * 1024;
 
-/// Lays out `count` layers from `first` on and puts them into the texture that is bound.
+/// Uploads `count` layers, starting at `first`, to the bound texture.
 template <class Texel>
 void upload_layers(const GladGLContext& gl, const bricks::BrickLayers& layers, std::int64_t first, std::int64_t count) {
     const auto slab = std::max<std::int64_t>(1, static_cast<std::int64_t>(slab_bytes / sizeof(Texel) / layers.area()));
@@ -130,19 +130,19 @@ void BrickWindow::show(const bricks::Volume& volume, std::span<const bricks::Bri
     for (const bricks::Brick& brick : bricks)
         shown_.push_back({first + std::ssize(shown_), bricks::BrickLayers(volume, brick, identify), {}});
 
-    // The same brick as it was shown before, if it has the same neighbours as then.
+    // The previous state of a brick that has the same neighbours as before, else null.
     const auto unchanged = [&](std::size_t i) -> Shown* {
-        const std::int64_t was = before.empty() ? -1 : shown_[i].number - before.front().number;
-        if (was < 0 || was >= std::ssize(before)) return nullptr;
-        const bool same_before = (was == 0) == (i == 0);
-        const bool same_after = (was + 1 == std::ssize(before)) == (i + 1 == shown_.size());
-        return same_before && same_after ? &before[static_cast<std::size_t>(was)] : nullptr;
+        const std::int64_t index = before.empty() ? -1 : shown_[i].number - before.front().number;
+        if (index < 0 || index >= std::ssize(before)) return nullptr;
+        const bool same_before = (index == 0) == (i == 0);
+        const bool same_after = (index + 1 == std::ssize(before)) == (i + 1 == shown_.size());
+        return same_before && same_after ? &before[static_cast<std::size_t>(index)] : nullptr;
     };
     oneapi::tbb::parallel_for(std::size_t{0}, shown_.size(), [&](std::size_t i) {
         const bricks::BrickLayers& layers = shown_[i].layers;
-        Shown* const was = unchanged(i);
-        shown_[i].cells =
-            was != nullptr ? std::move(was->cells) : bricks::brick_cells(layers, t_span(layers), *layout_, margin_);
+        Shown* const previous = unchanged(i);
+        shown_[i].cells = previous != nullptr ? std::move(previous->cells)
+                                              : bricks::brick_cells(layers, t_span(layers), *layout_, margin_);
     });
 
     textures_.keep_only(first, first + std::ssize(shown_));
@@ -164,7 +164,7 @@ double BrickWindow::t_span(const bricks::BrickLayers& layers) const {
 TextureMap BrickWindow::texture_map(std::size_t i) const {
     const bricks::BrickLayers& brick = layers(i);
     const auto count = static_cast<double>(brick.brick().count);
-    // The texture has a layer more at each end than the brick.
+    // The texture has one extra layer at each end.
     const double t_scale = count / (count + 2) / (placed_[i].t_end - placed_[i].t_begin);
     const double width = brick.box().width();
     const double height = brick.box().height();

@@ -11,7 +11,7 @@ namespace vvr::gl {
 
 namespace {
 
-constexpr GLenum context_lost = 0x0507;  // GL_CONTEXT_LOST, which OpenGL 3.3 does not have yet
+constexpr GLenum context_lost = 0x0507;  // GL_CONTEXT_LOST, introduced after OpenGL 3.3
 
 std::string_view name(GLenum error) {
     switch (error) {
@@ -35,7 +35,7 @@ std::string_view name(GLenum error) {
 void check_gl(const GladGLContext& gl, std::string_view doing) {
     const GLenum error = gl.GetError();
     if (error == GL_NO_ERROR) return;
-    // A lost context reports errors without end, so the queue is emptied for a bounded number of steps.
+    // A lost context reports errors forever, so drain the queue with a bound.
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
     }
     if (error == GL_OUT_OF_MEMORY) {
@@ -59,7 +59,7 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
 }
 
 void throw_if_out_of_memory(std::string_view failure) {
-    constexpr std::int64_t taken = 256'000'000;  // by a driver, its compiler and a small picture
+    constexpr std::int64_t taken = 256'000'000;  // bytes: a driver, its compiler and a small picture
     if (is_memory_available(taken)) return;
     throw Error(ErrorKind::limit,
                 fmt::format("out of memory for OpenGL: {}; allow the program more, or try a smaller picture or smaller "

@@ -6,14 +6,14 @@
 
 namespace vvr::gl {
 
-/// Asks OpenGL whether anything has gone wrong since the last check.
-/// \param doing what was tried, for the message
-/// \throws Error limit when OpenGL ran out of memory, backend for any other error
+/// Throws if OpenGL has recorded an error since the last check.
+/// \param doing the operation, for the message
+/// \throws Error limit if OpenGL ran out of memory, backend for any other error
 void check_gl(const GladGLContext& gl, std::string_view doing);
 
-/// Does nothing but where the process may not have what OpenGL takes to begin with. Then a driver says anything of what
-/// fails, and memory is to blame.
-/// \param failure what it says
+/// Drivers report arbitrary errors when memory is short. Throws if the process can't allocate what OpenGL needs at
+/// startup, otherwise does nothing.
+/// \param failure the driver's message
 /// \throws Error limit
 void throw_if_out_of_memory(std::string_view failure);
 

@@ -40,8 +40,8 @@ constexpr std::array message_kinds = {
     MessageKind{GL_DEBUG_TYPE_PERFORMANCE, "performance"},
 };
 
-void GLAD_API_PTR tell(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei length,
-                       const GLchar* text, const void* messages) {
+void GLAD_API_PTR forward_message(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei length,
+                                  const GLchar* text, const void* messages) {
     const auto* kind = std::ranges::find(message_kinds, type, &MessageKind::type);
     (*static_cast<const DriverMessages*>(messages))(
         fmt::format("OpenGL, {}: {}", kind != message_kinds.end() ? kind->name : "note",
@@ -64,7 +64,7 @@ void Context::listen(DriverMessages messages) {
     gl_.Enable(GL_DEBUG_OUTPUT);
     gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     gl_.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
-    gl_.DebugMessageCallback(tell, &messages_);
+    gl_.DebugMessageCallback(forward_message, &messages_);
 }
 
 std::unique_ptr<Context> open_context(std::string_view name, int device, DriverMessages messages) {
@@ -121,7 +121,7 @@ std::vector<BackendReport> probe_backends() {
 Library::Library(const std::vector<std::string>& names) {
     std::string why;
     for (const std::string& name : names) {
-        // Mesa and its LLVM register handlers that must outlive us: a real dlclose crashes at exit with some drivers.
+        // Mesa and LLVM register exit handlers. With some drivers a real dlclose makes them crash at exit.
         constexpr int how = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
         if (void* handle = while_loading([&] { return dlopen(name.c_str(), how); })) {
             handle_ = std::shared_ptr<void>(handle, [](void* library) { dlclose(library); });
@@ -143,7 +143,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder in which Mesa would make one for its shaders.
+/// The parent folder of Mesa's shader cache.
 std::optional<fs::path> cache_folder() {
     for (const char* name : {"MESA_SHADER_CACHE_DIR", "XDG_CACHE_HOME"}) {
         if (const char* const folder = std::getenv(name)) return folder;
@@ -153,11 +153,11 @@ std::optional<fs::path> cache_folder() {
     return user == nullptr || user->pw_dir == nullptr ? std::nullopt : std::optional(fs::path(user->pw_dir) / ".cache");
 }
 
-/// Mesa makes the folder itself, but not those above.
+/// Mesa creates the folder itself, but not its parents.
 bool can_be_written(const fs::path& folder) {
     std::error_code none;
-    const fs::path there = fs::exists(folder, none) ? folder : folder.parent_path();
-    return fs::is_directory(there, none) && ::access(there.c_str(), W_OK) == 0;
+    const fs::path existing = fs::exists(folder, none) ? folder : folder.parent_path();
+    return fs::is_directory(existing, none) && ::access(existing.c_str(), W_OK) == 0;
 }
 
 }  // namespace

@@ -11,11 +11,11 @@
 
 namespace vvr::gl {
 
-/// Hears one message of an OpenGL driver.
+/// Receives one debug message of an OpenGL driver.
 using DriverMessages = std::function<void(const std::string&)>;
 
-/// A current OpenGL 3.3 core context without a window, and the functions that came from its own getProcAddress. It is
-/// opened, used and closed on one thread.
+/// A current OpenGL 3.3 core context without a window, and its functions, loaded through its own getProcAddress. Open,
+/// use and close it on one thread.
 class Context {
   public:
     virtual ~Context() = default;
@@ -23,22 +23,22 @@ class Context {
     Context& operator=(const Context&) = delete;
 
     const GladGLContext& gl() const { return gl_; }
-    const std::string& backend() const { return backend_; }    ///< its name in the backend table
+    const std::string& backend() const { return backend_; }    ///< name in the backend table
     const std::string& renderer() const { return renderer_; }  ///< GL_RENDERER
     const std::string& version() const { return version_; }    ///< GL_VERSION
 
-    /// From now on each message of the driver goes to `messages`, within the call that caused it, whatever its
-    /// severity. \throws Error backend when the driver has no GL_KHR_debug
+    /// Sends all debug messages of the driver to `messages`, synchronously, whatever their severity.
+    /// \throws Error backend if the driver lacks GL_KHR_debug
     void listen(DriverMessages messages);
 
   protected:
-    /// \param backend its name in the backend table
+    /// \param backend name in the backend table
     explicit Context(std::string backend) : backend_(std::move(backend)) {}
 
-    /// Loads OpenGL's functions, once the context is current.
-    /// \param get_proc_address for messages
-    /// \param load calls it, with `user` as the first argument
-    /// \throws Error backend when there is no OpenGL 3.3
+    /// Loads the OpenGL functions. The context must be current.
+    /// \param get_proc_address name of the loading function, for messages
+    /// \param load calls that function; its first argument is `user`
+    /// \throws Error backend if OpenGL 3.3 is missing
     void finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user);
 
   private:
@@ -49,15 +49,15 @@ class Context {
     DriverMessages messages_;
 };
 
-/// What `vvr doctor` prints of one backend.
+/// What `vvr doctor` prints about a backend.
 struct BackendReport {
     std::string name;
-    std::string what;  ///< one line: what it is for
+    std::string what;  ///< its purpose, in one line
     bool works = false;
-    std::string renderer;              ///< GL_RENDERER, when it works
-    std::string version;               ///< GL_VERSION, when it works
-    std::string reason;                ///< why it doesn't work
-    std::string advice;                ///< the one command that would fix it
+    std::string renderer;              ///< GL_RENDERER if it works
+    std::string version;               ///< GL_VERSION if it works
+    std::string reason;                ///< why it fails
+    std::string advice;                ///< the command that would fix it
     std::vector<std::string> devices;  ///< EGL devices by number, for the EGL backends
 };
 
@@ -90,13 +90,14 @@ Backend egl_hardware_backend();
 Backend egl_software_backend();
 Backend osmesa_backend();
 
-/// A shared library opened at run time. It stays loaded until the program ends.
+/// A shared library loaded at run time. It stays loaded until the process exits.
 class Library {
   public:
-    /// Opens the first of `names` that is there. \throws Error backend with the loader's own text
+    /// Loads the first of `names` that exists.
+    /// \throws Error backend with the loader's message
     explicit Library(const std::vector<std::string>& names);
 
-    /// The function `name`, cast to its type. \throws Error backend when the library lacks it
+    /// \throws Error backend if the library lacks the function
     template <class Function>
     Function function(const char* name) const {
         return reinterpret_cast<Function>(symbol(name));
@@ -109,10 +110,10 @@ class Library {
     std::string name_;
 };
 
-/// Mesa keeps compiled shaders in the user's folder of caches, and says so on stderr where it can't: for a user without
-/// a home, as a service has. There it is told to do without. Elsewhere MESA_SHADER_CACHE_DIR is the folder from then
-/// on, for Mesa and for the workers that inherit it: Mesa would ask libc for the user's home, and libc crashes there
-/// where memory is short. Changes the environment: call it before any thread.
+/// Chooses where Mesa caches compiled shaders. If the user's cache folder isn't writable (services have no home),
+/// disables the cache: Mesa would print a warning. Otherwise sets MESA_SHADER_CACHE_DIR, which workers inherit: Mesa
+/// would ask libc for the home folder, and libc can crash there when memory is short. Modifies the environment, so call
+/// it before starting threads.
 void choose_shader_cache();
 
 }  // namespace vvr::gl

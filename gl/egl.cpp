@@ -16,7 +16,7 @@ namespace vvr::gl {
 
 namespace {
 
-/// libEGL's functions that we call, from the library itself and from its eglGetProcAddress.
+/// The functions of libEGL that we call. Extensions are loaded through eglGetProcAddress.
 struct Egl {
     Library library{{"libEGL.so.1", "libEGL.so"}};
 
@@ -112,7 +112,7 @@ class EglContext final : public Context {
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &configs)) fail("eglChooseConfig");
         if (configs == 0) throw Error(ErrorKind::backend, "eglChooseConfig: no configuration with desktop OpenGL");
 
-        // The flags go last, so that drivers which don't know them are asked only where they are needed.
+        // The flags come last, so that drivers that don't know them see them only in debug contexts.
         const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
                                                   3,
                                                   EGL_CONTEXT_MINOR_VERSION,
@@ -154,7 +154,7 @@ std::vector<std::string> device_names() {
     return names;
 }
 
-/// The first device of the wanted kind that gives a context, or device number `number` if it is of that kind.
+/// Opens the first device of the requested kind that works, or device `number` if it is not negative.
 std::unique_ptr<Context> open_kind(const std::string& backend, bool software, int number, bool debug) {
     const std::vector<Device> devices = list_devices(Egl{});
     if (number >= static_cast<int>(devices.size())) {

@@ -90,8 +90,8 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
     gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STATIC_DRAW);
     set_attribute<glm::vec2>(gl, 0, 2, 0, Per::vertex);
 
-    // Each piece of line is an instance that sees four points in a row of the one buffer: its own two, and those
-    // beside them for the direction at its ends.
+    // Each line segment is an instance that reads four consecutive points of the buffer: its two end points, and one
+    // more on either side for the directions at its ends.
     gl.BindBuffer(GL_ARRAY_BUFFER, points_.id());
     const auto instance = [&](GLuint attribute, GLint size, std::size_t point, std::size_t offset) {
         set_attribute<scene::TraceVertex>(gl, attribute, size, point * sizeof(scene::TraceVertex) + offset,
@@ -110,9 +110,9 @@ TracelineStrips::TracelineStrips(const GladGLContext& gl)
 }
 
 void TracelineStrips::upload(const scene::Tracelines& lines) {
-    pieces_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
-    if (pieces_ == 0) return;
-    // The first and the last point come twice, so that the outermost pieces have points beside them.
+    segment_count_ = lines.empty() ? 0 : static_cast<GLsizei>(lines.size() - 1);
+    if (segment_count_ == 0) return;
+    // The first and last points are duplicated, so that the outermost segments have neighbours.
     const auto size = static_cast<GLsizeiptr>(sizeof(scene::TraceVertex));
     const auto bytes = static_cast<GLsizeiptr>(lines.size()) * size;
     gl_->BindBuffer(GL_ARRAY_BUFFER, points_.id());
@@ -146,7 +146,7 @@ void TracelineStrips::draw_pixel_data(const space::Camera& camera, Size picture,
 
 void TracelineStrips::draw_lines(const Program& program, const space::Camera& camera, Size picture,
                                  const TraceStyle& style, const GlyphStyle& colours) const {
-    if (pieces_ == 0) return;
+    if (segment_count_ == 0) return;
     const GladGLContext& gl = *gl_;
     program.set("clip_from_p", glm::mat4(camera.clip_from_p()));
     program.set("eye", glm::vec3(camera.eye));
@@ -154,7 +154,7 @@ void TracelineStrips::draw_lines(const Program& program, const space::Camera& ca
     program.set("perspective", camera.perspective ? 1 : 0);
     program.set("half_width", style.width / 2);
     const double pixel = 2 / (camera.projection[1][1] * picture.height);
-    program.set("least_width", static_cast<float>(style.least_width * pixel / 2));
+    program.set("min_width", static_cast<float>(style.min_width * pixel / 2));
     program.set("stripe_length", style.stripe_length);
     program.set("speed_range", colours.speed_range);
 
@@ -162,7 +162,7 @@ void TracelineStrips::draw_lines(const Program& program, const space::Camera& ca
     gl.DepthMask(GL_TRUE);
     gl.Disable(GL_BLEND);
     gl.BindVertexArray(vertex_array_.id());
-    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, pieces_);
+    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, segment_count_);
     gl.BindVertexArray(0);
     check_gl(gl, "drawing the tracelines");
 }

@@ -10,12 +10,12 @@
 
 namespace vvr::gl {
 
-/// Draws one reference glyph at every seed, instanced, as opaque geometry (§5.2, §6.2).
+/// Draws an arrow glyph at each seed by instancing, as opaque geometry (§5.2, §6.2).
 class FlowGeometry {
   public:
     explicit FlowGeometry(const GladGLContext& gl);
 
-    /// Replaces the arrows that are drawn.
+    /// Replaces the arrows.
     void upload(std::span<const scene::Glyph> glyphs);
 
     void draw(const space::Camera& camera, const GlyphStyle& style) const;
@@ -29,7 +29,7 @@ class FlowGeometry {
 
     const GladGLContext* gl_;
     Program program_;
-    std::optional<Program> pixel_data_program_;  ///< made when it is first used
+    std::optional<Program> pixel_data_program_;  ///< compiled on first use
     GlVertexArray vertex_array_;
     GlBuffer mesh_;
     GlBuffer indices_;
@@ -38,16 +38,16 @@ class FlowGeometry {
     GLsizei glyph_count_ = 0;
 };
 
-/// Draws tracelines as strips of real width that face the camera, lit as tubes, with the zebra texture moving along
-/// them (§6.2.1). Stripes are of equal length on all lines, so long lines have more of them and not longer ones.
+/// Draws tracelines as camera-facing strips, shaded as tubes, with the zebra texture moving along them (§6.2.1). All
+/// stripes have the same length, so longer lines have more of them.
 class TracelineStrips {
   public:
     explicit TracelineStrips(const GladGLContext& gl);
 
-    /// Replaces the lines that are drawn.
+    /// Replaces the lines.
     void upload(const scene::Tracelines& lines);
 
-    /// \param phase of the zebra texture: from 0 to 1 the stripes move on by one stripe
+    /// \param phase of the zebra texture, in stripes
     void draw(const space::Camera& camera, Size picture, const TraceStyle& style, const GlyphStyle& colours,
               double phase) const;
 
@@ -61,12 +61,12 @@ class TracelineStrips {
 
     const GladGLContext* gl_;
     Program program_;
-    std::optional<Program> pixel_data_program_;  ///< made when it is first used
+    std::optional<Program> pixel_data_program_;  ///< compiled on first use
     GlTexture zebra_;
     GlVertexArray vertex_array_;
     GlBuffer corners_;
     GlBuffer points_;
-    GLsizei pieces_ = 0;
+    GLsizei segment_count_ = 0;
 };
 
 }  // namespace vvr::gl

@@ -11,11 +11,11 @@
 namespace vvr::gl {
 
 void check_samples(const GladGLContext& gl, int samples) {
-    GLint most_drawn = 0;
-    GLint most_sampled = 0;
-    gl.GetIntegerv(GL_MAX_SAMPLES, &most_drawn);
-    gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most_sampled);
-    const GLint most = std::min(most_drawn, most_sampled);
+    GLint max_drawn = 0;
+    GLint max_sampled = 0;
+    gl.GetIntegerv(GL_MAX_SAMPLES, &max_drawn);
+    gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &max_sampled);
+    const GLint most = std::min(max_drawn, max_sampled);
     if (samples <= most) return;
     throw Error(
         ErrorKind::limit,
@@ -58,7 +58,7 @@ Framebuffer::Drawn Framebuffer::make_drawn() const {
         gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, drawn.samples.id(), 0);
         gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, size_.width, size_.height);
     } else {
-        // Multisampled storage with one sample is not the same as storage without: only the latter can be read.
+        // Storage with one sample still counts as multisampled and can't be read back, so use plain storage.
         gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size_.width, size_.height);
         gl.BindRenderbuffer(GL_RENDERBUFFER, drawn.colour.id());
         gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, size_.width, size_.height);
@@ -105,7 +105,7 @@ void Framebuffer::read(const PixelBox& tile, Plane<glm::vec4>& picture) const {
     read_pixels(gl, tile, picture);
 }
 
-/// By a shader of our own: glBlitFramebuffer has one that Mesa's software rasteriser compiles each time.
+/// Uses our own shader: for glBlitFramebuffer, Mesa's software rasteriser compiles one in each run.
 void Framebuffer::resolve(Size size) const {
     const GladGLContext& gl = *gl_;
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_->framebuffer.id());
@@ -142,7 +142,7 @@ constexpr int object_behind_unit = 4;
 
 constexpr std::array<GLenum, 2> attachments{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
-/// Makes a texture that is drawn into and read texel by texel.
+/// Allocates a texture for rendering and for texelFetch.
 void allocate(const GladGLContext& gl, const GlTexture& texture, GLint internal, GLenum format, Size size) {
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -197,9 +197,9 @@ void PixelDataTarget::draw_over(const Program& program, const std::function<void
     program.set("behind", behind_unit);
     program.set("object_behind", object_behind_unit);
     if (gl_->ARB_texture_barrier != 0) {
-        // What is drawn may be read again by the next step: no copy, and no change of framebuffers.
+        // The next step may read what this one draws: no copy and no switch of framebuffers.
         read_from(data_[0]);
-        program.set("take_over", 0);
+        program.set("copy_only", 0);
         gl_->TextureBarrier();
         draw();
         return;
@@ -207,7 +207,7 @@ void PixelDataTarget::draw_over(const Program& program, const std::function<void
     for (const std::size_t from : {0U, 1U}) {
         gl_->BindFramebuffer(GL_FRAMEBUFFER, data_[1 - from].framebuffer.id());
         read_from(data_[from]);
-        program.set("take_over", from == 1 ? 1 : 0);
+        program.set("copy_only", from == 1 ? 1 : 0);
         draw();
     }
 }

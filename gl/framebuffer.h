@@ -14,38 +14,39 @@
 
 namespace vvr::gl {
 
-/// \throws Error limit when the driver has no framebuffers with that many samples per pixel
+/// \throws Error limit if the driver can't make framebuffers with that many samples per pixel
 void check_samples(const GladGLContext& gl, int samples);
 
-/// Cuts a picture into tiles of at most `pixels` pixels: bands where whole rows are not too long.
+/// Splits a picture into tiles of at most `pixels` pixels: bands of whole rows if rows are short enough.
 std::vector<PixelBox> cut_tiles(Size picture, std::int64_t pixels);
 
-/// Puts the lower left of the bound framebuffer into a tile of a picture, top row first.
+/// Copies the lower left corner of the bound framebuffer to a tile of a picture, top row first.
 void read_pixels(const GladGLContext& gl, const PixelBox& tile, Plane<glm::vec4>& picture);
 
-/// Where a picture is drawn: colour and depth. The colour is in floats: hundreds of faint slices add up in it, and in
-/// half floats each would be rounded down, a tenth of the picture by the end. It costs the software rasteriser no time.
+/// Colour and depth buffers. Colour is 32-bit float: blending hundreds of faint slices in half floats would round each
+/// of them down, by a tenth in sum. With the software rasteriser it costs no time.
 class Framebuffer {
   public:
-    /// \param samples for each pixel; 1 = no antialiasing
-    /// \throws Error limit when the size or the samples are more than the driver takes, backend when it is incomplete
+    /// \param samples per pixel; 1 = no antialiasing
+    /// \throws Error limit if the driver doesn't support the size or the samples, backend if the framebuffer is
+    ///     incomplete
     Framebuffer(const GladGLContext& gl, Size size, int samples);
 
-    /// Draws from now on into the lower left `size` of it.
+    /// Makes the lower left `size` of the framebuffer the drawing target.
     void bind(Size size) const;
 
-    /// Puts its lower left, premultiplied RGBA, into a tile of a picture, top row first.
+    /// Copies its lower left corner to a tile of a picture: premultiplied RGBA, top row first.
     void read(const PixelBox& tile, Plane<glm::vec4>& picture) const;
 
   private:
-    /// What is drawn into: one with several samples per pixel can be sampled, but not read.
+    /// The drawing target. If it is multisampled, shaders can sample it, but it can't be read back.
     struct Drawn {
         GlFramebuffer framebuffer;
         GlTexture samples;
-        GlRenderbuffer colour;  ///< where a pixel has one sample
+        GlRenderbuffer colour;  ///< used with one sample per pixel
         GlRenderbuffer depth;
     };
-    /// Where several samples become one.
+    /// The multisample resolve.
     struct Resolved {
         GlFramebuffer framebuffer;
         GlRenderbuffer colour;
@@ -64,29 +65,29 @@ class Framebuffer {
     std::optional<Resolved> resolved_;  ///< only with more than one sample
 };
 
-/// Pixel data while a picture is drawn back to front, one sample per pixel: the weight of what contributes most so far,
-/// its frame and depth, and the opacity of all; and the event that it belongs to. Blending cannot select by weight, so
-/// each step reads what has been drawn. With GL_ARB_texture_barrier that is the texture that it draws into; without, it
-/// draws into another, which is then copied back.
+/// Per-pixel data of a picture that is drawn back to front, one sample per pixel: the weight, frame, depth and event of
+/// the strongest contribution so far, and the total opacity. Fixed-function blending can't select by weight, so each
+/// step reads what has been drawn: with GL_ARB_texture_barrier from the texture that it draws into; without it, it
+/// draws into a second texture and copies that back.
 class PixelDataTarget {
   public:
-    /// \throws Error backend when the driver can't draw into such textures
+    /// \throws Error backend if the driver can't render to such textures
     PixelDataTarget(const GladGLContext& gl, Size size);
 
-    /// Clears the target. Opaque geometry is drawn into it next, with glsl/pixel_data.frag.
+    /// Clears the target. Next, draw opaque geometry with glsl/pixel_data.frag.
     void begin(Size size) const;
 
-    /// Clears the data but not the depth: next comes what lies in front of the opaque geometry.
+    /// Clears the data but not the depth. Next, draw what lies in front of the opaque geometry.
     void begin_before_geometry() const;
 
-    /// Draws something in front of all that has been drawn. It covers a pixel at most once.
+    /// Draws over everything drawn so far. `draw` must cover each pixel at most once.
     /// \param program in use, with glsl/pixel_data_over.glsl
     void draw_over(const Program& program, const std::function<void()>& draw) const;
 
-    /// The data of the lower left `size`: weight, frame, depth, opacity; top row first.
+    /// Weight, frame, depth and opacity of the lower left `size`, top row first.
     Plane<glm::vec4> read(Size size) const;
 
-    /// The events of the same pixels, as the first of four.
+    /// The event number of each pixel, in the first channel.
     Plane<glm::vec4> read_objects(Size size) const;
 
   private:
@@ -100,7 +101,7 @@ class PixelDataTarget {
     Plane<glm::vec4> read_attachment(GLenum attachment, Size size) const;
 
     const GladGLContext* gl_;
-    std::array<Data, 2> data_;  ///< the data, and what the next step draws into
+    std::array<Data, 2> data_;  ///< the data, and the second buffer for drivers without texture barrier
     GlRenderbuffer depth_;
 };
 

@@ -7,7 +7,7 @@ namespace vvr::gl {
 
 namespace {
 
-/// How the pixels of a plane are stored.
+/// OpenGL's internal format and pixel format of a plane.
 struct Storage {
     GLint internal;
     GLenum format;

@@ -11,7 +11,7 @@
 
 namespace vvr::gl {
 
-/// Move-only owner of an OpenGL object. Its context must be current when it goes.
+/// Move-only owner of an OpenGL object. Its context must be current on destruction.
 template <class Traits>
 class GlObject {
   public:
@@ -43,7 +43,7 @@ class GlObject {
     GLuint id_ = 0;
 };
 
-/// The objects that come and go by glGen… and glDelete… .
+/// Objects created by glGen… and deleted by glDelete… .
 template <auto Gen, auto Delete>
 struct GenTraits {
     static GLuint create(const GladGLContext& gl) {
@@ -74,12 +74,12 @@ using GlProgram = GlObject<ProgramTraits>;
 using GlVertexShader = GlObject<ShaderTraits<GL_VERTEX_SHADER>>;
 using GlFragmentShader = GlObject<ShaderTraits<GL_FRAGMENT_SHADER>>;
 
-/// What an attribute of the vertex array in use advances with.
+/// Whether an attribute advances per vertex or per instance.
 enum class Per { vertex, instance };
 
-/// Gives the vertex array in use an attribute of `size` floats.
-/// \tparam Vertex what the buffer in use holds
-/// \param offset in bytes, in the Vertex
+/// Adds an attribute of `size` floats, read from the bound buffer, to the bound vertex array.
+/// \tparam Vertex element type of the buffer
+/// \param offset bytes from the start of a Vertex
 template <class Vertex>
 void set_attribute(const GladGLContext& gl, GLuint attribute, GLint size, std::size_t offset, Per per) {
     gl.EnableVertexAttribArray(attribute);
@@ -87,15 +87,13 @@ void set_attribute(const GladGLContext& gl, GLuint attribute, GLint size, std::s
     if (per == Per::instance) gl.VertexAttribDivisor(attribute, 1);
 }
 
-/// A texture with mip levels, of bytes as one channel or of a picture's colours. The levels are computed on the CPU:
-/// for glGenerateMipmap Mesa's software rasteriser compiles shaders of its own, which takes a quarter of a second in
-/// each run.
-///
-/// \throws Error limit when there is no memory for it, backend for anything else, as check_gl does
+/// A mipmapped 2D texture of one channel or of BGR pixels. The CPU computes the mipmap levels: for glGenerateMipmap,
+/// Mesa's software rasteriser compiles its own shaders, which costs 0.25 s per run.
+/// \throws Error limit if memory runs out, backend for any other error
 GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<std::uint8_t>& picture);
 GlTexture mipmapped_texture(const GladGLContext& gl, const Plane<Bgr>& picture);
 
-/// A one-dimensional one that repeats, of a row of bytes.
+/// A mipmapped, repeating 1D texture of one row of bytes.
 GlTexture mipmapped_repeating_texture(const GladGLContext& gl, const Plane<std::uint8_t>& row);
 
 }  // namespace vvr::gl

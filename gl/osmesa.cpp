@@ -10,7 +10,7 @@ namespace vvr::gl {
 
 namespace {
 
-// The part of <GL/osmesa.h> that we need. The header belongs to a package that leaves with Mesa 25.1; the ABI stays.
+// The part of <GL/osmesa.h> that we use. Mesa 25.1 removed the header's package; the ABI is stable.
 using OSMesaHandle = struct osmesa_context*;
 constexpr int osmesa_format = 0x22;
 constexpr int osmesa_depth_bits = 0x30;
@@ -59,7 +59,7 @@ class OSMesaContext final : public Context {
     }
 
   private:
-    // OSMesa needs a picture to draw into. We draw into a framebuffer object, so a small one is enough.
+    // OSMesa needs a colour buffer. We draw into framebuffer objects, so a tiny one suffices.
     static constexpr int side = 4;
 
     OSMesa mesa_;

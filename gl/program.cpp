@@ -15,7 +15,7 @@ namespace vvr::gl {
 
 namespace {
 
-/// Throws if a shader or a program has not become what it should.
+/// Throws if compiling or linking failed.
 template <class Get, class GetLog>
 void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::string& failed) {
     GLint done = GL_FALSE;
@@ -29,13 +29,13 @@ void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::stri
     throw Error(ErrorKind::backend, fmt::format("{}: {}", failed, log));
 }
 
-void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderChunk> pieces) {
-    const std::string text = shader_text(pieces);
+void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderChunk> chunks) {
+    const std::string text = shader_text(chunks);
     const char* const begin = text.c_str();
     gl.ShaderSource(shader, 1, &begin, nullptr);
     gl.CompileShader(shader);
     std::string files;
-    for (std::size_t i = 0; i < pieces.size(); ++i) files += fmt::format(" {}001... {}", i + 1, pieces[i].file);
+    for (std::size_t i = 0; i < chunks.size(); ++i) files += fmt::format(" {}001... {}", i + 1, chunks[i].file);
     check_done(shader, GL_COMPILE_STATUS, gl.GetShaderiv, gl.GetShaderInfoLog,
                fmt::format("the driver does not compile {} (lines{})", name, files));
 }
@@ -48,10 +48,10 @@ ShaderChunk shader_chunk(std::string_view file) {
     return {found->first, found->second};
 }
 
-std::string shader_text(std::span<const ShaderChunk> pieces) {
+std::string shader_text(std::span<const ShaderChunk> chunks) {
     std::string text = "#version 330 core\n";
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, pieces[i].text);
+    for (std::size_t i = 0; i < chunks.size(); ++i)
+        text += fmt::format("#line {}001 {}\n{}\n", i + 1, i + 1, chunks[i].text);
     return text;
 }
 
@@ -65,8 +65,8 @@ Program::Program(const GladGLContext& gl, const ProgramSource& source) : gl_(&gl
     gl.LinkProgram(program_.id());
     check_done(program_.id(), GL_LINK_STATUS, gl.GetProgramiv, gl.GetProgramInfoLog,
                fmt::format("the driver does not link {}", name_));
-    for (const auto* pieces : {&source.vertex, &source.fragment}) {
-        std::istringstream words(shader_text(*pieces));
+    for (const auto* chunks : {&source.vertex, &source.fragment}) {
+        std::istringstream words(shader_text(*chunks));
         for (std::string word, type, name; words >> word;) {
             if (word != "uniform" || !(words >> type >> name)) continue;
             name = name.substr(0, name.find(';'));

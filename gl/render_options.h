@@ -12,10 +12,10 @@
 
 namespace vvr::gl {
 
-/// Where the volume's colour comes from; extinction is the transfer function's.
+/// Source of the volume's colour. Extinction always comes from the transfer function.
 enum class VolumeColour {
-    transfer,  ///< of the scalar
-    own,       ///< each voxel has one of its own
+    transfer,  ///< transfer function of the scalar
+    own,       ///< each voxel has its own
     object,    ///< each voxel has an identity, and that a look
     time,      ///< looks in the order of time
 };
@@ -26,12 +26,12 @@ struct VolumeColourRow {
     bool uses_palette;        ///< the shader reads those of VolumeSlicer::set_looks
 };
 
-/// The sources of colour there are; the first is the default.
+/// The first row is the default.
 std::span<const VolumeColourRow> volume_colours();
 
 const VolumeColourRow& row_of(VolumeColour colour);
 
-/// How light falls on the volume.
+/// Shading of the volume.
 enum class VolumeShading { none, relief };
 
 struct VolumeShadingRow {
@@ -41,10 +41,10 @@ struct VolumeShadingRow {
     std::string_view shader;  ///< file in glsl/ that defines shaded(colour)
 };
 
-/// The ways there are; the first is the default.
+/// The first row is the default.
 std::span<const VolumeShadingRow> volume_shadings();
 
-/// How arrows look.
+/// Style of the arrows.
 struct GlyphStyle {
     float thickness = 0.05F;            ///< P-space units per unit of the reference glyph's radius
     glm::vec2 speed_range{0.3F, 6.0F};  ///< pixels per frame at the ends of the colour scale
@@ -52,23 +52,23 @@ struct GlyphStyle {
     glm::vec3 fast_colour{0.84F, 0.16F, 0.10F};
 };
 
-/// How tracelines look; their colours are those of the arrows.
+/// Style of the tracelines. Their colours are those of the arrows.
 struct TraceStyle {
     float width = 0.0045F;        ///< P-space units
-    float least_width = 1.6F;     ///< pixels
-    float stripe_length = 0.02F;  ///< P-space units from one dark stripe to the next
-    float shade = 0.3F;           ///< what is left of the colour in a dark stripe
+    float min_width = 1.6F;       ///< pixels
+    float stripe_length = 0.02F;  ///< P-space units between two dark stripes
+    float shade = 0.3F;           ///< brightness of dark stripes, 0..1
 };
 
-/// How a picture is drawn.
+/// How to draw a picture.
 struct RenderOptions {
     Size size{1280, 800};
     space::View view;
-    std::optional<space::Camera> camera;  ///< instead of the one that holds the volume from `view`
-    int slices = 0;                       ///< 0 = one for every two voxels
-    int samples = 4;                      ///< per pixel, for smooth edges; 1 takes about half the time
-    std::int64_t tile_samples = 1 << 20;  ///< drawn at a time, 24 bytes each, however large the picture
-    glm::vec4 background{1, 1, 1, 1};     ///< multiplied by its opacity
+    std::optional<space::Camera> camera;  ///< overrides the camera that fits the volume from `view`
+    int slices = 0;                       ///< 0 = one per two voxels
+    int samples = 4;                      ///< per pixel, for antialiasing; 1 takes about half the time
+    std::int64_t tile_samples = 1 << 20;  ///< samples per tile, 24 bytes each: bounds memory for large pictures
+    glm::vec4 background{1, 1, 1, 1};     ///< premultiplied RGBA
     VolumeColour colour = VolumeColour::transfer;
     VolumeShading shading = VolumeShading::none;
     GlyphStyle glyphs;

@@ -11,10 +11,10 @@ namespace vvr::gl {
 
 namespace {
 
-// A pixel that lets more than this of what is behind it through shows nothing.
-constexpr float least_opacity = 1.0F / 255;
+// A pixel below this opacity shows nothing.
+constexpr float min_opacity = 1.0F / 255;
 
-/// The distance along the view direction of what has `depth`, 0..1, in the depth buffer.
+/// Converts a depth buffer value, 0..1, to the distance along the view direction.
 double distance_of(double depth, const space::Camera& camera) {
     const double ndc = 2 * depth - 1;
     const double scale = camera.projection[2][2];
@@ -44,7 +44,7 @@ void Renderer::set_scene(scene::Scene scene) {
 }
 
 scene::SliceStack Renderer::slices(const BrickWindow& window, const space::Camera& camera) const {
-    // Two rows of a frame: half as many slices as rows look the same, as filters leave nothing thinner than that.
+    // Two rows of a frame: filters leave nothing thinner, so half as many slices look the same.
     const double spacing = window.cells().empty() ? 1 : 2 * layout_->shape().y_s / window.layers(0).size().height;
     return scene::stack_slices(camera, *layout_, options_.slices, spacing);
 }
@@ -63,19 +63,19 @@ image::PixelData Renderer::draw_pixel_data(BrickWindow& window, const scene::Tim
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     image::PixelData shown{
         Plane<float>(options_.size, none), Plane<float>(options_.size, none), Plane<float>(options_.size, -1), {}};
-    const bool tells_objects = options_.colour == VolumeColour::object;
-    if (tells_objects) shown.object = Plane<float>(options_.size);
+    const bool with_objects = options_.colour == VolumeColour::object;
+    if (with_objects) shown.object = Plane<float>(options_.size);
     for (const PixelBox& tile : tiles_) {
         const auto [data, objects] = draw_tile_data(window, tile, times.frames_per_layer());
         for (int j = 0; j < tile.height(); ++j) {
             for (int i = 0; i < tile.width(); ++i) {
                 const glm::vec4& pixel = data.at(i, j);
-                if (pixel.w < least_opacity) continue;
+                if (pixel.w < min_opacity) continue;
                 const Moment at = times.at(static_cast<double>(pixel.y));
                 shown.depth.at(tile.left + i, tile.top + j) = static_cast<float>(distance_of(pixel.z, camera_));
                 shown.time.at(tile.left + i, tile.top + j) = static_cast<float>(at.seconds);
                 shown.frame.at(tile.left + i, tile.top + j) = static_cast<float>(at.frame);
-                if (tells_objects) shown.object.at(tile.left + i, tile.top + j) = objects.at(i, j).x;
+                if (with_objects) shown.object.at(tile.left + i, tile.top + j) = objects.at(i, j).x;
             }
         }
     }
@@ -89,7 +89,7 @@ Renderer::TileData Renderer::draw_tile_data(BrickWindow& window, const PixelBox&
     traceline_strips_.draw_pixel_data(camera, tile.size(), options_.traces, options_.glyphs);
     const Plane<glm::vec4> opaque = pixel_data_->read(tile.size());
     pixel_data_->begin_before_geometry();
-    const StandingPictures frames{
+    const StandingFrames frames{
         frame_times(),
         [&](std::size_t i) { annotations_.draw_frame_pixel_data(scene_.frames[i], *layout_, camera, *pixel_data_); }};
     slicer_.draw_pixel_data(window, camera, slices(window, camera_), frames_per_layer, *pixel_data_, frames);
@@ -127,12 +127,12 @@ void Renderer::draw_tile(BrickWindow& window, const PixelBox& tile, double phase
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     annotations_.draw_lines(scene_.lines, camera, 1.0 + options_.size.height / 800.0, tile.size());
-    // The floor is drawn first. Seen from below it should come last, but it is so thin that this does not show.
+    // From below the floor should come last, but it is too faint for this to show.
     annotations_.draw_floor(scene_.floor, *layout_, camera);
     flow_geometry_.draw(camera, options_.glyphs);
     traceline_strips_.draw(camera, tile.size(), options_.traces, options_.glyphs, phase);
-    const StandingPictures frames{
-        frame_times(), [&](std::size_t i) { annotations_.draw_frame(scene_.frames[i], i, *layout_, camera); }};
+    const StandingFrames frames{frame_times(),
+                                [&](std::size_t i) { annotations_.draw_frame(scene_.frames[i], i, *layout_, camera); }};
     slicer_.draw(window, camera, slices(window, camera_), frames);
     check_gl(gl, "drawing the picture");
 }

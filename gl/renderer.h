@@ -22,12 +22,11 @@
 
 namespace vvr::gl {
 
-/// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with the depth test on
-/// (§6.2), so that each hides the other. Frames that stand in the volume are drawn between its bricks: a brick should
-/// end where one stands.
+/// Draws a window of bricks and a scene: opaque geometry first, then the volume back to front with depth test (§6.2),
+/// so that each occludes the other. Standing frames are drawn between bricks, so bricks should end at their times.
 class Renderer {
   public:
-    /// `context` and `layout` outlive the renderer.
+    /// `context` and `layout` must outlive the renderer.
     Renderer(const Context& context, const space::Layout& layout, const RenderOptions& options);
 
     void set_transfer(const scene::TransferFunction& transfer) { slicer_.set_transfer(transfer); }
@@ -35,7 +34,7 @@ class Renderer {
     /// As VolumeSlicer::set_palette.
     void set_palette(std::span<const glm::vec4> looks) { slicer_.set_palette(looks); }
 
-    /// Replaces the geometry that is drawn with the bricks.
+    /// Replaces the geometry drawn with the bricks.
     void set_scene(scene::Scene scene);
 
     /// Draws the window's bricks and the scene.
@@ -43,26 +42,25 @@ class Renderer {
     /// \returns premultiplied RGBA, top row first
     Plane<glm::vec4> draw(BrickWindow& window, double phase = 0);
 
-    /// What each pixel of the picture shows at its centre: opaque geometry where it contributes at least as much as all
-    /// in front of it, else the sample of the volume, or the standing frame, that contributes most. Lines show no frame
-    /// and hide none. This is a pass of its own; `draw` is not affected.
+    /// What each pixel shows at its centre: the opaque geometry if it contributes at least as much as everything in
+    /// front of it, else the strongest contribution of the volume or the standing frames. Lines are ignored. This is a
+    /// separate pass; `draw` is not affected.
     /// \param times of the frames of the bricks and the scene
     image::PixelData draw_pixel_data(BrickWindow& window, const scene::TimeTable& times);
 
-    /// Draws a tile of the picture, no larger than `tile_samples` allows, and reads nothing back.
+    /// Draws a tile of at most `tile_samples` samples without reading it back.
     void draw_tile(BrickWindow& window, const PixelBox& tile, double phase = 0);
 
-    /// Draws and reads back a corner of the picture, so that the driver compiles its shaders. Mesa compiles a shader
-    /// when it first draws with it.
+    /// Draws and reads back a corner of the picture, because Mesa compiles shaders on first use.
     void warm_up(BrickWindow& window);
 
     const space::Camera& camera() const { return camera_; }
 
-    /// The slices that the window's bricks would be cut into for `camera`.
+    /// The slices of the window's bricks for `camera`.
     scene::SliceStack slices(const BrickWindow& window, const space::Camera& camera) const;
 
   private:
-    /// Of a tile: weight, frame, depth, opacity; and events.
+    /// Weight, frame, depth and opacity of a tile's pixels; and their event numbers.
     struct TileData {
         Plane<glm::vec4> data;
         Plane<glm::vec4> objects;
@@ -77,7 +75,7 @@ class Renderer {
     space::Camera camera_;
     std::vector<PixelBox> tiles_;
     Framebuffer framebuffer_;
-    std::optional<PixelDataTarget> pixel_data_;  ///< made when it is first drawn
+    std::optional<PixelDataTarget> pixel_data_;  ///< allocated on first use
     VolumeSlicer slicer_;
     FlowGeometry flow_geometry_;
     TracelineStrips traceline_strips_;

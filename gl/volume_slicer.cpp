@@ -19,18 +19,19 @@
 
 namespace vvr::gl {
 
+namespace {
+
 struct DeleteSync {
     const GladGLContext* gl = nullptr;
     void operator()(GLsync sync) const { gl->DeleteSync(sync); }
 };
 
-/// A mark in the stream of commands, at which one can wait until OpenGL has come that far. Its context must be current
-/// when it goes.
+/// A fence in the command stream. Its context must be current on destruction.
 class Fence {
   public:
-    Fence() = default;  ///< OpenGL is past it already
+    Fence() = default;  ///< already signalled
 
-    /// Sets a mark behind all commands until now, and has OpenGL begin with them.
+    /// Inserts a fence after all commands so far and flushes them.
     explicit Fence(const GladGLContext& gl) : sync_(gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), DeleteSync{&gl}) {
         gl.Flush();
     }
@@ -43,13 +44,15 @@ class Fence {
     std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteSync> sync_;
 };
 
+}  // namespace
+
 std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
                                      std::span<const bricks::PlacedCells> bricks, std::span<const double> standing) {
     std::vector<std::size_t> by_time(standing.size());
     std::iota(by_time.begin(), by_time.end(), std::size_t{0});
     std::ranges::sort(by_time, {}, [&](std::size_t i) { return standing[i]; });
 
-    // A picture is a section of no thickness; between pictures without bricks there are sections of nothing.
+    // A frame is a section of zero thickness. Gaps between frames without bricks are empty sections.
     std::vector<double> borders = {bricks.empty() ? 0 : bricks.front().t_begin};
     std::vector<std::optional<DrawnPart>> sections;
     const auto add = [&](std::optional<DrawnPart> part, double t_end) {
@@ -104,7 +107,7 @@ VolumeSlicer::VolumeSlicer(const GladGLContext& gl, const space::Layout& layout,
 
 void VolumeSlicer::set_transfer(const scene::TransferFunction& transfer) {
     transfer_ = transfer;
-    // Fine enough to be read without interpolation, which would take the software rasteriser four fetches.
+    // Fine enough for lookup without interpolation, which would cost the software rasteriser four fetches.
     std::array<glm::vec4, 1021> table;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const glm::dvec4 optical = transfer.at(static_cast<double>(i) / 4);
@@ -128,7 +131,7 @@ void VolumeSlicer::set_palette(std::span<const glm::vec4> looks) {
 }
 
 void VolumeSlicer::draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
-                        const StandingPictures& standing) {
+                        const StandingFrames& standing) {
     for_each_brick(program_, window, camera, stack, standing, [&](std::size_t, const scene::SliceMesh& mesh) {
         gl_->Enable(GL_DEPTH_TEST);
         gl_->DepthMask(GL_FALSE);
@@ -140,7 +143,7 @@ void VolumeSlicer::draw(BrickWindow& window, const space::Camera& camera, const 
 
 void VolumeSlicer::draw_pixel_data(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
                                    std::int64_t frames_per_layer, const PixelDataTarget& target,
-                                   const StandingPictures& standing) {
+                                   const StandingFrames& standing) {
     if (!pixel_data_program_) {
         pixel_data_program_ =
             Program(*gl_, volume_program(*layout_, colour_, VolumeShading::none, Channels::pixel_data));
@@ -192,30 +195,30 @@ void VolumeSlicer::use(const Program& program, const space::Camera& camera, cons
 }
 
 void VolumeSlicer::for_each_brick(const Program& program, BrickWindow& window, const space::Camera& camera,
-                                  const scene::SliceStack& stack, const StandingPictures& standing,
+                                  const scene::SliceStack& stack, const StandingFrames& standing,
                                   const std::function<void(std::size_t, const scene::SliceMesh&)>& draw) {
     const std::span<const bricks::PlacedCells> bricks = window.cells();
     const GladGLContext& gl = *gl_;
     Fence last;
     Fence before_last;
-    bool in_use = false;
-    // Parallel rays come from infinitely far behind the eye.
+    bool bound = false;
+    // An orthographic eye is infinitely far away.
     const glm::dvec3 from = camera.perspective ? camera.eye : camera.eye - 1e6 * camera.forward;
     for (const DrawnPart& part : drawing_order(*layout_, from, bricks, standing.times)) {
-        if (part.stands) {
+        if (part.is_frame) {
             standing.draw(part.number);
-            in_use = false;
+            bound = false;
             continue;
         }
         const std::size_t i = part.number;
         const scene::SliceMesh mesh = scene::cut_slices(bricks, i, *layout_, transfer_, camera, stack);
         if (mesh.indices.empty()) continue;
-        if (!std::exchange(in_use, true)) use(program, camera, stack);
+        if (!std::exchange(bound, true)) use(program, camera, stack);
         const TextureMap map = window.texture_map(i);
         program.set("brick_scale", map.scale);
         program.set("brick_offset", map.offset);
-        // Mesa's rasteriser keeps the triangles of all draws that wait for it, 300 bytes each: no more than those of
-        // one brick wait while it draws another. Where two textures take turns the next one's is no longer read then.
+        // Mesa's rasteriser buffers the triangles of all pending draws, 300 bytes each, so at most one brick's wait
+        // while it draws another. Where two textures alternate, the next one is then no longer read.
         before_last.wait();
         window.bind(i);
         gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(scene::SliceVertex)),

@@ -19,32 +19,31 @@
 
 namespace vvr::gl {
 
-/// A brick, or a picture that stands in the volume.
+/// A brick or a standing frame.
 struct DrawnPart {
-    bool stands = false;
-    std::size_t number = 0;  ///< of the brick or the picture
+    bool is_frame = false;
+    std::size_t number = 0;  ///< index of the brick or the frame
 
     friend bool operator==(const DrawnPart&, const DrawnPart&) = default;
 };
 
-/// The bricks of a window and the pictures that stand in it, farthest from `from` first: a picture is drawn between its
-/// neighbours, so that it hides what is behind it, and is hidden by what is before it.
-/// \param bricks in the order of time; may be none
-/// \param standing t_C of each picture, in any order; where it lies within a brick it is drawn at the nearer end
+/// Back-to-front order of a window's bricks and standing frames, seen from `from`.
+/// \param bricks in time order; may be empty
+/// \param standing t_C of each frame, in any order; a frame within a brick is drawn at the brick's nearer end
 std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
                                      std::span<const bricks::PlacedCells> bricks, std::span<const double> standing);
 
-/// Pictures that stand in the volume, which are drawn between its bricks.
-struct StandingPictures {
+/// Standing frames, drawn between the bricks.
+struct StandingFrames {
     std::vector<double> times{};                     ///< t_C of each
-    std::function<void(std::size_t number)> draw{};  ///< may change all state of OpenGL but the framebuffer
+    std::function<void(std::size_t number)> draw{};  ///< may change any OpenGL state except the framebuffer
 };
 
-/// Draws the window's bricks as view-aligned slices, back to front, with the layout's backward map in the fragment
-/// shader (§5.1, §6.1): one draw call per brick, in visibility order.
+/// Draws the window's bricks as view-aligned slices, back to front, one draw call per brick; the fragment shader
+/// computes the layout's inverse map (§5.1, §6.1).
 class VolumeSlicer {
   public:
-    /// \param colour for VolumeColour::own the bricks have colours, for VolumeColour::object identities
+    /// \param colour VolumeColour::own needs bricks with colours, VolumeColour::object bricks with identities
     VolumeSlicer(const GladGLContext& gl, const space::Layout& layout, VolumeColour colour, VolumeShading shading);
 
     void set_transfer(const scene::TransferFunction& transfer);
@@ -54,29 +53,28 @@ class VolumeSlicer {
     void set_palette(std::span<const glm::vec4> looks);
 
     void draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
-              const StandingPictures& standing = {});
+              const StandingFrames& standing = {});
 
-    /// Draws into a target of pixel data. Frames are counted from the window's first.
+    /// Draws into a pixel data target. Frames are counted from the window's first.
     /// \param frames_per_layer of the volume
     void draw_pixel_data(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
-                         std::int64_t frames_per_layer, const PixelDataTarget& target,
-                         const StandingPictures& standing);
+                         std::int64_t frames_per_layer, const PixelDataTarget& target, const StandingFrames& standing);
 
   private:
-    /// What all bricks are drawn with, but for the textures of their own.
+    /// Binds the state that all bricks share.
     void use(const Program& program, const space::Camera& camera, const scene::SliceStack& stack) const;
 
-    /// Cuts and binds each brick, back to front, and calls `draw` with its number in the window and its mesh; between
-    /// them the standing pictures.
+    /// Visits bricks and standing frames back to front: cuts and binds each brick, then calls `draw` with its index in
+    /// the window and its mesh.
     void for_each_brick(const Program& program, BrickWindow& window, const space::Camera& camera,
-                        const scene::SliceStack& stack, const StandingPictures& standing,
+                        const scene::SliceStack& stack, const StandingFrames& standing,
                         const std::function<void(std::size_t, const scene::SliceMesh&)>& draw);
 
     const GladGLContext* gl_;
     const space::Layout* layout_;
     VolumeColour colour_;
     Program program_;
-    std::optional<Program> pixel_data_program_;  ///< made when it is first used
+    std::optional<Program> pixel_data_program_;  ///< compiled on first use
     scene::TransferFunction transfer_;
     GlTexture transfer_texture_;
     GlTexture palette_texture_;

@@ -1,6 +1,6 @@
 layout(location = 0) in vec3 position;  // the reference glyph, along +z from the origin
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 from;      // one glyph
+layout(location = 2) in vec3 from;      // per glyph, P-space
 layout(location = 3) in vec3 vector;
 layout(location = 4) in float speed;
 layout(location = 5) in float frame;
@@ -19,7 +19,7 @@ void main() {
     vec3 helper = abs(along.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
     vec3 side = normalize(cross(helper, along));
     vec3 up = cross(along, side);
-    // A short arrow gets thinner too, so that it stays an arrow.
+    // Thin short arrows, so that they keep the shape of an arrow.
     float width = min(thickness, len);
     gl_Position = clip_from_p * vec4(from + (side * position.x + up * position.y) * width + vector * position.z, 1.0);
     world_normal = side * normal.x + up * normal.y + along * normal.z;

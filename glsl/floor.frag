@@ -2,7 +2,7 @@ in vec2 at;
 
 uniform sampler2D darkness;
 uniform sampler2D tint;
-uniform bool tinted;  // by the colours of what casts the shadow
+uniform bool tinted;  // use the colours of the objects that cast the shadow
 uniform vec4 shadow;
 
 layout(location = 0) out vec4 colour;

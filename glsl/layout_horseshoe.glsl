@@ -5,14 +5,14 @@ uniform float layout_height;  // y_s
 
 const float pi = 3.14159265358979;
 
-// P turned about the y axis so that t_reference lies on the first axis: an affine map, so it interpolates exactly.
+// Rotates P about the y axis so that t_reference lies on the first axis: affine, so it interpolates exactly.
 vec3 local_from_p(vec3 p, float t_reference) {
     float cosine = cos(pi * t_reference);
     float sine = sin(pi * t_reference);
     return vec3(-p.x * cosine + p.z * sine, p.y, p.x * sine + p.z * cosine);
 }
 
-// Within a cell the angle from t_reference is below 0.04: atan and the root are short series, exact to a float.
+// Within a cell the angle from t_reference is below 0.04 rad, so short series for atan and sqrt are exact in float.
 vec3 c_from_local(vec3 local, float t_reference) {
     float slope = local.z / local.x;
     float square = slope * slope;

@@ -1,4 +1,4 @@
-layout(location = 0) in vec2 corner;  // along the segment 0 or 1, across it -1 or 1
+layout(location = 0) in vec2 corner;  // x: 0 or 1 along the segment; y: -1 or 1 across it
 layout(location = 1) in vec3 from;
 layout(location = 2) in vec3 to;
 layout(location = 3) in vec4 rgba;

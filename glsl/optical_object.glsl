@@ -3,14 +3,13 @@ uniform sampler2D looks;     // a texel for each: colour, and a factor on the ex
 
 float scalar_of(vec4 voxel) { return voxel.a; }
 
-// Between two objects there is no third: the identity is that of the voxel that the place lies in. It is a look, and the
-// low and the high byte of a number.
+// The voxel's identity is not interpolated: it is a palette index and the low and high byte of the event number.
 vec3 identity_at(vec3 at) {
     ivec3 size = textureSize(brick, 0);
     return texelFetch(brick, clamp(ivec3(at * vec3(size)), ivec3(0), size - 1), 0).rgb * 255.0;
 }
 
-// The colour is the object's, the extinction of the scalar beside it the transfer function's.
+// Colour of the object; extinction from the transfer function of the scalar.
 vec4 optical_at(vec3 at) {
     float extinction = texelFetch(transfer, ivec2(texture(brick, at).a * 1020.0 + 0.5, 0), 0).a;
     if (extinction == 0.0) return vec4(0.0);

@@ -1,8 +1,8 @@
-uniform sampler2D transfer;  // a texel each quarter of a value: colour, and extinction per unit length times log2(e)
+uniform sampler2D transfer;  // one texel per quarter value: colour, and log2(e) times the extinction per unit length
 
 float scalar_of(vec4 voxel) { return voxel.a; }
 
-// The colour is the voxel's own, the extinction of the scalar beside it the transfer function's.
+// Colour of the voxel; extinction from the transfer function of the scalar.
 vec4 optical_at(vec3 at) {
     vec4 voxel = texture(brick, at);
     return vec4(voxel.rgb, texelFetch(transfer, ivec2(voxel.a * 1020.0 + 0.5, 0), 0).a);

@@ -3,7 +3,7 @@ uniform sampler2D looks;     // 256 texels: colours from the first moment to the
 
 float scalar_of(vec4 voxel) { return voxel.r; }
 
-// The colour is that of the moment, the extinction the transfer function's.
+// Colour of the time; extinction from the transfer function.
 vec4 optical_at(vec3 at) {
     float extinction = texelFetch(transfer, ivec2(texture(brick, at).r * 1020.0 + 0.5, 0), 0).a;
     float t = clamp((at.z - brick_offset.z) / brick_scale.z, 0.0, 1.0);

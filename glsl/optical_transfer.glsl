@@ -1,8 +1,7 @@
-uniform sampler2D transfer;  // a texel each quarter of a value: colour, and extinction per unit length times log2(e)
+uniform sampler2D transfer;  // one texel per quarter value: colour, and log2(e) times the extinction per unit length
 
 float scalar_of(vec4 voxel) { return voxel.r; }
 
-// Colour and extinction by the transfer function.
 vec4 optical_at(vec3 at) { return texelFetch(transfer, ivec2(texture(brick, at).r * 1020.0 + 0.5, 0), 0); }
 
 float number_at(vec3 at) { return 0.0; }

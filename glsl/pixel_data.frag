@@ -1,4 +1,4 @@
-// Opaque geometry as pixel data: weight, frame, depth, and the opacity of all that is there. It is no event's.
+// Pixel data of opaque geometry: weight, frame, depth, total opacity. It belongs to no event.
 in float frame_number;
 
 layout(location = 0) out vec4 data;

@@ -1,12 +1,12 @@
-// A pixel of a slice of the volume as pixel data. The pieces before it: those of volume.frag without shading_NAME.glsl,
-// and pixel_data_over.glsl.
-uniform float texel_layers;      // of the texture: one more than the brick at each end
+// Pixel data of a slice of the volume. Follows the chunks of volume.frag except shading_NAME.glsl, then
+// pixel_data_over.glsl.
+uniform float texel_layers;      // of the texture: the brick's, plus one at each end
 uniform float first_layer;       // of the brick, in the window
 uniform float last_layer;        // of the window
 uniform float frames_per_layer;
 
-// Between two layers the sample is of the one that gives it more of its extinction: where a thing begins or ends, it
-// reaches into the layer beside it, but has not been there.
+// A sample between two layers belongs to the one that contributes more extinction: interpolation extends an object into
+// the next layer, in whose frames it is absent.
 float frame_of(vec3 at) {
     float between = at.z * texel_layers - 0.5;
     float low = floor(between);
@@ -18,10 +18,10 @@ float frame_of(vec3 at) {
 }
 
 void main() {
-    take_behind();
-    if (take_over) return;
+    load_behind();
+    if (copy_only) return;
     float inside;
     vec3 at = texture_position(inside);
     float opacity = opacity_of(optical_at(at).a, inside);
-    if (opacity > 0.0) put_over(opacity, frame_of(at), number_at(at));
+    if (opacity > 0.0) composite_over(opacity, frame_of(at), number_at(at));
 }

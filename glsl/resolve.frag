@@ -1,4 +1,4 @@
-// A pixel's samples as one.
+// Averages the samples of a pixel.
 uniform sampler2DMS drawn;
 uniform int samples;
 

@@ -1,12 +1,12 @@
-in vec3 light;  // towards it, and along the ray, both turned as `local` is
+in vec3 light;  // directions to the light and along the ray, in the coordinates of `local`
 in vec3 view;
 
 float scalar_at(vec3 at) { return scalar_of(texture(brick, texture_from_c(c_from_local(at, t_near)))); }
 
-// Where the scalar changes there is a surface: light from the side it rises against, dark where the ray only grazes it,
-// so that where two trails cross, the nearer one stands out.
+// Treats the scalar's gradient as a surface normal: lit by the light, and dark where the ray grazes the surface, so
+// that the nearer of two crossing trails stands out.
 vec3 shaded(vec3 colour) {
-    // Three voxels: less would show the noise of the video.
+    // Differences over three voxels: shorter ones would show the video's noise.
     float reach = 3.0 * frame_height / (float(textureSize(brick, 0).y) * brick_scale.y);
     vec3 gradient = vec3(scalar_at(local + vec3(reach, 0.0, 0.0)) - scalar_at(local - vec3(reach, 0.0, 0.0)),
                          scalar_at(local + vec3(0.0, reach, 0.0)) - scalar_at(local - vec3(0.0, reach, 0.0)),

@@ -1,8 +1,8 @@
-// A pixel of a slice of the volume. The pieces before it:
-//   layout_NAME.glsl    c_from_local: C-space from the interpolated position
-//   volume_sample.glsl  brick, texture_position, opacity_of: where the pixel lies in the brick's texture
-//   optical_NAME.glsl   optical_at, scalar_of: colour and extinction at a place, and the scalar of a texel
-//   shading_NAME.glsl   shaded: the colour in the light
+// A fragment of a slice of the volume. Follows these chunks:
+//   layout_NAME.glsl    c_from_local: interpolated position to C-space
+//   volume_sample.glsl  brick, texture_position, opacity_of: position in the brick's texture
+//   optical_NAME.glsl   optical_at, scalar_of: colour and extinction at a position, scalar of a texel
+//   shading_NAME.glsl   shaded: the lit colour
 layout(location = 0) out vec4 colour;
 
 void main() {

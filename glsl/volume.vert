@@ -9,7 +9,7 @@ uniform vec3 to_light;
 
 out vec3 local;
 out float t_near;
-out vec3 ray;  // as long as from one slice to the next, if these were 1 apart: linear over a slice, unlike its length
+out vec3 ray;  // from one slice to the next at spacing 1: linear over a slice, unlike its length
 out vec3 light;
 out vec3 view;
 

@@ -3,15 +3,15 @@ in float t_near;
 in vec3 ray;
 
 uniform sampler3D brick;
-uniform vec3 brick_scale;   // texture coordinates of the brick from C-space
+uniform vec3 brick_scale;   // C-space to texture coordinates
 uniform vec3 brick_offset;
-uniform float spacing;      // of the slices
+uniform float spacing;      // of the slices, P-space units
 uniform float frame_height;  // P-space units
 
 vec3 texture_from_c(vec3 c) { return c * brick_scale + brick_offset; }
 
-// Where in the texture the fragment lies; outside of the volume, where straight cells reach a little over, `inside` is 0.
-// It rises to 1 within a thousandth of the depth: with a step, rounding would decide about a whole slice at the edge.
+// Texture coordinates of the fragment. Straight cells extend slightly beyond the volume; there `inside` is 0. It rises
+// to 1 within a thousandth of the depth: with a step, rounding would decide about a whole slice at the edge.
 vec3 texture_position(out float inside) {
     vec3 c = c_from_local(local, t_near);
     inside = clamp((0.5 - abs(c.x - 0.5)) * 1000.0, 0.0, 1.0);

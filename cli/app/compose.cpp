@@ -149,10 +149,10 @@ std::vector<labels::LegendEntry> legend_of(const RenderJob& job) {
 
 std::string span_of(const Caption& caption, const bricks::Volume& volume) {
     std::string text = fmt::format("{}, {}", counted(caption.frames, "frame"),
-                                   labels::format_span(caption.begin, caption.end, caption.clock));
+                                   labels::format_interval_and_zone(caption.begin, caption.end, caption.clock));
     double idle = 0;
     for (const bricks::CompressedIdle& stretch : bricks::compressed_stretches(volume)) idle += stretch.seconds;
-    if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_length(idle));
+    if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_duration(idle));
     return text;
 }
 
@@ -167,7 +167,7 @@ std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const 
             asked += std::max(0.0, std::min(part.end, gap.end) - std::max(part.begin, gap.begin));
         }
         const bool left_out = gap.end - gap.begin - asked > little;
-        if (left_out) gap.words = asked > little ? "left out, no signal" : "left out";
+        if (left_out) gap.reason = asked > little ? "left out, no signal" : "left out";
     }
     return gaps;
 }
@@ -175,8 +175,8 @@ std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const 
 /// In the middle of the volume: an empty picture would look like a mistake.
 void label_stillness(const Framing& framing, const image::Rgba& colour, labels::Lettering& lettering) {
     const PixelBox& box = framing.sheet.volume;
-    lettering.add(labels::make_label_around("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
-                                            (box.top + box.bottom) / 2.0, colour),
+    lettering.add(labels::make_centred_label("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
+                                             (box.top + box.bottom) / 2.0, colour),
                   framing.sheet.between, 0);
 }
 
@@ -237,7 +237,7 @@ void label_glance(const RenderJob& job, const Caption& caption, const bricks::Vo
     const glance::Trails trails(volume, layout, framing.camera, sheet.picture);
     if (show.has(Part::map) && !glance.scene.empty()) {
         const double aspect = static_cast<double>(glance.field.width) / glance.field.height;
-        const PixelBox box = glance::hollow_of(layout, framing.camera, sheet.picture, sheet.hollow, aspect);
+        const PixelBox box = glance::map_box(layout, framing.camera, sheet.picture, sheet.map_area, aspect);
         glance::draw_map(glance.objects, glance.scene, glance.field, box, sheet.small,
                          image::Rgba(background_of(job.look)), lettering);
     }

@@ -60,7 +60,7 @@ void make_renderer(const RenderJob& job, Size field_size, std::int64_t tile_samp
 double half_pixel(const RenderJob& job, const Drawing& drawing) {
     double side = 0;
     for (const glm::dvec3& p : scene::outline_points(*drawing.layout))
-        side = std::max(side, drawing.framing.camera.pixel_side(p, job.picture.size));
+        side = std::max(side, drawing.framing.camera.pixel_size(p, job.picture.size));
     return side * std::numbers::sqrt2 / 2;
 }
 

@@ -61,7 +61,7 @@ void show_warnings(const RenderJob& job, const RenderReport& report, Observer& o
         for (const bricks::CompressedIdle& stretch : report.squeezed) idle += stretch.seconds;
         observer.info(
             fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                        labels::format_length(idle), counted(std::ssize(report.squeezed), "place")));
+                        labels::format_duration(idle), counted(std::ssize(report.squeezed), "place")));
     } else if (report.step > 1) {
         observer.info(
             fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));

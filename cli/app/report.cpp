@@ -191,7 +191,7 @@ std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderRepo
     const video::VideoInfo& info = report.info;
     if (info.began && is_recording_time(info.began_source)) return {info.began, info.began_source};
     const WallClock& clock = report.clock;
-    if (clock && clock->ahead) return {clock->begin - *clock->ahead, clock->source};
+    if (clock && clock->utc_offset) return {clock->begin - *clock->utc_offset, clock->source};
     return {std::nullopt, ClockSource::none};
 }
 
@@ -273,7 +273,7 @@ std::string summary_of(const std::vector<events::Event>& events, const WallClock
     const double last = longest->last.seconds;
     std::string text = fmt::format(
         "{}; the longest from {}", counted(std::ssize(events), "event"),
-        clock ? labels::format_stretch(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
+        clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
     const double still = events::stationary_seconds(*longest);
     if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
     return text;

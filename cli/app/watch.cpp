@@ -140,7 +140,7 @@ class LivePictures {
 
   private:
     std::string span_of(const RenderReport& report) const {
-        return labels::format_span(report.first_pts, report.last_pts, job_.look.start_time.clock);
+        return labels::format_interval_and_zone(report.first_pts, report.last_pts, job_.look.start_time.clock);
     }
 
     page::LiveState state_of(const RenderReport& report) const {

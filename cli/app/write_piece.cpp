@@ -72,7 +72,7 @@ std::string time_of_day(const PieceJob& job, double begin, double end) {
 
 /// When a second of the recording was, in seconds since 1970 (UTC); none = nobody knows.
 std::optional<double> utc_at(const PieceJob& job, double seconds) {
-    if (job.clock) return static_cast<double>(video::utc_of({job.clock->begin, job.clock->ahead})) + seconds;
+    if (job.clock) return static_cast<double>(video::utc_of({job.clock->begin, job.clock->utc_offset})) + seconds;
     return job.created ? std::optional(static_cast<double>(*job.created) + seconds) : std::nullopt;
 }
 

@@ -11,10 +11,10 @@ struct AVIOContext;
 
 namespace vvr {
 
-/// Puts bytes at a place of a file, over what is there. What lies between the file's end and that place becomes 0.
+/// Writes bytes at an offset of a file, over existing bytes. A gap after the file's end is filled with zeros.
 using WriteAt = std::function<void(std::int64_t offset, std::span<const std::byte> bytes)>;
 
-/// Where libav's muxers write. They are C, so what `write_at` throws is kept for `check`.
+/// The output of libav's muxers. They are C code, so exceptions of `write_at` are kept for `check`.
 class AvWriter {
   public:
     /// \throws std::bad_alloc
@@ -25,14 +25,14 @@ class AvWriter {
 
     AVIOContext* context() const { return context_.get(); }
 
-    /// Bytes of the file so far.
+    /// Size of the file so far, in bytes.
     std::int64_t size() const { return size_; }
 
-    /// Writes what is still held back.
+    /// Writes what is still buffered.
     /// \throws whatever `write_at` threw
     void flush();
 
-    /// Throws what `write_at` threw, if it did.
+    /// \throws whatever `write_at` threw; otherwise does nothing
     void check() const;
 
   private:

@@ -12,7 +12,7 @@
 namespace vvr {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    // Three rows of the table of optimal string alignment: the one before last is for swapped neighbours.
+    // Three rows of the dynamic programming table; swapped neighbours need the one before last.
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);
     std::vector<std::size_t> row(b.size() + 1);
@@ -36,7 +36,7 @@ std::string nearest_name(std::string_view word, std::span<const std::string> nam
     std::string nearest;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& name : names) {
-        // A beginning of a name counts as near, however much of it is missing.
+        // A prefix of a name is close, however short.
         const bool beginning = word.size() >= 3 && name.starts_with(word);
         const std::size_t distance = beginning ? 1 : edit_distance(word, name);
         if (distance < least) {

@@ -8,16 +8,17 @@
 
 namespace vvr {
 
-/// Number of letters to insert, delete, replace or swap with their neighbour to make `b` out of `a`.
+/// Edit distance (optimal string alignment): insertions, deletions, replacements and swaps of neighbours that turn `a`
+/// into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that the user most probably meant, empty when none is near.
+/// The name closest to `word`, empty if none is close.
 std::string nearest_name(std::string_view word, std::span<const std::string> names);
 
-/// ` (did you mean 'NAME'?)`, or nothing when no name is near: to put behind the wrong word in an error text.
+/// ` (did you mean 'NAME'?)` for an error text, or "" if no name is close.
 std::string did_you_mean(std::string_view word, std::span<const std::string> names);
 
-/// The first column of a table.
+/// The names of a table's rows.
 template <class Rows>
 std::vector<std::string> names_of(const Rows& rows) {
     std::vector<std::string> names;
@@ -25,14 +26,14 @@ std::vector<std::string> names_of(const Rows& rows) {
     return names;
 }
 
-/// \throws Error usage: that `setting` can't be `found`, which of `names` may be meant, and what all of them are
+/// \throws Error usage: `setting` can't be `found`; suggests the closest of `names` and lists them all
 [[noreturn]] void refuse_choice(std::string_view setting, std::string_view found, std::span<const std::string> names,
                                 std::string_view or_else = {});
 
-/// The row of a table whose name is `found`.
-/// \param setting that chooses the row
-/// \param or_else what else the setting takes: ", or the name of a file"
-/// \throws Error usage when there is none
+/// The row with the name `found`.
+/// \param setting the setting that chooses the row, for the message
+/// \param or_else what else the setting accepts, for the message: ", or the name of a file"
+/// \throws Error usage if there is none
 template <class Rows>
 const auto& choose(std::string_view setting, std::string_view found, const Rows& rows, std::string_view or_else = {}) {
     const auto row = std::ranges::find_if(rows, [&](const auto& r) { return r.name == found; });

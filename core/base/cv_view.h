@@ -23,8 +23,8 @@ struct CvType<float> {
     static constexpr int value = CV_32FC1;
 };
 
-/// A plane's pixels as OpenCV sees them, not copied: valid as long as the plane is. A view of a const plane must
-/// not be written to; OpenCV's type has no way to say so.
+/// A cv::Mat that shares the plane's pixels: valid as long as the plane is. Never write through a view of a const
+/// plane; cv::Mat can't express constness.
 template <class T>
 cv::Mat cv_view(const Plane<T>& plane) {
     return {plane.height(), plane.width(), CvType<T>::value, const_cast<T*>(plane.pixels().data())};

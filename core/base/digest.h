@@ -9,8 +9,8 @@
 
 namespace vvr {
 
-/// FNV-1a of 64 bits: the same number for the same bytes on every machine and in every version, to share out work and
-/// to make short names. It keeps no secrets.
+/// 64-bit FNV-1a hash, the same on every machine and in every version: for work distribution and short names. Not
+/// cryptographic.
 constexpr std::uint64_t fnv1a(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char c : bytes) {
@@ -22,17 +22,17 @@ constexpr std::uint64_t fnv1a(std::string_view bytes) {
 
 std::array<std::byte, 32> sha256(std::string_view bytes);
 
-/// What tells a file from others, whatever its name is.
+/// Identifies a file independently of its name.
 struct FileDigest {
-    std::int64_t bytes = 0;  ///< its size
-    std::string ends{};      ///< SHA-256 of its first and its last 64 KiB; of all of it where it has no more; hex
+    std::int64_t bytes = 0;  ///< file size
+    std::string ends{};      ///< hex SHA-256 of the first and last 64 KiB, or of the whole file if it is shorter
 
     friend bool operator==(const FileDigest&, const FileDigest&) = default;
 };
 
-/// Hours of footage are too much to read once more: a key frame at the beginning, the last frames and an index differ
-/// from clip to clip.
-/// \returns nothing for what is no regular file, or can't be read
+/// Hashes only the ends of a file, because hours of footage are too much to read. Clips differ there: in their first
+/// key frame, last frames and index.
+/// \returns nothing for files that aren't regular or can't be read
 std::optional<FileDigest> digest_of(const std::string& path);
 
 }  // namespace vvr

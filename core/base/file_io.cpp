@@ -47,7 +47,7 @@ namespace {
 /// An open file that closes itself.
 class Opened {
   public:
-    // What became a pipe since it was looked at must not wait for who writes it.
+    // O_NONBLOCK: if the file has become a FIFO since it was checked, don't wait for a writer.
     explicit Opened(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
     ~Opened() {
         if (fd_ >= 0) ::close(fd_);
@@ -100,11 +100,11 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
     }
     const bool piped = S_ISFIFO(status.st_mode) && is_descriptor_path(path);
     if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
-    if (piped) ::fcntl(file.get(), F_SETFL, 0);  // its writer may take its time
+    if (piped) ::fcntl(file.get(), F_SETFL, 0);  // wait for the writer
     if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > most) refuse_length(path, most);
     std::string bytes;
     constexpr std::size_t piece = 1U << 20U;
-    // One byte more than it says shows whether that was all.
+    // One byte more than the reported size detects the end.
     std::size_t room = std::max<std::size_t>(static_cast<std::size_t>(status.st_size) + 1, 4096);
     for (std::size_t filled = 0;;) {
         bytes.resize(filled + room);

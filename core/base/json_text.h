@@ -7,23 +7,23 @@
 
 namespace vvr {
 
-/// JSON as text. Bytes that are not UTF-8, which file names may hold, become U+FFFD.
-/// \param indent spaces per level; -1 = all in one line
-/// \param ascii other characters are written as escapes
+/// Serialises JSON. Bytes that are not UTF-8, as in file names, become U+FFFD.
+/// \param indent spaces per level; -1 = one line
+/// \param ascii escape all non-ASCII characters
 inline std::string json_text(const nlohmann::ordered_json& json, int indent = -1, bool ascii = false) {
     return json.dump(indent, ' ', ascii, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// The value of a text; a discarded one (`is_discarded`) for what is no JSON, or is nested so deep that copying it
+/// Parses JSON. The result is discarded (`is_discarded`) if the text is not JSON or is nested so deeply that copying it
 /// would exhaust the stack.
 inline nlohmann::ordered_json parse_json(std::string_view text) {
-    constexpr int deepest = 64;
+    constexpr int max_depth = 64;
     bool too_deep = false;
-    const auto look = [&](int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
-        too_deep = too_deep || depth > deepest;
+    const auto check_depth = [&](int depth, nlohmann::ordered_json::parse_event_t, nlohmann::ordered_json&) {
+        too_deep = too_deep || depth > max_depth;
         return !too_deep;
     };
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(text, look, false);
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(text, check_depth, false);
     return too_deep ? nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded) : json;
 }
 

@@ -24,8 +24,8 @@ bool is_memory_available(std::int64_t bytes) {
 
 void tune_malloc() {
     constexpr int larger_than_a_plane = 2 << 20;
-    // One heap for all threads: planes are freed by other threads than those that took them, and each heap would keep
-    // its own.
+    // One heap for all threads: planes are often freed by another thread than the one that allocated them, and each
+    // heap would keep its own.
     mallopt(M_ARENA_MAX, 1);
     mallopt(M_MMAP_THRESHOLD, larger_than_a_plane);
     mallopt(M_TRIM_THRESHOLD, 64 * larger_than_a_plane);
@@ -41,7 +41,7 @@ bool is_out_of_memory(const std::exception& error) {
         return system->code() == std::errc::resource_unavailable_try_again ||
                system->code() == std::errc::not_enough_memory;
     }
-    // TBB has no type of its own for a thread that it can't have.
+    // TBB has no exception type for failing to start a thread.
     return std::string_view(error.what()).starts_with("pthread_create has failed");
 }
 

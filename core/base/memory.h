@@ -5,21 +5,21 @@
 
 namespace vvr {
 
-/// Bytes of the machine's memory; 0 or less = unknown.
+/// Bytes of physical memory; 0 or less = unknown.
 std::int64_t machine_memory();
 
-/// Whether the process may still have so many bytes more: limits of its own may end before the machine's memory does.
+/// Whether the process can allocate `bytes` more: its own limits may be lower than the machine's memory.
 bool is_memory_available(std::int64_t bytes);
 
-/// Has the process keep the memory of the planes that come and go by the frame, instead of giving it back and touching
-/// it anew. Larger things go back at once.
+/// Makes malloc keep freed planes for reuse, because returning and faulting in their pages for each frame is slow.
+/// Larger blocks still go back at once.
 void tune_malloc();
 
-/// Gives the system back what the process has freed and kept.
+/// Returns freed memory that malloc has kept to the system.
 void trim_heap();
 
-/// Whether an exception says that there was no memory, or no thread to be had, which is how a system without memory
-/// may say it.
+/// Whether an exception means that memory ran out. Failure to start a thread counts: it is how a system may report
+/// that.
 bool is_out_of_memory(const std::exception& error);
 
 /// Calls a function that loads a library, as dlopen does, and as a driver's own functions may. What the library throws

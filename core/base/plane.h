@@ -21,15 +21,14 @@ struct Size {
 
 using Bgr = std::array<std::uint8_t, 3>;
 
-/// A picture with one value of type T a pixel, rows from the top, no padding.
+/// A picture with one value of type T per pixel, rows from the top, no padding.
 template <class T>
 class Plane {
   public:
     Plane() = default;
     explicit Plane(Size size, T value = T{}) : Plane(for_overwrite(size)) { std::ranges::fill(pixels(), value); }
 
-    /// One whose values are all about to be written: at a frame's size the writing of zeros before shows in a run's
-    /// time.
+    /// An uninitialised plane, for callers that write every value: zeroing whole frames costs measurable time.
     static Plane for_overwrite(Size size) {
         Plane plane;
         plane.count_ = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
@@ -81,14 +80,14 @@ class Plane {
     std::unique_ptr<T[]> pixels_;
 };
 
-/// A size made smaller, in proportion, until its longer side is `side` at most.
+/// Shrinks a size in proportion until its longer side is at most `side` pixels.
 inline Size fit_into(Size size, int side) {
     const double scale = std::min(1.0, static_cast<double>(side) / std::max(size.width, size.height));
     return {std::max(1, static_cast<int>(std::lround(size.width * scale))),
             std::max(1, static_cast<int>(std::lround(size.height * scale)))};
 }
 
-/// Part of a picture or a field: columns left to right - 1, rows top to bottom - 1.
+/// A rectangle of pixels, half-open: columns [left, right), rows [top, bottom).
 struct PixelBox {
     int left = 0;
     int top = 0;
@@ -113,14 +112,14 @@ struct PixelBox {
     friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-/// The least box that holds both; an empty one adds nothing.
+/// The smallest box that contains both; an empty box adds nothing.
 inline PixelBox bounding_box(const PixelBox& a, const PixelBox& b) {
     if (a.empty()) return b;
     if (b.empty()) return a;
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
-/// What two boxes have in common; empty where they don't meet.
+/// The intersection of two boxes; empty if they don't intersect.
 inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
 }

@@ -12,7 +12,7 @@ namespace vvr {
 
 namespace {
 
-/// Whether a character shows nothing of its own, but changes how the text around it is shown.
+/// Whether a character is invisible but affects how the text around it is shown.
 bool is_hidden(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
            (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF;
@@ -80,7 +80,7 @@ std::optional<Character> first_character(std::string_view text) {
     const auto* const begin = reinterpret_cast<const std::uint8_t*>(text.data());
     const std::uint8_t* end = begin;
     std::int32_t code = 0;
-    // U+FFFE and U+FFFF are no characters, but they are UTF-8.
+    // U+FFFE and U+FFFF are noncharacters, but valid UTF-8.
     const int flags = AV_UTF8_FLAG_ACCEPT_NON_CHARACTERS;
     if (text.empty() || av_utf8_decode(&code, &end, begin + text.size(), flags) < 0) return std::nullopt;
     return Character{static_cast<char32_t>(code), static_cast<std::size_t>(end - begin)};

@@ -15,7 +15,7 @@ namespace vvr {
 namespace {
 
 constexpr std::int64_t day = 86'400;
-constexpr std::int64_t last = 7'258'118'400;  // 2200-01-01; who asks may have the times of a damaged file
+constexpr std::int64_t last = 7'258'118'400;  // 2200-01-01: bounds the search for times of damaged files
 
 std::tm local(std::int64_t utc) {
     const auto time = static_cast<std::time_t>(utc);
@@ -42,7 +42,7 @@ std::string zone_text(std::int64_t utc) {
     const std::tm parts = local(utc);
     const std::string offset = offset_text(parts.tm_gmtoff);
     const std::string name = parts.tm_zone == nullptr ? "" : parts.tm_zone;
-    // Zones without letters of their own are called by their offset, "+03".
+    // Zones without an abbreviation have their offset as name, "+03".
     const bool named = !name.empty() && name.find_first_of("+-0123456789") == std::string::npos && name != offset;
     return named ? fmt::format("{}, {}", name, offset) : offset;
 }
@@ -81,8 +81,8 @@ std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end) {
 
 double Clock::at(double seconds) const {
     double shown = static_cast<double>(begin) + seconds;
-    for (const ClockChange& leap : leaps) {
-        if (seconds >= leap.seconds) shown += static_cast<double>(leap.by);
+    for (const ClockChange& change : changes) {
+        if (seconds >= change.seconds) shown += static_cast<double>(change.by);
     }
     return shown;
 }
@@ -90,10 +90,10 @@ double Clock::at(double seconds) const {
 double Clock::when(double shown) const {
     double seconds = shown - static_cast<double>(begin);
     double since = -std::numeric_limits<double>::infinity();
-    for (const ClockChange& leap : leaps) {
-        if (seconds < leap.seconds) break;
-        seconds -= static_cast<double>(leap.by);
-        since = leap.seconds;
+    for (const ClockChange& change : changes) {
+        if (seconds < change.seconds) break;
+        seconds -= static_cast<double>(change.by);
+        since = change.seconds;
     }
     return std::max(seconds, since);
 }
@@ -102,8 +102,8 @@ std::string Clock::iso(double seconds) const {
     const double shown = at(seconds);
     std::string text =
         fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(static_cast<std::time_t>(std::floor(shown + 1e-6))));
-    if (!ahead) return text;
-    const auto offset = *ahead + std::llround(shown - static_cast<double>(begin) - seconds);
+    if (!utc_offset) return text;
+    const auto offset = *utc_offset + std::llround(shown - static_cast<double>(begin) - seconds);
     const auto minutes = std::abs(offset) / 60;
     return text + fmt::format("{}{:02}:{:02}", offset < 0 ? '-' : '+', minutes / 60, minutes % 60);
 }
@@ -111,11 +111,11 @@ std::string Clock::iso(double seconds) const {
 Clock local_clock(std::int64_t begin, double length, ClockSource source) {
     const std::vector<ZoneChange> changes = zone_changes(begin, begin + std::llround(std::ceil(length)));
     Clock clock(begin + changes.front().offset);
-    clock.ahead = changes.front().offset;
+    clock.utc_offset = changes.front().offset;
     clock.source = source;
     clock.zone = zone_text(begin);
     for (std::size_t i = 1; i < changes.size(); ++i) {
-        clock.leaps.push_back(
+        clock.changes.push_back(
             {static_cast<double>(changes[i].from - begin), changes[i].offset - changes[i - 1].offset});
         clock.zone += fmt::format(", then {}", zone_text(changes[i].from));
     }

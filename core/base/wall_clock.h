@@ -18,23 +18,22 @@ struct Moment {
 
 }  // namespace vvr
 
-// What tells which time of day a second of a clip was. A time of day is shown only where one of these does, and then
-// together with which.
+// Where a clip's time of day comes from. Times of day are shown only if a source is known, and together with it.
 namespace vvr {
 
 enum class ClockSource {
-    none,       ///< nothing tells
-    file_name,  ///< the name of the file, or of its folders
+    none,       ///< unknown
+    file_name,  ///< name of the file or its folders
     user,       ///< --start-time
-    live,       ///< this machine's clock, while a stream came
-    container,  ///< creation_time: when the file was written, which need not be when it was recorded
-    modified,   ///< when the file was last written, less its length
+    live,       ///< this machine's clock while the stream was received
+    container,  ///< creation_time: when the file was written, perhaps after the recording
+    modified,   ///< modification time minus the clip's length
 };
 
 struct ClockSourceRow {
     ClockSource source;
     std::string_view name;   ///< in reports and for --start-time
-    std::string_view words;  ///< behind a time, for people
+    std::string_view words;  ///< after a time, for users
 };
 
 inline constexpr std::array clock_sources{
@@ -50,31 +49,30 @@ inline const ClockSourceRow& row_of(ClockSource source) {
     return *std::ranges::find(clock_sources, source, &ClockSourceRow::source);
 }
 
-/// Whether a picture shows this clock without being asked to: when a file was written is no evidence of when what it
-/// shows happened.
+/// Whether pictures show this clock by default. When a file was written is no evidence of when it was recorded.
 inline constexpr bool is_recording_time(ClockSource source) {
     return source == ClockSource::file_name || source == ClockSource::user || source == ClockSource::live;
 }
 
 }  // namespace vvr
 
-// The clocks on the walls of this machine's time zone: that of TZ, or the system's.
+// Wall clocks of this machine's time zone: that of TZ, or the system's.
 namespace vvr {
 
-/// How far the clock on the wall is ahead of UTC at a moment, in seconds.
+/// Local time minus UTC at a time, in seconds.
 /// \param utc seconds since 1970
 std::int64_t local_offset(std::int64_t utc);
 
-/// The zone at a moment as people write it: "CET, UTC+1", "UTC".
+/// The time zone for users: "CET, UTC+1", "UTC".
+/// \param utc seconds since 1970
 std::string zone_text(std::int64_t utc);
 
-/// The moment at which a clock on the wall shows a time. In the hour that comes twice it is the one nearer to `near`,
-/// else the first; a time that the clock leaps over is counted on from before the leap.
-/// \param wall seconds since 1970-01-01 00:00 of the clock on the wall
+/// Converts local time to UTC, both in seconds since 1970-01-01 00:00. In the hour that occurs twice, chooses the time
+/// nearer to `near`, else the first. A skipped time is counted on from before the change.
 /// \param near seconds since 1970, UTC
 std::int64_t utc_of_local(std::int64_t wall, std::optional<std::int64_t> near = {});
 
-/// From a moment on the clock on the wall is so far ahead of UTC.
+/// The UTC offset from a time on.
 struct ZoneChange {
     std::int64_t from = 0;    ///< seconds since 1970, UTC
     std::int64_t offset = 0;  ///< seconds
@@ -82,44 +80,42 @@ struct ZoneChange {
     friend bool operator==(const ZoneChange&, const ZoneChange&) = default;
 };
 
-/// The offset at `begin`, and every change of it until `end`. Of times beyond the years 1970 to 2199, which no clock on
-/// a wall shows, no change is known.
+/// The offset at `begin` and all its changes until `end`, within the years 1970 to 2199.
+/// \param begin, end seconds since 1970, UTC
 std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end);
 
-/// The clock on a wall while a clip was recorded.
+/// The wall clock of a clip: maps seconds of the clip to local time.
 struct Clock {
-    /// \param begins what it showed at second 0 of the clip, in seconds since 1970-01-01 00:00 on that clock, of
-    /// whatever
-    ///        zone
+    /// \param begins local time at second 0 of the clip, in seconds since 1970-01-01 00:00 of any zone
     Clock(std::int64_t begins) : begin(begins) {}
 
-    /// When summer time began or ended.
+    /// A start or end of daylight saving time.
     struct ClockChange {
         double seconds = 0;   ///< of the clip
-        std::int64_t by = 0;  ///< seconds by which the clock was put forward
+        std::int64_t by = 0;  ///< seconds by which the clock jumps forward
     };
 
     std::int64_t begin;
-    std::vector<ClockChange> leaps{};
-    std::optional<std::int64_t> ahead{};     ///< seconds ahead of UTC at second 0; none = nobody knows
-    std::string zone{};                      ///< "CET, UTC+1"; empty = nobody knows
-    ClockSource source = ClockSource::user;  ///< who says so
+    std::vector<ClockChange> changes{};
+    std::optional<std::int64_t> utc_offset{};  ///< seconds, at second 0; none = unknown
+    std::string zone{};                        ///< "CET, UTC+1"; empty = unknown
+    ClockSource source = ClockSource::user;    ///< of `begin`
 
-    /// What it showed at a second of the clip.
+    /// The local time at a second of the clip, in the units of `begin`.
     double at(double seconds) const;
 
-    /// The second of the clip, negative before it began, at which it first showed a time; where it leapt over that, the
-    /// second of the leap.
+    /// The second of the clip at which the clock first showed `shown`, negative before the clip; for a skipped time,
+    /// the second of the jump.
     double when(double shown) const;
 
-    /// The same as ISO 8601: "2026-11-21T08:00:07+01:00"; without the zone where that is not known.
+    /// The local time as ISO 8601: "2026-11-21T08:00:07+01:00"; without the offset if it is unknown.
     std::string iso(double seconds) const;
 };
 
-/// None where nobody knows when a clip was recorded.
+/// None if the recording time is unknown.
 using WallClock = std::optional<Clock>;
 
-/// The clock of this machine's time zone.
+/// A clip's clock in this machine's time zone.
 /// \param begin of the clip, seconds since 1970 (UTC)
 /// \param length of the clip, seconds
 Clock local_clock(std::int64_t begin, double length, ClockSource source);

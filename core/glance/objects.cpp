@@ -21,14 +21,14 @@ double seconds_of(const events::Stay& stay) {
     return stay.last.seconds - stay.first.seconds;
 }
 
-/// How long a reader would look at it.
+/// Importance to a reader, in seconds.
 double weight_of(const events::Event& event) {
-    constexpr double of_standing = 3;
+    constexpr double stay_weight = 3;
     const events::Stay* const stay = longest_stay(event);
-    return seconds_of(event) + (stay != nullptr ? of_standing * seconds_of(*stay) : 0);
+    return seconds_of(event) + (stay != nullptr ? stay_weight * seconds_of(*stay) : 0);
 }
 
-/// The way from its first place to its last, in the frame.
+/// The direction from the first to the last position in the frame.
 std::vector<std::string> direction_texts(const events::Event& event) {
     if (event.path.empty()) return {std::string(events::name_of(event.kind))};
     const glm::dvec2 way = event.path.back().place - event.path.front().place;
@@ -57,7 +57,7 @@ const events::Stay* longest_stay(const events::Event& event) {
     return longest == event.stays.end() ? nullptr : &*longest;
 }
 
-glm::dvec2 place_at(const events::Event& event, double seconds) {
+glm::dvec2 position_at(const events::Event& event, double seconds) {
     const std::vector<events::PathPoint>& path = event.path;
     if (path.empty())
         return {(event.box.left + event.box.right - 1) / 2.0, (event.box.top + event.box.bottom - 1) / 2.0};
@@ -74,13 +74,13 @@ glm::dvec2 place_at(const events::Event& event, double seconds) {
 std::vector<std::string> activity_texts(const events::Event& event) {
     const events::EventKindRow& row = row_of(event.kind);
     const events::Stay* const stay = longest_stay(event);
-    const bool tells_length = row.activity.find("{}") != std::string_view::npos;
-    if (row.activity.empty() || (tells_length && stay == nullptr)) return direction_texts(event);
-    const std::string length = tells_length ? labels::format_length(seconds_of(*stay)) : std::string();
-    return {fmt::format(fmt::runtime(row.activity), length), std::string(row.activity_short)};
+    const bool has_duration = row.activity.find("{}") != std::string_view::npos;
+    if (row.activity.empty() || (has_duration && stay == nullptr)) return direction_texts(event);
+    const std::string duration = has_duration ? labels::format_duration(seconds_of(*stay)) : std::string();
+    return {fmt::format(fmt::runtime(row.activity), duration), std::string(row.activity_short)};
 }
 
-std::vector<events::Stay> standing_times(const events::Event& event) {
+std::vector<events::Stay> stationary_times(const events::Event& event) {
     if (!row_of(event.kind).lies) return event.stays;
     const events::Stay* const stay = longest_stay(event);
     events::Stay whole = stay != nullptr ? *stay : events::Stay{};
@@ -89,7 +89,7 @@ std::vector<events::Stay> standing_times(const events::Event& event) {
     return {whole};
 }
 
-std::vector<std::string> times_of(const events::Event& event, const WallClock& clock) {
+std::vector<std::string> time_texts(const events::Event& event, const WallClock& clock) {
     const std::string begin = labels::format_moment(event.first.seconds, clock);
     return {fmt::format("{}–{}", begin, labels::format_moment(event.last.seconds, clock)), begin};
 }

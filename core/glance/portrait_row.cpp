@@ -10,10 +10,10 @@ namespace vvr::glance {
 
 namespace {
 
-constexpr double crossing_cost = 1e6;  // more than all lengths together
-constexpr double obstacle_cost = 300;  // pixels that a line may be longer to lead around one
+constexpr double crossing_cost = 1e6;  // exceeds the sum of all lengths
+constexpr double obstacle_cost = 300;  // detour in pixels that avoiding an obstacle is worth
 
-/// > 0 where a, b, c turn one way, < 0 the other way.
+/// Twice the signed area of the triangle a, b, c: its sign is the direction of the turn.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -27,7 +27,8 @@ bool intersects(const glm::dvec2& from, const glm::dvec2& to, const PixelBox& bo
     return false;
 }
 
-/// Middles as near to those that are wished as an order and a distance of `step` allow (pool adjacent violators).
+/// The centres closest to `wished` that are in order and at least `step` apart, by isotonic regression (pool adjacent
+/// violators).
 std::vector<double> spread(std::span<const double> wished, double step, double low, double high) {
     struct Pool {
         double sum;
@@ -44,16 +45,16 @@ std::vector<double> spread(std::span<const double> wished, double step, double l
         }
     }
     const double highest = std::max(low, high - step * static_cast<double>(wished.size() - 1));
-    std::vector<double> middles;
+    std::vector<double> centres;
     for (const Pool& pool : pools) {
         for (int i = 0; i < pool.count; ++i) {
-            middles.push_back(std::clamp(pool.mean(), low, highest) + static_cast<double>(middles.size()) * step);
+            centres.push_back(std::clamp(pool.mean(), low, highest) + static_cast<double>(centres.size()) * step);
         }
     }
-    return middles;
+    return centres;
 }
 
-/// A row of portraits whose order is decided.
+/// A row of a fixed set of portraits.
 class Row {
   public:
     Row(std::span<const WantedPortrait> wanted, std::vector<std::size_t> order, const PixelBox& row, int gap,
@@ -69,9 +70,9 @@ class Row {
             wished.push_back(std::ranges::min_element(anchors, {}, &Anchor::cost)->pixel.x);
         }
         std::vector<PlacedPortrait> placed;
-        // Where the stills are depends on the anchors, and the best anchors on where the stills are.
+        // Stills and anchors depend on each other, so iterate.
         for (int round = 0; round < 3; ++round) {
-            placed = lead(stills_at(wished));
+            placed = choose_anchors(stills_at(wished));
             for (std::size_t i = 0; i < placed.size(); ++i) wished[i] = placed[i].to.x;
         }
         return placed;
@@ -80,26 +81,26 @@ class Row {
   private:
     std::vector<PlacedPortrait> stills_at(std::span<const double> wished) const {
         const double half = row_.height() / 2.0;
-        const std::vector<double> middles = spread(wished, step_, row_.left + half, row_.right - half);
+        const std::vector<double> centres = spread(wished, step_, row_.left + half, row_.right - half);
         std::vector<PlacedPortrait> stills;
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            const int left = static_cast<int>(std::floor(middles[i] - half));
+            const int left = static_cast<int>(std::floor(centres[i] - half));
             const PixelBox still{left, row_.top, left + row_.height(), row_.bottom};
-            stills.push_back({order_[i], still, {middles[i], row_.bottom}, {}});
+            stills.push_back({order_[i], still, {centres[i], row_.bottom}, {}});
         }
         return stills;
     }
 
     double cost_of(const PlacedPortrait& portrait, const Anchor& anchor) const {
-        const auto in_the_way = std::ranges::count_if(
+        const auto intersected = std::ranges::count_if(
             obstacles_, [&](const PixelBox& box) { return intersects(portrait.from, anchor.pixel, box); });
         return glm::distance(portrait.from, anchor.pixel) + anchor.cost +
-               obstacle_cost * static_cast<double>(in_the_way);
+               obstacle_cost * static_cast<double>(intersected);
     }
 
-    /// Chooses the anchors whose lines are shortest and do not cross that of a neighbour: along the row, the best way
-    /// to each anchor of one portrait comes from one anchor of the portrait before it.
-    std::vector<PlacedPortrait> lead(std::vector<PlacedPortrait> row) const {
+    /// Chooses the anchors with the shortest lines that don't cross a neighbour's, by dynamic programming along the
+    /// row.
+    std::vector<PlacedPortrait> choose_anchors(std::vector<PlacedPortrait> row) const {
         std::vector<std::vector<double>> costs(row.size());
         std::vector<std::vector<std::size_t>> before(row.size());
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -136,7 +137,7 @@ class Row {
     std::span<const PixelBox> obstacles_;
 };
 
-/// Of portraits whose lines cross another's, the one that is wanted least.
+/// The least wanted portrait whose line crosses another.
 std::optional<std::size_t> least_wanted_crossing(std::span<const PlacedPortrait> row) {
     std::optional<std::size_t> least;
     for (std::size_t i = 0; i < row.size(); ++i) {

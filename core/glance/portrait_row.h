@@ -10,36 +10,36 @@
 
 namespace vvr::glance {
 
-/// A place on an object's trail that the line from its portrait may lead to.
+/// A point on an object's trail to which its portrait's leader line may go.
 struct Anchor {
     glm::dvec2 pixel{};
-    double cost = 0;  ///< pixels by which a line to it may be longer than one to a better place
+    double cost = 0;  ///< penalty in pixels, added to the line's length
 };
 
-/// A portrait that has no place yet.
+/// A portrait to place.
 struct WantedPortrait {
-    double seconds = 0;  ///< portraits are in the order of these
+    double seconds = 0;  ///< time of the clip that orders the portraits
     std::vector<Anchor> anchors;
 };
 
-/// A portrait in the row, and the line that joins it to the trail.
+/// A portrait placed in the row, with its leader line.
 struct PlacedPortrait {
-    std::size_t wanted = 0;  ///< place in the list of those that were wanted
+    std::size_t wanted = 0;  ///< index in the list of wanted portraits
     PixelBox still;
-    glm::dvec2 from{};  ///< the line begins at the still's lower edge
+    glm::dvec2 from{};  ///< start of the line, at the still's lower edge
     glm::dvec2 to{};
 };
 
-/// Places portraits in a row above a picture of trails, in the order of their times, as near to their trails as the
-/// others allow. No two lines cross: where two would, the one that was wanted less gives up its place to the next.
-/// \param wanted the most wanted first; anchors lie below the row
-/// \param row in which the stills are; as high as they are
-/// \param gap pixels between two of them
-/// \param obstacles that lines lead around where they can
+/// Places portraits in a row above the trails, in time order and as near to their trails as possible. Leader lines
+/// never cross: of two that would, the less wanted portrait is dropped for the next one.
+/// \param wanted most wanted first; anchors lie below the row
+/// \param row area of the stills; its height is their size
+/// \param gap minimum distance of stills, in pixels
+/// \param obstacles boxes that lines avoid if they can
 std::vector<PlacedPortrait> place_portraits(std::span<const WantedPortrait> wanted, const PixelBox& row, int gap,
                                             std::span<const PixelBox> obstacles);
 
-/// Whether two straight lines have a point in common.
+/// Whether the segments a-b and c-d intersect.
 bool lines_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d);
 
 }  // namespace vvr::glance

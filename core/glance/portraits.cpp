@@ -12,7 +12,7 @@ namespace vvr::glance {
 
 namespace {
 
-Plane<Bgr> cut_out(const Plane<Bgr>& from, const PixelBox& box) {
+Plane<Bgr> crop_of(const Plane<Bgr>& from, const PixelBox& box) {
     Plane<Bgr> part(box.size());
     for (int j = 0; j < box.height(); ++j) {
         const auto row = from.row(box.top + j).subspan(static_cast<std::size_t>(box.left), part.row(j).size());
@@ -24,11 +24,11 @@ Plane<Bgr> cut_out(const Plane<Bgr>& from, const PixelBox& box) {
 }  // namespace
 
 PixelBox still_box(const PixelBox& object, Size frame) {
-    constexpr double around = 1.5;  // times the object's longer side
-    constexpr int least = 40;       // pixels: of less, nobody sees where it is
+    constexpr double around = 1.5;  // side of the square / longer side of the object
+    constexpr int min_side = 40;    // pixels; smaller stills show no context
     const int longer = std::max(object.width(), object.height());
     const int shorter_of_frame = std::min(frame.width, frame.height);
-    const int side = std::min(std::max(least, static_cast<int>(longer * around)), shorter_of_frame);
+    const int side = std::min(std::max(min_side, static_cast<int>(longer * around)), shorter_of_frame);
     const int left = std::clamp((object.left + object.right - side) / 2, 0, frame.width - side);
     const int top = std::clamp((object.top + object.bottom - side) / 2, 0, frame.height - side);
     return {left, top, left + side, top + side};
@@ -38,9 +38,9 @@ void Crops::keep(std::size_t track, const events::Portrait& portrait, const vide
     if (frame.colour.empty() && frame.grey.empty()) return;  // data files without pictures
     const Size size = frame.colour.empty() ? frame.grey.size() : frame.colour.size();
     const PixelBox box = still_box(portrait.box, size);
-    const Plane<Bgr> part = frame.colour.empty() ? cut_out(video::picture_of(frame), box) : cut_out(frame.colour, box);
+    const Plane<Bgr> part = frame.colour.empty() ? crop_of(video::picture_of(frame), box) : crop_of(frame.colour, box);
     crops_[track] = {portrait.at, portrait.score, portrait.box.translated(-box.left, -box.top), part};
-    if (crops_.size() <= most) return;
+    if (crops_.size() <= max_crops) return;
     crops_.erase(std::ranges::min_element(crops_, {}, [](const auto& entry) { return entry.second.score; }));
 }
 
@@ -50,13 +50,13 @@ std::vector<Plane<Bgr>> portraits_of(std::span<const events::Event> events, cons
     std::vector<Plane<Bgr>> portraits;
     portraits.reserve(events.size());
     for (const events::Event& event : events) {
-        const Crop* const crop = crops.of(event);
+        const Crop* const crop = crops.find(event);
         portraits.push_back(crop == nullptr ? Plane<Bgr>() : image::resized(crop->picture, {side, side}));
     }
     return portraits;
 }
 
-const Crop* Crops::of(const events::Event& event) const {
+const Crop* Crops::find(const events::Event& event) const {
     const Crop* best = nullptr;
     for (const std::size_t track : event.tracks) {
         const auto found = crops_.find(track);
@@ -70,16 +70,12 @@ const Crop* Crops::of(const events::Event& event) const {
 
 namespace {
 
-// Events that are tried: where lines would cross, others than the most telling ones have their turn.
-constexpr std::size_t tried = 40;
-// Numbers on trails: with more, nobody finds one.
-constexpr std::size_t most_numbers = 24;
+// Maximum number of events to try: if lines would cross, less important events take their turn.
+constexpr std::size_t max_candidates = 40;
+// Maximum number of numbered trails: more would be confusing.
+constexpr std::size_t max_numbers = 24;
 
-image::Rgba opaque(const glm::vec3& colour) {
-    return {colour.x, colour.y, colour.z, 1};
-}
-
-/// Places on the trail, those near the portrait's own moment first.
+/// Anchors along the trail; those near the portrait's own time cost least.
 std::vector<Anchor> anchors_of(const events::Event& event, double moment, const Trails& trails) {
     constexpr int steps = 24;
     std::vector<Anchor> anchors;
@@ -97,7 +93,7 @@ struct Candidate {
     const Crop* crop;
 };
 
-/// Corners around the object in a still: others may be in it too.
+/// Marks the corners of the object's bounding box, because a still may show other objects too.
 void mark_object(const Crop& crop, const PixelBox& still, const image::Rgba& colour, labels::Lettering& lettering) {
     const double scale = static_cast<double>(still.width()) / crop.picture.width();
     const glm::dvec2 low(still.left + 1, still.top + 1);
@@ -123,7 +119,7 @@ void mark_object(const Crop& crop, const PixelBox& still, const image::Rgba& col
     }
 }
 
-/// A still with its number, deed and time above it.
+/// Draws a still with the object's number, activity and time above it.
 void label_portrait(const Objects& objects, const Candidate& candidate, const PixelBox& still,
                     const labels::Sheet& sheet, const image::Rgba& ink, const image::Rgba& pale,
                     labels::Lettering& lettering) {
@@ -131,7 +127,7 @@ void label_portrait(const Objects& objects, const Candidate& candidate, const Pi
     const int size = sheet.small;
     const int line = size * 4 / 3;
     const int border = std::max(2, size / 5);
-    const image::Rgba colour = opaque(objects.colours[candidate.event]);
+    const image::Rgba colour = objects.colour_of(candidate.event);
     lettering.pictures.push_back({still.inflated(-border, -border), candidate.crop->picture, colour, border});
     mark_object(*candidate.crop, still.inflated(-border, -border), colour, lettering);
     const double middle = still.top - 1.5 * line + size * 0.1;
@@ -150,7 +146,7 @@ void label_portrait(const Objects& objects, const Candidate& candidate, const Pi
         }
     };
     write(activity_texts(event), text_left, base, ink);
-    write(times_of(event, objects.clock), still.left, base + line, pale);
+    write(time_texts(event, objects.clock), still.left, base + line, pale);
     lettering.badges.push_back(badge);
     lettering.regions.push_back(
         {{still.left, still.top - 2 * line, still.right, still.bottom}, objects.numbers[candidate.event]});
@@ -164,9 +160,9 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& cr
     std::vector<Candidate> candidates;
     std::vector<WantedPortrait> wanted;
     for (const std::size_t k : by_importance(objects.events)) {
-        if (candidates.size() == tried) break;
+        if (candidates.size() == max_candidates) break;
         const events::Event& event = objects.events[k];
-        const Crop* const crop = crops.of(event);
+        const Crop* const crop = crops.find(event);
         if (crop == nullptr) continue;
         candidates.push_back({k, crop});
         wanted.push_back({event.first.seconds, anchors_of(event, crop->at.seconds, trails)});
@@ -178,7 +174,7 @@ std::vector<std::size_t> label_portraits(const Objects& objects, const Crops& cr
     std::vector<std::size_t> shown;
     for (const PlacedPortrait& placed : place_portraits(wanted, row, sheet.small, obstacles)) {
         const Candidate& candidate = candidates[placed.wanted];
-        const image::Rgba colour = opaque(objects.colours[candidate.event]);
+        const image::Rgba colour = objects.colour_of(candidate.event);
         const double width = std::max(1.0, sheet.small / 9.0);
         lettering.strokes.push_back({placed.from, placed.to, width, colour});
         lettering.strokes.push_back({placed.to, placed.to, 3.5 * width, colour});
@@ -197,21 +193,21 @@ void label_numbers(const Objects& objects, const Trails& trails, const labels::S
         for (const double share : {0.0, 0.04, 0.08, 0.15}) {
             const double at = std::lerp(event.first.seconds, event.last.seconds, share);
             const labels::Badge badge = labels::make_badge(fmt::format("{}", objects.numbers[k]),
-                                                           trails.pixel(event, at), size, opaque(objects.colours[k]));
+                                                           trails.pixel(event, at), size, objects.colour_of(k));
             if (!sheet.between.contains(badge.box) || !lettering.is_free(badge.box)) continue;
             lettering.badges.push_back(badge);
             lettering.regions.push_back({badge.box, objects.numbers[k]});
             ++written;
             break;
         }
-        if (written == most_numbers) return;
+        if (written == max_numbers) return;
     }
 }
 
 void label_stays(const Objects& objects, const Trails& trails, const labels::Sheet& sheet,
                  const image::Rgba& background, labels::Lettering& lettering) {
-    constexpr std::size_t most = 6;
-    constexpr double least = 0.05;  // of the longest event: shorter stays are a dot on the trail
+    constexpr std::size_t max_marked = 6;
+    constexpr double min_share = 0.05;  // of the longest event; shorter stays are dots on the trail
     double longest = 0;
     for (const events::Event& event : objects.events)
         longest = std::max(longest, event.last.seconds - event.first.seconds);
@@ -220,20 +216,21 @@ void label_stays(const Objects& objects, const Trails& trails, const labels::She
     std::size_t marked = 0;
     for (const std::size_t k : by_importance(objects.events)) {
         const events::Event& event = objects.events[k];
-        const image::Rgba colour = opaque(objects.colours[k]);
-        const std::vector<events::Stay> stays = standing_times(event);
+        const image::Rgba colour = objects.colour_of(k);
+        const std::vector<events::Stay> stays = stationary_times(event);
         const auto stay =
             std::ranges::max_element(stays, {}, [](const events::Stay& s) { return s.last.seconds - s.first.seconds; });
-        if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, least * longest)) continue;
-        if (marked++ == most) return;
+        if (stay == stays.end() || stay->last.seconds - stay->first.seconds < std::max(2.0, min_share * longest))
+            continue;
+        if (marked++ == max_marked) return;
         for (const Moment& at : {stay->first, stay->last}) {
             const glm::dvec2 place = trails.pixel(event, at.seconds);
             lettering.strokes.push_back({place - up, place + up, 1.8 * width, background});
             lettering.strokes.push_back({place - up, place + up, width, colour});
             for (const double down : {-1.7, 1.7}) {
                 labels::Label label =
-                    labels::make_label_around(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
-                                              place.y + down * sheet.small, colour);
+                    labels::make_centred_label(labels::format_moment(at.seconds, objects.clock), sheet.small, place.x,
+                                               place.y + down * sheet.small, colour);
                 label.halo = background;
                 if (lettering.add(label, sheet.between, 1)) break;
             }

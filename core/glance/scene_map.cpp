@@ -12,15 +12,11 @@ namespace vvr::glance {
 
 namespace {
 
-// Of more paths nobody can tell which is which.
-constexpr std::size_t most_paths = 8;
+// More coloured paths would be indistinguishable.
+constexpr std::size_t max_paths = 8;
 constexpr image::Rgba casing{1, 1, 1, 1};
 
-image::Rgba opaque(const glm::vec3& colour) {
-    return {colour.x, colour.y, colour.z, 1};
-}
-
-/// Paler and greyer: what is drawn over it is to be seen first.
+/// Reduces contrast and saturation, so that what is drawn over the picture stands out.
 Plane<Bgr> paled(Plane<Bgr> picture, const image::Rgba& towards) {
     const std::array<float, 3> background{towards.b * 255, towards.g * 255, towards.r * 255};
     for (int j = 0; j < picture.height(); ++j) {
@@ -42,11 +38,11 @@ class Map {
 
     void draw() {
         const std::vector<std::size_t> order = by_importance(objects_.events);
-        const std::size_t told = std::min(order.size(), most_paths);
-        for (std::size_t i = order.size(); i-- > told;) draw_faint(objects_.events[order[i]]);
-        for (std::size_t i = told; i-- > 0;) draw_path(order[i]);
-        for (std::size_t i = told; i-- > 0;) draw_stays(order[i]);
-        for (std::size_t i = told; i-- > 0;) draw_number(order[i]);
+        const std::size_t coloured = std::min(order.size(), max_paths);
+        for (std::size_t i = order.size(); i-- > coloured;) draw_faint(objects_.events[order[i]]);
+        for (std::size_t i = coloured; i-- > 0;) draw_path(order[i]);
+        for (std::size_t i = coloured; i-- > 0;) draw_stays(order[i]);
+        for (std::size_t i = coloured; i-- > 0;) draw_number(order[i]);
     }
 
   private:
@@ -75,19 +71,19 @@ class Map {
     void draw_path(std::size_t k) {
         const std::vector<glm::dvec2> points = points_of(objects_.events[k]);
         const double width = std::max(1.5, text_ / 7.0);
-        const image::Rgba colour = opaque(objects_.colours[k]);
+        const image::Rgba colour = objects_.colour_of(k);
         for (const auto& [wide, ink] : {std::pair{width + 1.2, casing}, std::pair{width, colour}}) {
             for (std::size_t i = 1; i < points.size(); ++i)
                 lettering_.strokes.push_back({points[i - 1], points[i], wide, ink});
-            if (points.size() > 1) draw_head(points, wide, ink);
+            if (points.size() > 1) draw_arrow_head(points, wide, ink);
         }
     }
 
-    /// Two short strokes where it went.
-    void draw_head(std::span<const glm::dvec2> points, double width, const image::Rgba& colour) {
+    /// Two short strokes at the end of the path.
+    void draw_arrow_head(std::span<const glm::dvec2> points, double width, const image::Rgba& colour) {
         const glm::dvec2 tip = points.back();
         const double length = text_ * 0.65;
-        // The last step may be a pixel long and point anywhere.
+        // The last segment may be a pixel long, so take the direction over the head's length.
         glm::dvec2 from = points.front();
         for (std::size_t i = points.size(); i-- > 0;) {
             if (glm::distance(points[i], tip) < length) continue;
@@ -105,32 +101,32 @@ class Map {
         }
     }
 
-    /// A dot where it kept its place: the longer, the larger.
+    /// A dot where the object was stationary; its size grows with the duration.
     void draw_stays(std::size_t k) {
-        for (const events::Stay& stay : standing_times(objects_.events[k])) {
+        for (const events::Stay& stay : stationary_times(objects_.events[k])) {
             const double seconds = stay.last.seconds - stay.first.seconds;
             const double size = text_ * std::clamp(0.35 + 0.2 * std::log2(1 + seconds / 4), 0.4, 1.4);
             const glm::dvec2 at = pixel(stay.place);
             lettering_.strokes.push_back({at, at, size + 2, casing});
-            lettering_.strokes.push_back({at, at, size, opaque(objects_.colours[k])});
+            lettering_.strokes.push_back({at, at, size, objects_.colour_of(k)});
         }
     }
 
-    /// Where it came from; beside the first places of others.
+    /// The number at the start of the path, moved aside if another number is there.
     void draw_number(std::size_t k) {
         const events::Event& event = objects_.events[k];
-        const image::Rgba colour = opaque(objects_.colours[k]);
+        const image::Rgba colour = objects_.colour_of(k);
         const auto badge_at = [&](const glm::dvec2& middle) {
             return labels::make_badge(fmt::format("{}", objects_.numbers[k]), middle, std::max(9, text_ - 2), colour);
         };
-        const glm::dvec2 begin = pixel(event.path.empty() ? place_at(event, 0) : event.path.front().place);
+        const glm::dvec2 begin = pixel(event.path.empty() ? position_at(event, 0) : event.path.front().place);
         const double size = badge_at(begin).size;
         const double margin = size / 2 + 2;
         const glm::dvec2 low = glm::dvec2(box_.left, box_.top) + margin;
         const glm::dvec2 high = glm::dvec2(box_.right, box_.bottom) - margin;
         const glm::dvec2 at = glm::clamp(begin, low, high);
         for (int attempt = 0; attempt < 12; ++attempt) {
-            const double angle = attempt * 2.4;  // golden angle: each attempt goes another way
+            const double angle = attempt * 2.4;  // golden angle: spreads the attempts
             const double away = size * 0.35 * attempt;
             const glm::dvec2 there = at + away * glm::dvec2(std::cos(angle), std::sin(angle));
             const bool inside = glm::clamp(there, low, high) == there;

@@ -6,13 +6,13 @@
 
 namespace vvr::glance {
 
-/// Draws the scene as the camera sees it, and where each object went: its path with a number where it came from and an
-/// arrow where it went, a dot where it stood or was left. Those that are too many to be told apart are thin grey lines.
-/// \param scene empty of objects where there is such a picture
-/// \param field the size that places of events are in
+/// Draws a map: the scene, and each object's path with its number at the start, an arrow at the end, and a dot where it
+/// was stationary. Paths beyond the first few, which would be indistinguishable, are thin grey lines.
+/// \param scene the empty scene if known, else a frame
+/// \param field size of the fields in which events have their positions
 /// \param box of the map in the picture
-/// \param text size of the numbers
-/// \param background towards which the scene is paled
+/// \param text size of the numbers in pixels
+/// \param background the scene is blended towards it
 void draw_map(const Objects& objects, const Plane<Bgr>& scene, Size field, const PixelBox& box, int text,
               const image::Rgba& background, labels::Lettering& lettering);
 

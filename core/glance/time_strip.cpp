@@ -11,21 +11,17 @@ namespace vvr::glance {
 
 namespace {
 
-image::Rgba opaque(const glm::vec3& colour) {
-    return {colour.x, colour.y, colour.z, 1};
-}
-
-/// A strip on a picture: which column is which time, and where the rows are.
+/// Draws a time strip: maps times to columns and places the rows.
 class Strip {
   public:
-    Strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-          const StripStyle& look, labels::Lettering& lettering)
+    Strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
+          const StripStyle& style, labels::Lettering& lettering)
         : objects_(objects),
           begin_(begin),
           end_(end),
-          still_(still),
+          nothing_moved_(nothing_moved),
           sheet_(sheet),
-          look_(look),
+          style_(style),
           lettering_(lettering) {
         const int under = sheet.small * 7 / 4;  // the axis and its times
         const int over = sheet.small * 3 / 2;   // the heading
@@ -34,15 +30,15 @@ class Strip {
         row_height_ = std::max(7, sheet.small * 4 / 5);
     }
 
-    void letter() {
+    void draw() {
         if (rows_.height() < row_height_ || !(end_ > begin_)) return;
         label_axis();
         const std::vector<std::size_t> order = by_importance(objects_.events);
         const double apart = 2.5 * sheet_.small / rows_.width() * (end_ - begin_);
         const std::vector<StripBar> bars = strip_bars(objects_.events, order, rows_.height() / row_height_, apart);
         for (const StripBar& bar : bars) draw_bar(bar);
-        // What was too short to be an object was there all the same.
-        if (still_ || !objects_.events.empty()) label_idle();
+        // Without events, the clip may still have motion that was too short to be an object.
+        if (nothing_moved_ || !objects_.events.empty()) label_idle();
         label_heading(objects_.events.size() - bars.size());
     }
 
@@ -54,21 +50,22 @@ class Strip {
 
     void label_axis() {
         const double thin = std::max(1.0, sheet_.small / 14.0);
-        draw_line(rows_.left, rows_.right, rows_.bottom, thin, look_.lines);
+        draw_line(rows_.left, rows_.right, rows_.bottom, thin, style_.lines);
         const int most = std::clamp(rows_.width() / (6 * sheet_.small), 2, 11);
         const int base = rows_.bottom + sheet_.small * 3 / 2;
         for (const labels::TimeTick& tick : labels::time_ticks(begin_, end_, most, objects_.clock)) {
             const int x = column(tick.seconds);
             if (x >= rows_.right) continue;
-            const image::Rgba pale = glm::mix(look_.lines, look_.background, 0.6F);
+            const image::Rgba pale = glm::mix(style_.lines, style_.background, 0.6F);
             lettering_.strokes.push_back({{x, rows_.top}, {x, rows_.bottom + sheet_.small / 3}, thin, pale});
-            labels::Label label = labels::make_label_around(tick.text, sheet_.small, x, 0, look_.pale);
-            label = labels::make_label(tick.text, sheet_.small, std::max(rows_.left, label.box.left), base, look_.pale);
+            labels::Label label = labels::make_centred_label(tick.text, sheet_.small, x, 0, style_.pale);
+            label =
+                labels::make_label(tick.text, sheet_.small, std::max(rows_.left, label.box.left), base, style_.pale);
             lettering_.add(label, sheet_.strip, sheet_.small / 4);
         }
     }
 
-    /// From column to column: its round ends are within.
+    /// A horizontal line between two columns, including its round caps.
     void draw_line(double from, double to, double y, double width, const image::Rgba& colour) {
         const double inset = std::min(width / 2, (to - from) / 2);
         lettering_.strokes.push_back({{from + inset, y}, {to - inset, y}, width, colour});
@@ -76,7 +73,7 @@ class Strip {
 
     void draw_bar(const StripBar& bar) {
         const events::Event& event = objects_.events[bar.event];
-        const image::Rgba colour = opaque(objects_.colours[bar.event]);
+        const image::Rgba colour = objects_.colour_of(bar.event);
         const int bottom = rows_.bottom - 1 - bar.row * row_height_;
         const int high = row_height_ - 2;
         const int low = std::max(2, high / 3);
@@ -85,31 +82,31 @@ class Strip {
             draw_line(column(from), column(to), middle, height, colour);
         };
         add(event.first.seconds, event.last.seconds, low);
-        for (const events::Stay& stay : standing_times(event)) add(stay.first.seconds, stay.last.seconds, high);
+        for (const events::Stay& stay : stationary_times(event)) add(stay.first.seconds, stay.last.seconds, high);
         lettering_.regions.push_back(
             {{column(event.first.seconds), bottom - row_height_, column(event.last.seconds), bottom},
              objects_.numbers[bar.event]});
         label_number(bar, middle);
     }
 
-    /// Its number, before the bar where there is room, else over its beginning.
+    /// The object's number before the bar, if there is room.
     void label_number(const StripBar& bar, int middle) {
         const int size = std::max(9, sheet_.small - 2);
         const std::string text = fmt::format("{}", objects_.numbers[bar.event]);
-        const labels::Label measured = labels::make_label(text, size, 0, 0, look_.ink);
+        const labels::Label measured = labels::make_label(text, size, 0, 0, style_.ink);
         const int x = column(objects_.events[bar.event].first.seconds);
         const int left = x - measured.box.width() - 3;
         if (left < sheet_.strip.left) return;
         lettering_.labels.push_back(
-            labels::make_label_around(text, size, left + measured.box.width() / 2.0, middle, look_.ink));
+            labels::make_centred_label(text, size, left + measured.box.width() / 2.0, middle, style_.ink));
     }
 
     void label_idle() {
-        for (const IdlePeriod& quiet : idle_periods(objects_.events, begin_, end_)) {
-            const PixelBox room{column(quiet.begin), rows_.top, column(quiet.end), rows_.bottom};
+        for (const IdlePeriod& idle : idle_periods(objects_.events, begin_, end_)) {
+            const PixelBox room{column(idle.begin), rows_.top, column(idle.end), rows_.bottom};
             const std::string text = "nobody";
-            const labels::Label label = labels::make_label_around(text, sheet_.small, (room.left + room.right) / 2.0,
-                                                                  (room.top + room.bottom) / 2.0, look_.pale);
+            const labels::Label label = labels::make_centred_label(text, sheet_.small, (room.left + room.right) / 2.0,
+                                                                   (room.top + room.bottom) / 2.0, style_.pale);
             lettering_.add(label, room.inflated(-sheet_.small / 3, 0), 2);
         }
     }
@@ -119,17 +116,17 @@ class Strip {
         std::vector<std::string> texts{"When: a bar for each object, thick where it stood or was left" + more,
                                        "Thick: it stood or was left" + more, "Thick: it stood", "When"};
         if (objects_.events.empty())
-            texts = {still_ ? "Nothing moved" : "Nothing was in sight for long enough to be an object"};
+            texts = {nothing_moved_ ? "Nothing moved" : "Nothing was in sight for long enough to be an object"};
         labels::add_first_that_fits(texts, sheet_.small, sheet_.strip.left, sheet_.strip.top + sheet_.small,
-                                    sheet_.strip, look_.pale, lettering_);
+                                    sheet_.strip, style_.pale, lettering_);
     }
 
     const Objects& objects_;
     double begin_;
     double end_;
-    bool still_;
+    bool nothing_moved_;
     const labels::Sheet& sheet_;
-    const StripStyle& look_;
+    const StripStyle& style_;
     labels::Lettering& lettering_;
     PixelBox rows_;
     int row_height_ = 0;
@@ -159,19 +156,19 @@ std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, doub
     std::vector<IdlePeriod> busy;
     for (const events::Event& event : events) busy.push_back({event.first.seconds, event.last.seconds});
     std::ranges::sort(busy, {}, &IdlePeriod::begin);
-    std::vector<IdlePeriod> quiet;
+    std::vector<IdlePeriod> idle;
     double until = begin;
     for (const IdlePeriod& time : busy) {
-        if (time.begin > until) quiet.push_back({until, time.begin});
+        if (time.begin > until) idle.push_back({until, time.begin});
         until = std::max(until, time.end);
     }
-    if (until < end) quiet.push_back({until, end});
-    return quiet;
+    if (until < end) idle.push_back({until, end});
+    return idle;
 }
 
-void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                 const StripStyle& look, labels::Lettering& lettering) {
-    Strip(objects, begin, end, still, sheet, look, lettering).letter();
+void label_strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
+                 const StripStyle& style, labels::Lettering& lettering) {
+    Strip(objects, begin, end, nothing_moved, sheet, style, lettering).draw();
 }
 
 }  // namespace vvr::glance

@@ -9,19 +9,18 @@
 
 namespace vvr::glance {
 
-/// The bar of an object in a strip of times.
+/// An object's bar in the time strip.
 struct StripBar {
-    std::size_t event = 0;  ///< its place in the list
+    std::size_t event = 0;  ///< index in the list of events
     int row = 0;            ///< 0 = the lowest
 };
 
-/// Gives the events rows so that no two in one row are there at the same time, nor nearer to each other than `apart`
-/// seconds.
-/// \param order in which they are given rows; those that find none in `rows` rows get no bar
+/// Assigns rows to events, so that events in the same row don't overlap and are at least `apart` seconds apart.
+/// \param order in which events get rows; events that don't fit into `rows` rows get no bar
 std::vector<StripBar> strip_bars(std::span<const events::Event> events, std::span<const std::size_t> order, int rows,
                                  double apart);
 
-/// A stretch of time in which no object is there.
+/// An interval without objects, in seconds of the clip.
 struct IdlePeriod {
     double begin = 0;
     double end = 0;
@@ -29,7 +28,7 @@ struct IdlePeriod {
 
 std::vector<IdlePeriod> idle_periods(std::span<const events::Event> events, double begin, double end);
 
-/// What a strip and the picture's other marks are made of.
+/// The colours of the strip.
 struct StripStyle {
     image::Rgba ink{};
     image::Rgba pale{};
@@ -37,11 +36,11 @@ struct StripStyle {
     image::Rgba background{};
 };
 
-/// Draws when each object was there: a bar for each over an even axis of time, thick where it stood; of those that find
-/// no row only how many there are.
+/// Draws the time strip: a bar per object over a linear time axis, thick while the object was stationary. Objects that
+/// find no row are only counted.
 /// \param begin, end seconds of the clip
-/// \param still nothing moved at all
-void label_strip(const Objects& objects, double begin, double end, bool still, const labels::Sheet& sheet,
-                 const StripStyle& look, labels::Lettering& lettering);
+/// \param nothing_moved the clip has no motion at all
+void label_strip(const Objects& objects, double begin, double end, bool nothing_moved, const labels::Sheet& sheet,
+                 const StripStyle& style, labels::Lettering& lettering);
 
 }  // namespace vvr::glance

@@ -12,7 +12,7 @@ namespace vvr::labels {
 
 namespace {
 
-/// How bright a colour looks, 0..1.
+/// Luma, 0..1.
 float lightness(const image::Rgba& colour) {
     return 0.299F * colour.r + 0.587F * colour.g + 0.114F * colour.b;
 }
@@ -50,9 +50,9 @@ void draw_label(image::Picture& picture, const Label& label) {
 }  // namespace
 
 bool Lettering::is_free(const PixelBox& box) const {
-    const auto in_the_way = [&](const auto& other) { return box.intersects(other.box); };
-    return std::ranges::none_of(labels, in_the_way) && std::ranges::none_of(bars, in_the_way) &&
-           std::ranges::none_of(pictures, in_the_way) && std::ranges::none_of(badges, in_the_way);
+    const auto intersects = [&](const auto& other) { return box.intersects(other.box); };
+    return std::ranges::none_of(labels, intersects) && std::ranges::none_of(bars, intersects) &&
+           std::ranges::none_of(pictures, intersects) && std::ranges::none_of(badges, intersects);
 }
 
 bool Lettering::add(const Label& label, const PixelBox& area, int gap) {
@@ -68,7 +68,7 @@ Label make_label(const std::string& text, int size, int x, int y, const image::R
     return {text, size, x - box->left, y, box->translated(x - box->left, y), colour};
 }
 
-Label make_label_around(const std::string& text, int size, double x, double y, const image::Rgba& colour) {
+Label make_centred_label(const std::string& text, int size, double x, double y, const image::Rgba& colour) {
     const std::optional<PixelBox> box = image::measure_text(text, size);
     if (!box) return {};
     const int left = static_cast<int>(std::lround(x - box->width() / 2.0)) - box->left;
@@ -78,7 +78,8 @@ Label make_label_around(const std::string& text, int size, double x, double y, c
 
 Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const image::Rgba& colour) {
     const float ink = lightness(colour) > 0.55F ? 0.0F : 1.0F;
-    Badge badge{make_label_around(text, size, middle.x, middle.y, {ink, ink, ink, 1}), middle, size * 1.35, colour, {}};
+    Badge badge{
+        make_centred_label(text, size, middle.x, middle.y, {ink, ink, ink, 1}), middle, size * 1.35, colour, {}};
     badge.size = std::max(badge.size, badge.label.box.width() + size * 0.5);
     const int half = static_cast<int>(std::ceil(badge.size / 2));
     const glm::ivec2 at(glm::round(middle));
@@ -98,11 +99,11 @@ std::string elide(const std::string& text, int size, int width) {
         const std::optional<PixelBox> box = image::measure_text(candidate, size);
         return box && box->width() <= width;
     };
-    // No letter is narrower than a pixel: of a text of any length so many bytes are measured at most.
-    const std::size_t most = 4 * static_cast<std::size_t>(std::max(0, width));
-    if (text.size() <= most && fits(text)) return text;
+    // Letters are at least a pixel wide, so this bounds the bytes to measure, however long the text is.
+    const std::size_t max_bytes = 4 * static_cast<std::size_t>(std::max(0, width));
+    if (text.size() <= max_bytes && fits(text)) return text;
     std::vector<std::size_t> ends;  // of each character but the last
-    for (std::size_t end = 0; end < std::min(text.size(), most);) {
+    for (std::size_t end = 0; end < std::min(text.size(), max_bytes);) {
         end += first_character(std::string_view(text).substr(end)).value_or(Character{0, 1}).length;
         ends.push_back(end);
     }

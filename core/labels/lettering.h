@@ -15,14 +15,14 @@ namespace vvr::labels {
 struct Label {
     std::string text;
     int size = 0;
-    int x = 0;  ///< of the beginning of the baseline
+    int x = 0;  ///< start of the baseline
     int y = 0;
-    PixelBox box;  ///< of the letters
+    PixelBox box;  ///< bounding box of the letters
     image::Rgba colour{};
-    std::optional<image::Rgba> halo{};  ///< around the letters, where they lie on something of any colour
+    std::optional<image::Rgba> halo{};  ///< outline of the letters, for text over a picture
 };
 
-/// A bar of colours, from left to right.
+/// A colour scale, from left to right.
 struct ColourBar {
     PixelBox box;
     std::vector<image::Rgba> colours;
@@ -30,13 +30,13 @@ struct ColourBar {
 
 /// A small picture with a border around it.
 struct PastedPicture {
-    PixelBox box;  ///< without its border
+    PixelBox box;  ///< without the border
     Plane<Bgr> picture;
-    image::Rgba colour{};  ///< of the border
-    int border = 0;        ///< its width
+    image::Rgba colour{};  ///< border colour
+    int border = 0;        ///< border width in pixels
 };
 
-/// A straight line with round ends; of no length, a dot.
+/// A straight line with round caps; of zero length, a dot.
 struct Stroke {
     glm::dvec2 from{};
     glm::dvec2 to{};
@@ -53,14 +53,14 @@ struct Badge {
     PixelBox box;
 };
 
-/// A part of the picture that stands for an object: its portrait, its number, its bar.
+/// A part of the picture that belongs to an object: its portrait, its number, its bar.
 struct Region {
     PixelBox box;
-    std::size_t number = 0;  ///< of the object
+    std::size_t number = 0;  ///< the object's number
 };
 
-/// What is written and drawn flat over a picture: pictures first, then bars, strokes, badges and texts. No text lies
-/// over another text, a bar of the legend, a picture or a badge, and all are inside the picture.
+/// Flat text and graphics over a picture, drawn in this order: pictures, bars, strokes, badges, texts. Everything is
+/// inside the picture, and no text overlaps another text, a bar, a picture or a badge.
 struct Lettering {
     std::vector<PastedPicture> pictures;
     std::vector<ColourBar> bars;
@@ -68,30 +68,30 @@ struct Lettering {
     std::vector<Badge> badges;
     std::vector<Label> labels;
     std::vector<Region> regions;
-    bool font_missing = false;  ///< text was asked for, and there is no font
+    bool font_missing = false;  ///< text was requested, but there is no font
 
-    /// Whether nothing that may not be hidden is in a box.
+    /// Whether `box` intersects no label, bar, picture or badge.
     bool is_free(const PixelBox& box) const;
 
-    /// Adds a label if its box is inside `area` and at least `gap` pixels from the others.
+    /// Adds a label if it has text, its box is inside `area`, and it keeps `gap` pixels from everything else.
     /// \returns whether it was added
     bool add(const Label& label, const PixelBox& area, int gap);
 };
 
-/// A label whose baseline begins at `x`,`y`; without text if there is no font.
+/// A label whose baseline starts at `x`,`y`. Its text is empty if there is no font.
 Label make_label(const std::string& text, int size, int x, int y, const image::Rgba& colour);
 
-/// The same with the middle of its box at a point.
-Label make_label_around(const std::string& text, int size, double x, double y, const image::Rgba& colour);
+/// As `make_label`, with its box centred on a point.
+Label make_centred_label(const std::string& text, int size, double x, double y, const image::Rgba& colour);
 
-/// A badge with its middle at a point. Its text is white or black, whichever is easier to read on the colour.
+/// A badge centred on a point. Its text is white or black, whichever contrasts more.
 Badge make_badge(const std::string& text, const glm::dvec2& middle, int size, const image::Rgba& colour);
 
-/// Writes the first of several texts that fits: a label that begins at `x`,`y` and stays in `area`.
+/// Adds the first of `texts` that fits into `area`, with its baseline starting at `x`,`y`.
 void add_first_that_fits(std::span<const std::string> texts, int size, int x, int y, const PixelBox& area,
                          const image::Rgba& colour, Lettering& lettering);
 
-/// The text, shortened to at most `width` pixels, with "…" in place of its end.
+/// Shortens a text to `width` pixels: "…" replaces its end.
 std::string elide(const std::string& text, int size, int width);
 
 void draw(image::Picture& picture, const Lettering& lettering);

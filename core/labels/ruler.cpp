@@ -10,7 +10,7 @@ namespace vvr::labels {
 
 namespace {
 
-// How far a mark sticks out, in x_C.
+// Length of a mark, in x_C.
 constexpr double mark_length = 0.045;
 
 glm::dvec3 on_edge(const TimeEdge& edge, double t, double out) {
@@ -26,17 +26,17 @@ Mark mark_at(const space::Layout& layout, const TimeEdge& edge, double t) {
     return {layout.p_from_c(on_edge(edge, t, 0)), layout.p_from_c(on_edge(edge, t, mark_length))};
 }
 
-/// Writes a text at the end of the mark at `t`, on the side away from the volume.
+/// Writes a text at the outer end of the mark at `t`.
 void write_beside(const std::string& text, double t, const space::Layout& layout, const TimeEdge& edge,
                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     const Mark mark = mark_at(layout, edge, t);
     const glm::dvec2 end = camera.pixel(mark.to, sheet.picture);
-    glm::dvec2 way = end - camera.pixel(mark.from, sheet.picture);
-    way = glm::length(way) > 1e-6 ? glm::normalize(way) : glm::dvec2(0, -1);
+    glm::dvec2 out = end - camera.pixel(mark.from, sheet.picture);
+    out = glm::length(out) > 1e-6 ? glm::normalize(out) : glm::dvec2(0, -1);
     const Label size = make_label(text, sheet.text, 0, 0, colour);
-    const double half = (std::abs(way.x) * size.box.width() + std::abs(way.y) * size.box.height()) / 2;
-    const glm::dvec2 middle = end + way * (half + sheet.text / 3.0);
-    lettering.add(make_label_around(text, sheet.text, middle.x, middle.y, colour), sheet.between, sheet.text / 2);
+    const double half = (std::abs(out.x) * size.box.width() + std::abs(out.y) * size.box.height()) / 2;
+    const glm::dvec2 middle = end + out * (half + sheet.text / 3.0);
+    lettering.add(make_centred_label(text, sheet.text, middle.x, middle.y, colour), sheet.between, sheet.text / 2);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ TimeEdge outer_edge(const space::Layout& layout, const space::Camera& camera, Si
             const glm::dvec3 p = layout.p_from_c(on_edge(edge, static_cast<double>(i) / samples, 0));
             sum += glm::length(camera.pixel(p, picture) - middle);
         }
-        // Edges that are as far out as another, but for rounding, come after it.
+        // Ties, up to rounding, go to the earlier edge.
         if (sum <= farthest * 1.001) continue;
         farthest = sum;
         best = edge;
@@ -114,26 +114,26 @@ std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, cons
 void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
                 const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering) {
     for (const TimeGap& gap : gaps) {
-        write_beside(gap.words, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
+        write_beside(gap.reason, (gap.t_begin + gap.t_end) / 2, layout, edge, camera, sheet, colour, lettering);
     }
 }
 
 std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const WallClock& clock) {
     const double begin = volume.layer(0).pts;
     const double end = volume.layer(volume.layers() - 1).last_pts;
-    constexpr int finest = 1024;  // times as many moments are tried
+    constexpr int max_factor = 1024;
     const double apart = 0.8 * volume.t_end() / most;
-    const std::vector<bricks::CompressedIdle> squeezed = bricks::compressed_stretches(volume);
-    const auto is_squeezed = [&](double t) {
-        return std::ranges::any_of(squeezed,
+    const std::vector<bricks::CompressedIdle> compressed = bricks::compressed_stretches(volume);
+    const auto is_compressed = [&](double t) {
+        return std::ranges::any_of(compressed,
                                    [&](const bricks::CompressedIdle& s) { return s.t_begin < t && t < s.t_end; });
     };
     std::vector<TimeTick> kept;
-    for (int factor = 1; factor <= finest; factor *= 2) {
+    for (int factor = 1; factor <= max_factor; factor *= 2) {
         for (TimeTick& tick : time_ticks(begin, end, factor * most, clock)) {
             const double t = volume.t_of_seconds(tick.seconds);
             const bool whole = tick.seconds == std::floor(tick.seconds) || end - begin < most;
-            if (!whole || is_squeezed(t)) continue;
+            if (!whole || is_compressed(t)) continue;
             const bool free = std::ranges::none_of(
                 kept, [&](const TimeTick& other) { return std::abs(volume.t_of_seconds(other.seconds) - t) < apart; });
             if (free) kept.push_back(std::move(tick));
@@ -173,8 +173,8 @@ void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& lay
     std::vector<TimeBreak> longest = breaks;
     std::ranges::stable_sort(longest, std::greater{}, &TimeBreak::seconds);
     for (const TimeBreak& gap : longest) {
-        if (gap.seconds < longest.front().seconds / 50) break;  // to say so would only distract from the long ones
-        write_beside(fmt::format("{} idle", format_length(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
+        if (gap.seconds < longest.front().seconds / 50) break;  // short breaks would only distract
+        write_beside(fmt::format("{} idle", format_duration(gap.seconds)), gap.t, layout, edge, camera, sheet, colour,
                      lettering);
     }
 }

@@ -13,65 +13,65 @@
 
 namespace vvr::labels {
 
-/// One of the four edges of a volume that run along time: x_C and y_C are 0 or 1 on it.
+/// One of the volume's four edges along time, on which x_C and y_C are 0 or 1.
 struct TimeEdge {
     double x = 1;
     double y = 1;
 };
 
-/// The edge that lies outermost in a camera's picture, so that labels beside it hide nothing.
+/// The outermost edge in the picture, where labels occlude nothing.
 TimeEdge outer_edge(const space::Layout& layout, const space::Camera& camera, Size picture);
 
-/// Where marks of a ruler along `edge` end, in P-space: what a camera has to show besides the volume.
+/// Outer ends of the ruler's marks along `edge`, in P-space; the camera must show them besides the volume.
 std::vector<glm::dvec3> ruler_reach(const space::Layout& layout, const TimeEdge& edge);
 
-/// The marks of the ticks in P-space.
+/// The ruler's tick marks, in P-space.
 std::vector<scene::LineSegment> ruler_marks(const bricks::Volume& volume, const space::Layout& layout,
                                             const TimeEdge& edge, const std::vector<TimeTick>& ticks,
                                             const glm::vec4& colour);
 
-/// A stretch of the volume in which no frame came.
+/// An interval without frames.
 struct TimeGap {
     double t_begin = 0;  ///< t_C
     double t_end = 0;
-    double begin = 0;  ///< seconds
+    double begin = 0;  ///< seconds of the clip
     double end = 0;
-    std::string words = "no signal";  ///< why
+    std::string reason = "no signal";
 };
 
 std::vector<TimeGap> time_gaps(const bricks::Volume& volume);
 
-/// Hatching along the edge where frames are missing, in P-space.
+/// Hatching along the edge over the gaps, in P-space.
 std::vector<scene::LineSegment> gap_marks(const std::vector<TimeGap>& gaps, const space::Layout& layout,
                                           const TimeEdge& edge, const glm::vec4& colour);
 
-/// Writes beside the hatching what it means, where there is room.
+/// Writes the reasons beside the hatching, where they fit.
 void label_gaps(const std::vector<TimeGap>& gaps, const space::Layout& layout, const TimeEdge& edge,
                 const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
-/// Ticks for a volume whose layers are of unequal length: `most` at most, about evenly spread over the arc, the
-/// roundest moments first.
+/// Ticks for a volume with layers of unequal length: at most `most`, spread about evenly over the arc, preferring the
+/// roundest times.
 std::vector<TimeTick> spread_ticks(const bricks::Volume& volume, int most, const WallClock& clock);
 
-/// Where time is squeezed.
+/// An idle period that is compressed on the time axis.
 struct TimeBreak {
-    double t = 0;  ///< t_C
-    double seconds = 0;
+    double t = 0;        ///< t_C
+    double seconds = 0;  ///< length of the period
 };
 
-/// The longest of them, at most `most`, in order.
+/// The `most` longest compressed periods, in time order.
 std::vector<TimeBreak> time_breaks(const bricks::Volume& volume, std::size_t most);
 
-/// Two short strokes across the edge for each, as breaks of an axis are drawn.
+/// Axis break symbols: two short strokes across the edge per break, in P-space.
 std::vector<scene::LineSegment> break_marks(const std::vector<TimeBreak>& breaks, const space::Layout& layout,
                                             const TimeEdge& edge, const glm::vec4& colour);
 
-/// Writes beside breaks how long they are, the longest first, where there is room.
+/// Writes the lengths of the breaks beside them, the longest first, where they fit.
 void label_breaks(const std::vector<TimeBreak>& breaks, const space::Layout& layout, const TimeEdge& edge,
                   const space::Camera& camera, const Sheet& sheet, const image::Rgba& colour, Lettering& lettering);
 
-/// Writes the ticks beside their marks; those that would touch another or leave the sheet are left out, first those
-/// between the first and the last.
+/// Writes the ticks' texts beside their marks, first and last first; leaves out texts that would overlap or leave the
+/// sheet.
 void label_ruler(const bricks::Volume& volume, const space::Layout& layout, const TimeEdge& edge,
                  const std::vector<TimeTick>& ticks, const space::Camera& camera, const Sheet& sheet,
                  const image::Rgba& colour, Lettering& lettering);

@@ -8,32 +8,32 @@ namespace vvr::labels {
 
 namespace {
 
-// Below so many lines of text in height, or so many of its sizes in width, text would take more room than it is worth.
-constexpr int least_lines = 16;
-constexpr int least_width = 24;
+// Smaller pictures get no text. Units: the text size.
+constexpr int min_lines = 16;
+constexpr int min_width = 24;
 
 constexpr int smallest_text = 11;
 
 int text_size(Size picture) {
     const double side = std::sqrt(static_cast<double>(picture.width) * picture.height);
     const int size = std::max(smallest_text, static_cast<int>(std::lround(side / 62)));
-    return picture.height < least_lines * size || picture.width < least_width * size ? 0 : size;
+    return picture.height < min_lines * size || picture.width < min_width * size ? 0 : size;
 }
 
-// Portraits, end frames and the strip need as many lines and columns of text, or nobody could read them.
-constexpr int least_lines_for_stills = 34;
-constexpr int least_width_for_stills = 48;
+// Smaller pictures get no portraits, end frames or time strip, which would be illegible. Units: the text size.
+constexpr int min_lines_for_stills = 34;
+constexpr int min_width_for_stills = 48;
 
-// Height of a horseshoe by its width, at the default view, and some more.
-constexpr double widest_arc = 0.5;
+// Aspect ratio of a horseshoe at the default view, plus some margin.
+constexpr double max_arc_aspect = 0.5;
 
-/// Whether the legend is beside the title, where that leaves room, and not in a band of its own at the bottom.
+/// Whether the legend shares the title's band; otherwise it has its own band at the bottom.
 bool shares_band(const PixelBox& inside, const SheetParts& parts, const Sheet& sheet) {
-    constexpr int least_width_to_share = 64;  // in sizes of the text
-    return parts.legend && parts.title && inside.width() >= least_width_to_share * sheet.text;
+    constexpr int min_width_to_share = 64;  // in text sizes
+    return parts.legend && parts.title && inside.width() >= min_width_to_share * sheet.text;
 }
 
-/// The bottom of the picture: the frames at the ends, and between them the strip.
+/// Arranges the bottom of the picture: the end frames and the strip between them.
 void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspect, Sheet& sheet) {
     const int gap = sheet.text;
     const int caption = sheet.small * 3 / 2;
@@ -45,7 +45,7 @@ void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspe
     int top = floor;
     PixelBox middle{inside.left, 0, inside.right, floor};
     if (parts.ends) {
-        // Between a quarter of the width and a fifth of the height the frames are large enough for people in them.
+        // Large enough to recognise people in the frames.
         const int height = std::min(inside.height() * 9 / 50, static_cast<int>(inside.width() * 0.22 / aspect));
         const int width = static_cast<int>(std::lround(height * aspect));
         sheet.first = {inside.left, floor - height, inside.left + width, floor};
@@ -56,13 +56,13 @@ void arrange_bottom(const PixelBox& inside, const SheetParts& parts, double aspe
     }
     if (parts.strip) sheet.strip = {middle.left, floor - 8 * sheet.text, middle.right, floor};
     sheet.between.bottom = std::min(top, parts.strip ? sheet.strip.top : floor);
-    // Beside the end frames, or above them if that is the larger part.
+    // Between the end frames, or above them in portrait format.
     const int bottom = parts.strip ? sheet.strip.top : floor;
-    sheet.hollow = {middle.left, 0, middle.right, bottom};
-    if (inside.height() > inside.width()) sheet.hollow = {inside.left, 0, inside.right, top};
+    sheet.map_area = {middle.left, 0, middle.right, bottom};
+    if (inside.height() > inside.width()) sheet.map_area = {inside.left, 0, inside.right, top};
 }
 
-/// The top of the picture: title, explanation, portraits.
+/// Arranges the top of the picture: title, explanation, portraits.
 void arrange_top(const PixelBox& inside, const SheetParts& parts, Sheet& sheet) {
     int top = inside.top;
     const auto take = [&](int height) {
@@ -96,7 +96,7 @@ Sheet arrange_sheet(Size picture, const SheetParts& wanted, double aspect) {
     sheet.small = std::max(smallest_text, text * 13 / 16);
     sheet.edge = text * 3 / 4;
     SheetParts parts = wanted;
-    if (picture.height < least_lines_for_stills * text || picture.width < least_width_for_stills * text) {
+    if (picture.height < min_lines_for_stills * text || picture.width < min_width_for_stills * text) {
         parts.explanation = parts.portraits = parts.ends = parts.strip = false;
     }
     const PixelBox inside{sheet.edge, sheet.edge, picture.width - sheet.edge, picture.height - sheet.edge};
@@ -110,17 +110,17 @@ Sheet arrange_sheet(Size picture, const SheetParts& wanted, double aspect) {
         sheet.volume = {sheet.between.left + beside, sheet.between.top + text * 3 / 2, sheet.between.right - beside,
                         sheet.between.bottom - text / 2};
     }
-    // In a tall picture the volume stays near the portraits, and the map has what is left.
+    // In a tall picture, keep the volume near the portraits and leave the rest to the map.
     if (parts.portraits) {
-        const int tallest = sheet.volume.top + static_cast<int>(sheet.volume.width() * widest_arc);
-        sheet.volume.bottom = std::min(sheet.volume.bottom, tallest);
+        const int max_bottom = sheet.volume.top + static_cast<int>(sheet.volume.width() * max_arc_aspect);
+        sheet.volume.bottom = std::min(sheet.volume.bottom, max_bottom);
     }
     return sheet;
 }
 
 namespace {
 
-/// The line that letters of a band stand on: letters without tails stand in its middle.
+/// Baseline of a band's text; letters without descenders are centred in the band.
 int base_line(const PixelBox& band, int text) {
     return (band.top + band.bottom) / 2 + text * 3 / 8;
 }
@@ -130,18 +130,18 @@ int width_of(const std::string& text, int size) {
     return box ? box->width() : 0;
 }
 
-// In sizes of the text.
+// In text sizes.
 constexpr int bar_width = 5;
 constexpr int wheel_width = 2;
 constexpr int space_between = 2;
 
-/// Of its colours, and the gap behind them.
+/// Width of the entry's colours and the gap after them.
 int before_text(const LegendEntry& entry, int text) {
     if (entry.colours.empty()) return 0;
     return (entry.wheel ? wheel_width : bar_width) * text + text / 2;
 }
 
-/// A wheel of spokes that touch each other at the rim.
+/// A colour wheel of spokes that touch at the rim.
 void draw_wheel(const std::vector<image::Rgba>& colours, const glm::dvec2& middle, double radius,
                 Lettering& lettering) {
     const double turn = 2 * std::numbers::pi / static_cast<double>(colours.size());
@@ -153,7 +153,7 @@ void draw_wheel(const std::vector<image::Rgba>& colours, const glm::dvec2& middl
     }
 }
 
-/// Of all entries, each with the space after it.
+/// Width of all entries, each with the space after it.
 int width_of(const std::vector<LegendEntry>& entries, std::string LegendEntry::*words, int text) {
     int sum = 0;
     for (const LegendEntry& entry : entries) {
@@ -174,7 +174,7 @@ void label_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, c
     if (sheet.text == 0 || sheet.legend.width() <= 0) return;
     const int gap = text / 2;
     const int between = space_between * text;
-    // Beside the title: what that has left over.
+    // In the title's band, start after the title.
     PixelBox room = sheet.legend;
     for (const Label& label : lettering.labels) {
         if (label.box.intersects(room)) room.left = std::max(room.left, label.box.right + between);

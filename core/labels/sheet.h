@@ -9,57 +9,56 @@
 
 namespace vvr::labels {
 
-/// Which parts of a picture beside the volume need room.
+/// The parts of a picture besides the volume that need room.
 struct SheetParts {
     bool title = false;
     bool ruler = false;
     bool legend = false;
     bool explanation = false;
     bool portraits = false;
-    bool ends = false;
+    bool ends = false;  ///< first and last frame
     bool strip = false;
 };
 
-/// Where things lie on a picture, from the top down: title and legend, explanation, portraits, the volume; at the
-/// bottom the first frame on the left, the last on the right, and between them the strip of times.
+/// Layout of a picture. From the top: title and legend, explanation, portraits, volume. At the bottom: the first frame
+/// on the left, the last on the right, the time strip between them.
 struct Sheet {
     Size picture;
-    int text = 0;    ///< size of the text in pixels; 0 = the picture is too small for any
-    int small = 0;   ///< size of the smaller text
-    int edge = 0;    ///< pixels that stay free at the picture's borders
-    PixelBox title;  ///< the bands; empty where there is none
+    int text = 0;    ///< text size in pixels; 0 = the picture is too small for text
+    int small = 0;   ///< smaller text size in pixels
+    int edge = 0;    ///< margin at the picture's borders in pixels
+    PixelBox title;  ///< bands; empty if not shown
     PixelBox explanation;
     PixelBox portraits;
     PixelBox first;  ///< the first frame
     PixelBox last;   ///< the last frame
     PixelBox strip;
-    PixelBox legend;   ///< that of the title where both are shown; then it keeps clear of the title
-    PixelBox hollow;   ///< in which the map may be: down to the strip, below what labels of the ruler may use
-    PixelBox between;  ///< what is left: labels of the ruler stay in it
-    PixelBox volume;   ///< the part of the picture that the camera's own picture fills
+    PixelBox legend;    ///< the title's band if they share it; then it doesn't overlap the title
+    PixelBox map_area;  ///< where the map may be: above the strip, below the ruler's labels
+    PixelBox between;   ///< the remaining area, for the ruler's labels
+    PixelBox volume;    ///< the area that the camera fits the volume into
 };
 
-/// \param aspect width of a frame by its height
+/// \param aspect a frame's width divided by its height
 Sheet arrange_sheet(Size picture, const SheetParts& parts, double aspect = 4.0 / 3);
 
-/// What a scale of colours means.
+/// An entry of the legend: a colour scale and its meaning.
 struct LegendEntry {
-    std::vector<image::Rgba> colours;  ///< from left to right; none = only the text
-    std::string text;                  ///< beside it
-    std::string brief;                 ///< where there isn't room for that
-    bool wheel = false;                ///< the colours are those of directions: to the right, then against the clock
+    std::vector<image::Rgba> colours;  ///< from left to right; empty = text only
+    std::string text;                  ///< beside the colours
+    std::string brief;                 ///< short text, for lack of room
+    bool wheel = false;                ///< the colours are directions: rightwards first, then counterclockwise
 };
 
-/// Writes the entries into the sheet's legend, all with their whole text or all brief; the last are left out where
-/// there isn't room even then.
+/// Writes the entries into the sheet's legend, either all long or all brief. Drops the last entries that don't fit.
 void label_legend(const std::vector<LegendEntry>& entries, const Sheet& sheet, const image::Rgba& colour,
                   Lettering& lettering);
 
-/// The width of a legend of brief texts, and of the space before it.
+/// Width of a brief legend with the space before it, in pixels.
 int brief_width(const std::vector<LegendEntry>& entries, const Sheet& sheet);
 
-/// Writes a title, whose name ends at `right` at most, and beside it in another colour what there is to say of
-/// it, into the sheet's title. What doesn't fit is left out from the end.
+/// Writes a title, and `rest` beside it in the colour `pale`. Elides what doesn't fit.
+/// \param right the title ends there at the latest
 void label_title(const std::string& title, const std::string& rest, int right, const Sheet& sheet,
                  const image::Rgba& colour, const image::Rgba& pale, Lettering& lettering);
 

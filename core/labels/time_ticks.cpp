@@ -41,42 +41,42 @@ std::string wall_time(double seconds, const Clock& clock, double step) {
            fmt::format("{:.2f}", std::max(0.0, at - std::floor(at + 1e-6))).substr(1);
 }
 
-/// A part of a clip during which its clock doesn't leap.
-struct Piece {
+/// An interval of a clip without a jump of its clock.
+struct Interval {
     double begin = 0;
     double end = 0;
-    double offset = 0;     ///< of the clock from the clip's seconds
-    bool goes_on = false;  ///< its end is the next one's first moment
+    double offset = 0;       ///< clock minus the clip's seconds
+    bool half_open = false;  ///< the end belongs to the next interval
 
     double first(double step) const { return std::ceil((begin + offset) / step - 1e-9); }
     double last(double step) const {
-        return goes_on ? std::ceil((end + offset) / step - 1e-9) - 1 : std::floor((end + offset) / step + 1e-9);
+        return half_open ? std::ceil((end + offset) / step - 1e-9) - 1 : std::floor((end + offset) / step + 1e-9);
     }
 };
 
-std::vector<Piece> pieces_of(double begin, double end, const WallClock& clock) {
-    std::vector<Piece> pieces{{begin, end, clock ? static_cast<double>(clock->begin) : 0}};
-    if (!clock) return pieces;
-    for (const Clock::ClockChange& leap : clock->leaps) {
-        if (leap.seconds <= begin) {
-            pieces.back().offset += static_cast<double>(leap.by);
-        } else if (leap.seconds < end) {
-            pieces.back().end = leap.seconds;
-            pieces.back().goes_on = true;
-            pieces.push_back({leap.seconds, end, pieces.back().offset + static_cast<double>(leap.by)});
+std::vector<Interval> intervals_of(double begin, double end, const WallClock& clock) {
+    std::vector<Interval> intervals{{begin, end, clock ? static_cast<double>(clock->begin) : 0}};
+    if (!clock) return intervals;
+    for (const Clock::ClockChange& change : clock->changes) {
+        if (change.seconds <= begin) {
+            intervals.back().offset += static_cast<double>(change.by);
+        } else if (change.seconds < end) {
+            intervals.back().end = change.seconds;
+            intervals.back().half_open = true;
+            intervals.push_back({change.seconds, end, intervals.back().offset + static_cast<double>(change.by)});
         }
     }
-    return pieces;
+    return intervals;
 }
 
 }  // namespace
 
 std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallClock& clock) {
     if (!(end > begin) || most < 1) return {};
-    const std::vector<Piece> pieces = pieces_of(begin, end, clock);
+    const std::vector<Interval> intervals = intervals_of(begin, end, clock);
     const auto count = [&](double step) {
         double ticks = 0;
-        for (const Piece& piece : pieces) ticks += piece.last(step) - piece.first(step) + 1;
+        for (const Interval& interval : intervals) ticks += interval.last(step) - interval.first(step) + 1;
         return ticks;
     };
     double step = steps.back();
@@ -86,12 +86,12 @@ std::vector<TimeTick> time_ticks(double begin, double end, int most, const WallC
             break;
         }
     }
-    // Longer than the table reaches: whole multiples of its last step.
+    // Beyond the table: multiples of its last step.
     while (count(step) > most) step *= 2;
     std::vector<TimeTick> ticks;
-    for (const Piece& piece : pieces) {
-        for (double i = piece.first(step); i <= piece.last(step); ++i) {
-            const double seconds = i * step - piece.offset;
+    for (const Interval& interval : intervals) {
+        for (double i = interval.first(step); i <= interval.last(step); ++i) {
+            const double seconds = i * step - interval.offset;
             ticks.push_back({seconds, clock ? wall_time(seconds, *clock, step) : clip_time(seconds, step)});
         }
     }
@@ -106,13 +106,13 @@ std::string format_moment(double seconds, const WallClock& clock) {
     return clock ? wall_time(seconds, *clock, 1) : clip_time(seconds, 1);
 }
 
-std::string format_length(double seconds) {
+std::string format_duration(double seconds) {
     if (seconds < 100) return fmt::format("{:.0f} s", seconds);
     const auto minutes = std::llround(seconds / minute);
     return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
 }
 
-std::string format_stretch(double begin, double end, const WallClock& clock) {
+std::string format_interval(double begin, double end, const WallClock& clock) {
     if (!clock) {
         const double step = end - begin < 20 ? 0.1 : 1;
         if (begin == end) return fmt::format("at {}", clip_time(begin, step));
@@ -128,8 +128,8 @@ std::string format_stretch(double begin, double end, const WallClock& clock) {
                     : fmt::format("{:%Y-%m-%d %H:%M:%S} to {:%Y-%m-%d %H:%M:%S}", from, to);
 }
 
-std::string format_span(double begin, double end, const WallClock& clock) {
-    const std::string span = format_stretch(begin, end, clock);
+std::string format_interval_and_zone(double begin, double end, const WallClock& clock) {
+    const std::string span = format_interval(begin, end, clock);
     if (!clock) return span;
     const std::string_view by = row_of(clock->source).words;
     return clock->zone.empty() ? fmt::format("{} ({})", span, by) : fmt::format("{} ({}; {})", span, clock->zone, by);

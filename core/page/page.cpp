@@ -148,7 +148,7 @@ Json json_of(const PageContent::Segment& segment) {
 Json json_of(const WallClock& clock) {
     if (!clock) return {};
     Json leaps = Json::array();
-    for (const Clock::ClockChange& leap : clock->leaps) leaps.push_back({leap.seconds, leap.by});
+    for (const Clock::ClockChange& leap : clock->changes) leaps.push_back({leap.seconds, leap.by});
     return {{"begin", clock->begin},
             {"leaps", leaps},
             {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
@@ -322,12 +322,12 @@ std::string told_by(const PageContent& content) {
 }
 
 /// In which direction time runs in the picture, for people.
-std::string way_of_time(const image::Metadata& settings) {
+std::string time_direction(const image::Metadata& settings) {
     const auto layout = std::ranges::find(settings, "layout", &image::Metadata::value_type::first);
     const auto row = layout == settings.end()
                          ? space::layouts().begin()
                          : std::ranges::find(space::layouts(), layout->second, &space::LayoutRow::name);
-    return row == space::layouts().end() ? std::string() : row->way_of_time;
+    return row == space::layouts().end() ? std::string() : row->time_direction;
 }
 
 }  // namespace
@@ -356,7 +356,7 @@ std::string make_page(const PageContent& content) {
                     {"summary", fmt::format("{} to {}, {}; {}", labels::format_moment(std::floor(begin), content.clock),
                                             labels::format_moment(std::floor(end + 1e-4), content.clock),
                                             counted(frames_in(content.moments.times), "frame"), told_by(content))},
-                    {"way", way_of_time(content.settings)},
+                    {"way", time_direction(content.settings)},
                     {"list", list_of(content)},
                     {"first kind", std::string(events::ranked_kinds().front().words)},
                     {"style", style},

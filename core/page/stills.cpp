@@ -79,7 +79,7 @@ std::optional<Still> best_still(std::span<const Still> stills, std::span<const e
     if (still.frame < event->first.frame || still.frame > event->last.frame) return still;
     const double scale = static_cast<double>(still.picture.size().width) / field.width;
     const PixelBox& seen = event->portrait ? event->portrait->box : event->box;
-    const glm::dvec2 place = glance::place_at(*event, still.seconds) * scale;
+    const glm::dvec2 place = glance::position_at(*event, still.seconds) * scale;
     const double half = std::max(8.0, 0.6 * scale * std::max(seen.width(), seen.height()));
     const auto at = [](double value) { return static_cast<int>(std::lround(value)); };
     outline(still.picture, {at(place.x - half), at(place.y - half), at(place.x + half), at(place.y + half)});

@@ -12,10 +12,10 @@ namespace {
 struct Ring {
     float z;
     float radius;
-    glm::vec2 normal;  ///< outwards and along z
+    glm::vec2 normal;  ///< radial and z component
 };
 
-// The arrow's outline from tail to tip; a ring is repeated where the normal has an edge.
+// The arrow's profile from tail to tip. Rings are repeated at edges, where normals are discontinuous.
 constexpr float shaft = 0.055F;
 constexpr float head = 0.15F;
 constexpr float neck = 0.58F;
@@ -74,18 +74,18 @@ std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::
 
 namespace {
 
-/// The part of the way from `from`, inside, to `to` that lies between `low` and `high`.
+/// How far the segment from `from`, inside the box, to `to` stays inside it, as a share 0..1.
 double inside_share(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& low, const glm::dvec3& high) {
     double share = 1;
     for (int axis = 0; axis < 3; ++axis) {
-        const double way = to[axis] - from[axis];
-        if (to[axis] > high[axis]) share = std::min(share, (high[axis] - from[axis]) / way);
-        if (to[axis] < low[axis]) share = std::min(share, (low[axis] - from[axis]) / way);
+        const double length = to[axis] - from[axis];
+        if (to[axis] > high[axis]) share = std::min(share, (high[axis] - from[axis]) / length);
+        if (to[axis] < low[axis]) share = std::min(share, (low[axis] - from[axis]) / length);
     }
     return share;
 }
 
-/// Adds one line to the buffer, its points at least `spacing` apart but for the last.
+/// Appends a line to the buffer. Its points are at least `spacing` apart, except for the last.
 void append(Tracelines& lines, const std::vector<TraceVertex>& points, double spacing) {
     const std::size_t begin = lines.size();
     float length = 0;
@@ -146,7 +146,7 @@ Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::Fram
 }
 
 Plane<std::uint8_t> zebra_texels() {
-    // How many times the wave overshoots black and white: the part of the period that the borders take.
+    // Amplitude before clipping to black and white: larger values sharpen the borders.
     constexpr double contrast = 3;
     Plane<std::uint8_t> texels({64, 1});
     for (int i = 0; i < texels.width(); ++i) {

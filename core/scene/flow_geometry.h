@@ -12,74 +12,73 @@
 
 namespace vvr::scene {
 
-/// A corner of the reference glyph: an arrow of length 1 along +z from the origin.
+/// A vertex of the reference glyph, an arrow of length 1 along +z from the origin.
 struct GlyphVertex {
     glm::vec3 position;
     glm::vec3 normal;
 };
 
-/// The reference geometry that is copied to each seed (§5.2), with an indexed vertex buffer (§6.2).
+/// The reference glyph that is instanced at each seed (§5.2), with an index buffer (§6.2).
 struct GlyphMesh {
     std::vector<GlyphVertex> vertices;
     std::vector<std::uint32_t> indices;
 };
 
-/// One arrow: it starts at its seed and ends where the seed's flow carries it.
+/// An arrow from its seed to where the flow carries the seed.
 struct Glyph {
     glm::vec3 from;    ///< P-space
     glm::vec3 vector;  ///< P-space, from the tail to the tip
     float speed;       ///< pixels per frame, for the colour
-    float frame = 0;   ///< of its seed, counted from the volume's first
+    float frame = 0;   ///< the seed's frame, counted from the volume's first
 };
 
 struct GlyphOptions {
-    double frames = 8;         ///< the arrow shows the motion over this many frames
+    double frames = 8;         ///< length of the motion that an arrow shows
     double cap = 0.075;        ///< longest arrow in P-space units
-    double time_velocity = 0;  ///< v_t, frames moved along time per frame (§5.2)
+    double time_velocity = 0;  ///< v_t of §5.2: frames of motion along time per frame
 };
 
-/// Frustum and cone with `sides` sides.
+/// A shaft and a cone with `sides` sides.
 GlyphMesh arrow_mesh(int sides = 10);
 
-/// An arrow for each seed, oriented by the transformed vector (e_x, e_y, e_t) at the seed.
-/// \param seeds of the volume, those of which geometry is made
+/// One arrow per seed, oriented by the transformed flow vector (e_x, e_y, e_t) at the seed (§5.2).
+/// \param seeds the seeds of `volume` to draw
 std::vector<Glyph> arrows(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
                           const space::Layout& layout, const GlyphOptions& options);
 
-/// A point of a traceline, as in the vertex buffer.
+/// A vertex of a traceline.
 struct TraceVertex {
     glm::vec3 p;      ///< P-space
-    float along;      ///< the texture coordinate of §6.2.1: 0 at the line's first vertex, 1 at its last, by length
+    float along;      ///< texture coordinate of §6.2.1: 0..1 along the line, by length
     float length;     ///< of the whole line, P-space units
     float speed;      ///< pixels per frame
     float frame = 0;  ///< counted from the volume's first
 };
 
-/// All tracelines in one vertex buffer (§6.2), one after the other: a line begins where `along` is 0.
+/// All tracelines in one vertex buffer (§6.2), concatenated. A line begins where `along` is 0.
 using Tracelines = std::vector<TraceVertex>;
 
 struct TraceOptions {
     double dt = 1;             ///< Δt of Eq. (2), frames
-    int steps = 60;            ///< Euler steps at most
-    double time_velocity = 0;  ///< v_t, frames moved along time per frame: 0 keeps a trace within its frame (§5.2)
-    double rest = 0.1;  ///< pixels per frame; slower flow ends the trace: its particle has left what moves. 0: only
-                        ///< a particle that stands still in time, too, ends there
-    double spacing = 0.004;  ///< P-space units; nearer points are not stored
+    int steps = 60;            ///< maximum number of Euler steps
+    double time_velocity = 0;  ///< v_t of §5.2, frames per frame; 0 = a trace stays in its frame
+    double rest = 0.1;         ///< pixels per frame; slower flow ends the trace. 0 = only zero-length steps end it
+    double spacing = 0.004;    ///< minimum distance of stored points, P-space units
 };
 
-/// The way of a particle from `start` by Euler's method, Eq. (2): p_{i+1} = p_i + Δt v(p_i), v = (u, v, v_t). It ends
-/// after the last step, where the flow rests, or exactly on the volume's border.
+/// The path of a particle, integrated by Euler's method, Eq. (2): p_{i+1} = p_i + Δt v(p_i), v = (u, v, v_t). It ends
+/// after the last step, where the flow is slower than `rest`, or exactly on the volume's border.
 /// \param start column and row in field pixels, frame counted from the volume's first
-/// \returns points like `start`, which is the first of them
+/// \returns points in the same coordinates, `start` first
 std::vector<glm::dvec3> trace(const bricks::Volume& volume, const glm::dvec3& start, const TraceOptions& options);
 
-/// A traceline from each seed, mapped to P-space. Lines without length are left out.
-/// \param seeds of the volume, those of which geometry is made
+/// Tracelines from `seeds`, mapped to P-space. Lines of zero length are left out.
+/// \param seeds the seeds of `volume` to draw
 Tracelines tracelines(const bricks::Volume& volume, std::span<const bricks::FrameSeed> seeds,
                       const space::Layout& layout, const TraceOptions& options);
 
-/// One period of the texture that moves along tracelines (§6.2.1), from dark (0) to bright (255): a dark stripe and
-/// a bright one of the same length with soft borders. A single row.
+/// One period of the zebra texture (§6.2.1) in a single row: a dark (0) and a bright (255) stripe of equal length with
+/// soft borders.
 Plane<std::uint8_t> zebra_texels();
 
 }  // namespace vvr::scene

@@ -18,7 +18,7 @@ LineSegment segment(const glm::dvec3& from, const glm::dvec3& to, const glm::vec
     return {glm::vec3(from), glm::vec3(to), colour};
 }
 
-/// Where a plane at `depth` from the camera meets the box, in order around it.
+/// The intersection of a box with the plane at `depth` from the camera, as a convex polygon.
 std::vector<glm::dvec3> cut_box(const BoundingBox& box, const space::Camera& camera, double depth) {
     std::vector<glm::dvec3> points;
     glm::dvec3 middle(0);

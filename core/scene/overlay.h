@@ -15,7 +15,7 @@
 
 namespace vvr::scene {
 
-/// A box along the axes of P-space; empty until it holds a point.
+/// An axis-aligned bounding box in P-space.
 struct BoundingBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -27,20 +27,20 @@ struct BoundingBox {
     }
 };
 
-/// The box of the whole layout: Fig. 5's box of P-space.
+/// The bounding box of the whole layout: Fig. 5's box of P-space.
 BoundingBox layout_bounds(const space::Layout& layout);
 
-/// The box of the cells that hold something visible: Fig. 5's box of the actually rendered volume.
+/// The bounding box of the visible cells: Fig. 5's box of the actually rendered volume.
 BoundingBox visible_bounds(std::span<const bricks::PlacedCells> bricks, const space::Layout& layout,
                            const TransferFunction& transfer);
 
 std::vector<glm::dvec3> corners(const BoundingBox& box);
 
-/// The twelve edges of a box; none of an empty one.
+/// The twelve edges of a box; none if it is empty.
 std::vector<LineSegment> box_edges(const BoundingBox& box, const glm::vec4& colour);
 
-/// Outlines of the slices of `stack` as `camera` cuts them through `box`: Fig. 5's slice planes. Of many slices only
-/// every n-th, about `shown` of them.
+/// Outlines of the slices of `stack` within `box`: Fig. 5's slice planes.
+/// \param shown approximate number of outlines; only every n-th slice gets one
 std::vector<LineSegment> slice_outlines(const BoundingBox& box, const space::Camera& camera, const SliceStack& stack,
                                         int shown, const glm::vec4& colour);
 

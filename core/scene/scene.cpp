@@ -10,12 +10,13 @@ namespace vvr::scene {
 
 namespace {
 
-constexpr std::int64_t moments_of_unequal_layer = 64;
+// Layers of unequal length have no frame numbers of their own: count shares of a layer instead.
+constexpr std::int64_t shares_per_layer = 64;
 
 }  // namespace
 
 TimeTable::TimeTable(const bricks::Volume& volume)
-    : step_(volume.is_nonuniform() ? moments_of_unequal_layer : volume.step()), nonuniform_(volume.is_nonuniform()) {
+    : step_(volume.is_nonuniform() ? shares_per_layer : volume.step()), nonuniform_(volume.is_nonuniform()) {
     for (std::int64_t i = 0; i < volume.layers(); ++i) {
         const bricks::Layer& layer = volume.layer(i);
         layers_.push_back({layer.first_frame, layer.last_frame, layer.frames, layer.pts, layer.last_pts});
@@ -24,24 +25,24 @@ TimeTable::TimeTable(const bricks::Volume& volume)
 
 Moment TimeTable::at(double frame) const {
     if (empty()) return {};
-    const std::int64_t of_last = nonuniform_ ? step_ : layers_.back().frames;
-    const std::int64_t last = step_ * (static_cast<std::int64_t>(layers_.size()) - 1) + of_last - 1;
+    const std::int64_t in_last = nonuniform_ ? step_ : layers_.back().frames;
+    const std::int64_t last = step_ * (static_cast<std::int64_t>(layers_.size()) - 1) + in_last - 1;
     const std::int64_t number = std::clamp<std::int64_t>(std::llround(frame), 0, last);
     const Entry& layer = layers_[static_cast<std::size_t>(number / step_)];
     const std::int64_t within = number % step_;
-    const std::int64_t moments = nonuniform_ ? step_ : layer.frames;
-    const double share = layer.frames > 1 ? static_cast<double>(within) / static_cast<double>(moments - 1) : 0;
-    const double frame_there =
+    const std::int64_t count = nonuniform_ ? step_ : layer.frames;
+    const double share = layer.frames > 1 ? static_cast<double>(within) / static_cast<double>(count - 1) : 0;
+    const double clip_frame =
         std::lerp(static_cast<double>(layer.first_frame), static_cast<double>(layer.last_frame), share);
-    return {std::llround(frame_there), std::lerp(layer.begin, layer.end, share)};
+    return {std::llround(clip_frame), std::lerp(layer.begin, layer.end, share)};
 }
 
 namespace {
 
-// From here on a value casts a whole shadow.
+// Values from here on cast a full shadow.
 constexpr int strong = 64;
 
-// Of an object's shadow: what is left of its colour, and its opacity. A stronger one would be taken for the object.
+// An object's shadow: the share of the object's colour, and the opacity. A stronger shadow would look like an object.
 constexpr float colour_part = 0.75F;
 constexpr float tinted_opacity = 0.3F;
 
@@ -80,7 +81,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
     const glm::vec3 untinted(theme.shadow);
     const std::vector<glm::vec4> looks = object_palette(theme);
     shadow.colour.a = std::max(theme.shadow.a, tinted_opacity);
-    const float nobodys_part = theme.shadow.a / shadow.colour.a;
+    const float unowned_part = theme.shadow.a / shadow.colour.a;
     shadow.tint = Plane<Bgr>(shadow.darkness.size(), bgr_of(untinted));
     struct Strongest {
         std::uint8_t value = 0;
@@ -99,14 +100,14 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
         });
         for (int i = 0; i < shadow.darkness.width(); ++i) {
             const std::uint16_t owner = columns[static_cast<std::size_t>(i)].owner;
-            const bool is_asked = owner != 0 && identify;
-            const bricks::Identity identity = is_asked ? identify(volume.track_of(owner), layer) : bricks::Identity{};
+            const bool has_owner = owner != 0 && identify;
+            const bricks::Identity identity = has_owner ? identify(volume.track_of(owner), layer) : bricks::Identity{};
             if (identity.look != 0) {
                 const glm::vec3 colour(looks[identity.look]);
                 shadow.tint.at(i, row) = bgr_of(glm::mix(untinted, colour, colour_part));
             } else {
                 std::uint8_t& darkness = shadow.darkness.at(i, row);
-                darkness = byte_of(static_cast<float>(darkness) / 255 * nobodys_part);
+                darkness = byte_of(static_cast<float>(darkness) / 255 * unowned_part);
             }
         }
     }

@@ -22,7 +22,7 @@ struct LineSegment {
     glm::vec4 colour;  ///< sRGB and opacity
 };
 
-/// A frame of the clip that stands in the volume at its time.
+/// A frame of the clip, shown in the volume at its time.
 struct StandingFrame {
     double t = 0;  ///< t_C
     Plane<Bgr> picture;
@@ -30,46 +30,45 @@ struct StandingFrame {
     double frame = 0;  ///< counted from the volume's first
 };
 
-/// What moved, seen from above: it lies under the volume and shows where in the scene a trail runs.
+/// A shadow on the floor: the motion seen from above. It shows where in the scene a trail runs.
 struct FloorShadow {
-    Plane<std::uint8_t> darkness;  ///< columns as in a frame, a row for each layer of time
-    double t_end = 1;              ///< t_C to which the rows reach
+    Plane<std::uint8_t> darkness;  ///< a frame's columns; one row per layer of time
+    double t_end = 1;              ///< t_C at the end of the rows
     glm::vec4 colour{0, 0, 0, 0.3F};
-    Plane<Bgr> tint{};  ///< of the darkness; empty = `colour` alone
+    Plane<Bgr> tint{};  ///< colour per pixel of `darkness`; empty = `colour` everywhere
 };
 
-/// The geometry that is drawn with the volume.
+/// The geometry drawn with the volume.
 struct Scene {
     std::vector<Glyph> arrows;
     Tracelines tracelines;
     std::vector<LineSegment> lines;
     std::vector<StandingFrame> frames;
-    FloorShadow floor;  ///< empty where none is to be drawn
+    FloorShadow floor;  ///< empty = not drawn
 };
 
-/// The shadow of all that is in a volume: of each column of a frame the strongest value.
+/// The shadow of a volume: the maximum value of each frame column.
 FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour);
 
-/// The same of a volume that keeps owners: the shadow of an object has something of its colour, so that one can be
-/// found from the other.
+/// The shadow of a volume with owners, tinted by the objects' colours, so that a shadow can be matched to its object.
 FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify);
 
-/// The border of the volume's cross-section at one time.
+/// The border of the volume's cross-section at time `t`, a t_C.
 std::vector<LineSegment> cross_section(const space::Layout& layout, double t, const glm::vec4& colour);
 
 /// The edges of the volume.
 std::vector<LineSegment> volume_outline(const space::Layout& layout, const glm::vec4& colour);
 
-/// Which frame of the clip a frame of a volume is, and when it was.
+/// Maps frames of a volume to frames and times of the clip.
 class TimeTable {
   public:
     explicit TimeTable(const bricks::Volume& volume);
 
-    /// The frame nearest to a (fractional) number counted from the volume's first frame; beyond the ends, theirs.
-    /// Between the first and the last frame of a layer times are linear, as only those two are known.
+    /// The clip's frame nearest to `frame`, a fractional number counted from the volume's first frame and clamped to
+    /// the volume. Times within a layer are interpolated linearly between its first and last frame.
     Moment at(double frame) const;
 
-    /// Numbers per layer; of layers of unequal length these are shares of a layer, not frames.
+    /// Frame numbers per layer; for layers of unequal length, equal shares of a layer instead of frames.
     std::int64_t frames_per_layer() const { return step_; }
     bool empty() const { return layers_.empty(); }
 
@@ -78,8 +77,8 @@ class TimeTable {
         std::int64_t first_frame = 0;
         std::int64_t last_frame = 0;
         std::int64_t frames = 0;
-        double begin = 0;  ///< seconds, of its first frame
-        double end = 0;    ///< of its last
+        double begin = 0;  ///< seconds, its first frame
+        double end = 0;    ///< seconds, its last frame
     };
 
     std::int64_t step_;

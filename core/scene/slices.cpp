@@ -18,15 +18,15 @@ struct SlicePolygon {
     int slice = 0;
 };
 
-/// The part of a cell that is drawn: a hexahedron in P-space.
+/// The drawn part of a cell: a hexahedron in P-space.
 struct Proxy {
-    bricks::CellBox box;  ///< in C-space; a side that was cut off meets no neighbour
+    bricks::CellBox box;  ///< in C-space; may be smaller than the cell
     std::array<glm::dvec3, 8> corners;
     std::array<double, 8> depth{};  ///< in slices from the nearest slice
     float t_reference = 0;
     bool visible = false;
 
-    /// Where slice `slice` meets edge `edge`. Who shares an edge, or cuts the same one, gets the same bits.
+    /// Intersection of a slice with an edge. Proxies that share the edge get bit-identical results.
     glm::vec3 crossing(std::size_t edge, int slice) const {
         const auto [a, b] = ends(edge);
         return glm::vec3(glm::mix(corners[a], corners[b], (slice - depth[a]) / (depth[b] - depth[a])));
@@ -44,12 +44,12 @@ struct Proxy {
     }
 };
 
-/// The neighbours of a proxy by face; null where none touches it.
+/// A proxy's neighbours by face; null if no neighbour touches it.
 using Neighbours = std::array<const Proxy*, 6>;
 
 struct Corner {
     glm::vec3 p;
-    int face = 0;  ///< on which the polygon goes on to the next corner
+    int face = 0;  ///< that contains the polygon's side to the next corner
 };
 
 bool borders_on(std::size_t edge, int face) {
@@ -60,8 +60,8 @@ int other_face(std::size_t edge, int face) {
     return space::hexahedron_edge_faces[edge][space::hexahedron_edge_faces[edge][0] == face ? 1 : 0];
 }
 
-/// The polygon in which slice `slice` meets the proxy, its corners in order around it. Walks from edge to edge over the
-/// faces, so no sorting by angle is needed.
+/// Intersects a proxy with a slice. Walks from edge to edge over the faces, so the corners come in order without
+/// sorting by angle.
 void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
     polygon.clear();
     std::array<bool, 12> crossed{};
@@ -81,16 +81,15 @@ void cut_proxy(const Proxy& proxy, int slice, std::vector<Corner>& polygon) {
     }
 }
 
-/// Makes a fan of triangles of a polygon, with those corners of the neighbours' polygons that lie on its sides. Without
-/// them two polygons that meet would be rounded to pixels along different lines, and here and there a pixel would get
-/// both or none of them.
+/// Triangulates a polygon as a fan and adds those corners of neighbouring polygons that lie on its sides. Without them,
+/// T-junctions would leave pixels that are drawn twice or not at all.
 void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>& polygon,
               std::vector<glm::vec3>& fan) {
     fan.clear();
     glm::vec3 sum{0};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Corner& from = polygon[i];
-        const glm::vec3 way = polygon[(i + 1) % polygon.size()].p - from.p;
+        const glm::vec3 side = polygon[(i + 1) % polygon.size()].p - from.p;
         sum += from.p;
         fan.push_back(from.p);
         const Proxy* beyond = neighbours[static_cast<std::size_t>(from.face)];
@@ -101,7 +100,7 @@ void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>
         for (std::size_t e = 0; e < space::hexahedron_edges.size() && found < 2; ++e) {
             if (!borders_on(e, from.face ^ 1) || !beyond->crosses(e, slice)) continue;
             const glm::vec3 point = beyond->crossing(e, slice);
-            const float place = glm::dot(point - from.p, way) / glm::dot(way, way);
+            const float place = glm::dot(point - from.p, side) / glm::dot(side, side);
             if (place <= 0 || place >= 1) continue;
             points[found] = point;
             places[found++] = place;
@@ -110,17 +109,17 @@ void make_fan(const Neighbours& neighbours, int slice, const std::vector<Corner>
         fan.insert(fan.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(found));
     }
     if (fan.size() == polygon.size()) return;
-    // Spread from one of the corners, the fan would pass over those on the two sides that meet there.
+    // A fan around a corner would skip the points on the two sides at that corner, so use the centroid.
     fan.push_back(fan.front());
     fan.insert(fan.begin(), sum / static_cast<float>(polygon.size()));
 }
 
-/// One bit for each side of the picture that a point of clip space lies beyond.
+/// Clipping outcode: one bit for each side of the picture that the point lies beyond.
 unsigned outside_of(const glm::dvec4& p) {
     return (p.x < -p.w ? 1U : 0U) | (p.x > p.w ? 2U : 0U) | (p.y < -p.w ? 4U : 0U) | (p.y > p.w ? 8U : 0U);
 }
 
-/// What all the proxies of a picture have in common.
+/// The context that all proxies of a picture share.
 struct Cutting {
     const space::Layout* layout;
     const TransferFunction* transfer;
@@ -130,8 +129,8 @@ struct Cutting {
     bool zero_is_empty;
 };
 
-/// The cells of a brick between two of its borders in time.
-using Sheet = std::vector<Proxy>;
+/// The proxies of a brick between two consecutive cell borders in time.
+using Slab = std::vector<Proxy>;
 
 Proxy make_proxy(const Cutting& cutting, const bricks::PlacedCells& brick, int ix, int iy, int it) {
     const bricks::BrickCells& cells = *brick.cells;
@@ -157,22 +156,22 @@ Proxy make_proxy(const Cutting& cutting, const bricks::PlacedCells& brick, int i
     return proxy;
 }
 
-Sheet make_sheet(const Cutting& cutting, const bricks::PlacedCells& brick, int it) {
-    Sheet sheet;
+Slab make_slab(const Cutting& cutting, const bricks::PlacedCells& brick, int it) {
+    Slab slab;
     for (int iy = 0; iy < brick.cells->ny(); ++iy) {
-        for (int ix = 0; ix < brick.cells->nx(); ++ix) sheet.push_back(make_proxy(cutting, brick, ix, iy, it));
+        for (int ix = 0; ix < brick.cells->nx(); ++ix) slab.push_back(make_proxy(cutting, brick, ix, iy, it));
     }
-    return sheet;
+    return slab;
 }
 
-/// Orders pieces by slice, the farthest first, by counting: there are many more pieces than slices.
-std::vector<SlicePolygon> farthest_first(const std::vector<SlicePolygon>& pieces, int slices) {
+/// Counting sort of polygons by slice, farthest first: there are many more polygons than slices.
+std::vector<SlicePolygon> farthest_first(const std::vector<SlicePolygon>& polygons, int slices) {
     std::vector<std::size_t> start(static_cast<std::size_t>(slices) + 1);
-    for (const SlicePolygon& piece : pieces) ++start[static_cast<std::size_t>(slices - 1 - piece.slice) + 1];
+    for (const SlicePolygon& polygon : polygons) ++start[static_cast<std::size_t>(slices - 1 - polygon.slice) + 1];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    std::vector<SlicePolygon> sorted(pieces.size());
-    for (const SlicePolygon& piece : pieces)
-        sorted[start[static_cast<std::size_t>(slices - 1 - piece.slice)]++] = piece;
+    std::vector<SlicePolygon> sorted(polygons.size());
+    for (const SlicePolygon& polygon : polygons)
+        sorted[start[static_cast<std::size_t>(slices - 1 - polygon.slice)]++] = polygon;
     return sorted;
 }
 
@@ -201,34 +200,34 @@ SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t nu
     const int nx = brick.cells->nx();
     const int ny = brick.cells->ny();
     const int nt = brick.cells->nt();
-    // Its own sheets with the one before and the one after them, which may be another brick's.
-    const auto sheet_at = [&](int it) -> Sheet {
-        if (it >= 0 && it < nt) return make_sheet(cutting, brick, it);
-        const std::size_t beside = it < 0 ? number - 1 : number + 1;  // far too large before the first
+    // This brick's slabs and one on either side, which may belong to the neighbouring brick.
+    const auto slab_at = [&](int it) -> Slab {
+        if (it >= 0 && it < nt) return make_slab(cutting, brick, it);
+        const std::size_t beside = it < 0 ? number - 1 : number + 1;  // huge for the first brick's -1
         if (beside >= bricks.size() || bricks[beside].cells->nx() != nx || bricks[beside].cells->ny() != ny) return {};
-        return make_sheet(cutting, bricks[beside], it < 0 ? bricks[beside].cells->nt() - 1 : 0);
+        return make_slab(cutting, bricks[beside], it < 0 ? bricks[beside].cells->nt() - 1 : 0);
     };
 
     SliceMesh mesh;
-    std::vector<SlicePolygon> pieces;
-    std::vector<Corner> polygon;
+    std::vector<SlicePolygon> polygons;
+    std::vector<Corner> corners;
     std::vector<glm::vec3> fan;
-    Sheet before = sheet_at(-1);
-    Sheet sheet = sheet_at(0);
+    Slab before = slab_at(-1);
+    Slab slab = slab_at(0);
     for (int it = 0; it < nt; ++it) {
-        Sheet after = sheet_at(it + 1);
+        Slab after = slab_at(it + 1);
         const auto at = [nx](int ix, int iy) { return static_cast<std::size_t>(iy * nx + ix); };
-        const auto drawn = [](const Sheet& of, std::size_t i) {
+        const auto drawn = [](const Slab& of, std::size_t i) {
             return !of.empty() && of[i].visible ? &of[i] : nullptr;
         };
         for (int iy = 0; iy < ny; ++iy) {
             for (int ix = 0; ix < nx; ++ix) {
-                const Proxy& proxy = sheet[at(ix, iy)];
+                const Proxy& proxy = slab[at(ix, iy)];
                 if (!proxy.visible) continue;
-                // A box that was cut smaller than its cell doesn't reach the next one.
+                // A box smaller than its cell doesn't touch the next one.
                 const auto touching = [&](bool exists, int x, int y, double bricks::CellBox::*far,
                                           double bricks::CellBox::*near) {
-                    const Proxy* const beside = exists ? drawn(sheet, at(x, y)) : nullptr;
+                    const Proxy* const beside = exists ? drawn(slab, at(x, y)) : nullptr;
                     return beside != nullptr && beside->box.*far == proxy.box.*near ? beside : nullptr;
                 };
                 const Neighbours neighbours = {
@@ -242,25 +241,25 @@ SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t nu
                 const int first = std::max(0, static_cast<int>(std::ceil(low)));
                 const int last = std::min(stack.count - 1, static_cast<int>(std::floor(high)));
                 for (int slice = first; slice <= last; ++slice) {
-                    cut_proxy(proxy, slice, polygon);
-                    if (polygon.size() < 3) continue;
-                    make_fan(neighbours, slice, polygon, fan);
-                    pieces.push_back({static_cast<std::uint32_t>(mesh.vertices.size()),
-                                      static_cast<std::uint32_t>(fan.size()), slice});
+                    cut_proxy(proxy, slice, corners);
+                    if (corners.size() < 3) continue;
+                    make_fan(neighbours, slice, corners, fan);
+                    polygons.push_back({static_cast<std::uint32_t>(mesh.vertices.size()),
+                                        static_cast<std::uint32_t>(fan.size()), slice});
                     for (const glm::vec3& corner : fan) mesh.vertices.push_back({corner, proxy.t_reference});
                 }
             }
         }
-        before = std::move(sheet);
-        sheet = std::move(after);
+        before = std::move(slab);
+        slab = std::move(after);
     }
     int slice = stack.count;
-    for (const SlicePolygon& piece : farthest_first(pieces, stack.count)) {
-        if (piece.slice != slice && !mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());
-        slice = piece.slice;
-        for (std::uint32_t i = 2; i < piece.vertices; ++i) {
+    for (const SlicePolygon& polygon : farthest_first(polygons, stack.count)) {
+        if (polygon.slice != slice && !mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());
+        slice = polygon.slice;
+        for (std::uint32_t i = 2; i < polygon.vertices; ++i) {
             mesh.indices.insert(mesh.indices.end(),
-                                {piece.first_vertex, piece.first_vertex + i - 1, piece.first_vertex + i});
+                                {polygon.first_vertex, polygon.first_vertex + i - 1, polygon.first_vertex + i});
         }
     }
     if (!mesh.indices.empty()) mesh.slice_ends.push_back(mesh.indices.size());

@@ -14,37 +14,38 @@
 
 namespace vvr::scene {
 
-/// The planes perpendicular to the view direction that cut the volume, one spacing for all bricks.
+/// View-aligned slicing planes, with the same spacing for all bricks.
 struct SliceStack {
-    double nearest = 0;  ///< distance of slice 0 from the eye along the view direction
+    double nearest = 0;  ///< distance of slice 0 from the eye along the view direction, P-space units
     double spacing = 1;  ///< P-space units between slices
     int count = 0;
 };
 
-/// A corner of a piece of slice.
+/// A vertex of a slice polygon.
 struct SliceVertex {
     glm::vec3 p;        ///< P-space
-    float t_reference;  ///< t_C of the middle of its cell: near it the inverse of the map is a short series
+    float t_reference;  ///< t_C at the cell's centre: the inverse map is a short series around it
 };
 
-/// Triangles of slices cut out of cells, back to front.
+/// Triangulated slice polygons, back to front.
 struct SliceMesh {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<std::size_t> slice_ends;  ///< in the indices, of each slice that has triangles
+    std::vector<std::size_t> slice_ends;  ///< end of each non-empty slice in `indices`
 };
 
-/// `count` slices through the volume, perpendicular to the view direction of `camera`; 0 = slices `spacing` P-space
-/// units apart.
+/// Slices through the whole volume, perpendicular to the view direction.
+/// \param count number of slices; 0 = as many as `spacing` requires
+/// \param spacing P-space units between slices, if `count` is 0
 SliceStack stack_slices(const space::Camera& camera, const space::Layout& layout, int count, double spacing);
 
-/// Where the slices meet those cells of brick `number` of `bricks` that hold something visible and lie in the picture:
-/// plane ∩ cell polygons, farthest first. Polygons that meet have the corners on their common side in common, across
-/// bricks too, so that each pixel belongs to one of them.
+/// Intersects the slices with the visible cells of brick `number` that lie in the picture: one polygon per slice and
+/// cell, back to front. Adjacent polygons share the vertices on their common side, across bricks too, so that each
+/// pixel belongs to exactly one of them.
 SliceMesh cut_slices(std::span<const bricks::PlacedCells> bricks, std::size_t number, const space::Layout& layout,
                      const TransferFunction& transfer, const space::Camera& camera, const SliceStack& stack);
 
-/// Points of P-space whose hull holds the whole volume: what a camera has to show.
+/// Points in P-space whose convex hull contains the volume: what a camera must show.
 std::vector<glm::dvec3> outline_points(const space::Layout& layout);
 
 }  // namespace vvr::scene

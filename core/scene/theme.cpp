@@ -9,15 +9,14 @@ namespace vvr::scene {
 
 namespace {
 
-/// Of #rrggbb.
+/// Converts 0xrrggbb.
 constexpr glm::vec3 rgb(unsigned hex) {
     return {static_cast<float>(hex >> 16U & 255U) / 255, static_cast<float>(hex >> 8U & 255U) / 255,
             static_cast<float>(hex & 255U) / 255};
 }
 
-// Searched for by simulated annealing: far from each other for normal and for dichromatic eyes, in even steps of
-// lightness, far enough from the background. Those that follow each other here differ most, as few objects take the
-// first ones.
+// Found by simulated annealing: far apart for normal and dichromatic vision, evenly spaced in lightness, with contrast
+// to the background. Consecutive colours differ most, because few objects use only the first ones.
 constexpr std::array on_white{rgb(0x073db7), rgb(0xff205b), rgb(0x4a733e), rgb(0xb28d1a),
                               rgb(0x580065), rgb(0x007bc7), rgb(0x6a2800), rgb(0xb0076c)};
 constexpr std::array on_black{rgb(0x15d7e8), rgb(0xcd1786), rgb(0xffce77), rgb(0x17a523),
@@ -90,7 +89,7 @@ glm::vec3 hue_colour(double lightness, double chroma, double degrees) {
 }
 
 glm::vec3 direction_colour(const glm::dvec2& direction) {
-    constexpr double right = 25;  // the hue, red; then over yellow up, green left, blue down
+    constexpr double right = 25;  // hue of rightwards, red; yellow is up, green left, blue down
     const double degrees = std::atan2(-direction.y, direction.x) * 180 / std::numbers::pi;
     return hue_colour(0.64, 0.18, right + degrees);
 }
@@ -108,16 +107,16 @@ std::vector<glm::vec4> time_colours() {
 namespace {
 
 struct ObjectStateStyle {
-    float extinction;  ///< factor
-    float toward_ink;  ///< part of the way from the object's colour to black
+    float extinction;  ///< factor on the transfer function's
+    float toward_ink;  ///< blend from the object's colour to black, 0..1
 };
 
-// In the order of ObjectState. Who stands is in one place for long, and has to be told from a trail that runs along the
-// arc: by stripes across time, and more solid.
+// In the order of ObjectState. A stationary object stays in one place for long; stripes across time and a higher
+// extinction tell it from a trail that runs along the arc.
 constexpr std::array postures{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, ObjectStateStyle{3, 0.45F}};
 
-// Leaves, rain and the light are nobody's: to be seen where there is nothing else, and not to be taken for a thing. At
-// a sixth a whole frame that has become lighter lets everything behind it through.
+// Leaves, rain and changes of light belong to no object: visible where there is nothing else, but not mistaken for an
+// object. At a sixth, a whole frame of brighter light stays transparent.
 constexpr float nobodys_extinction = 1.0F / 6;
 
 }  // namespace

@@ -10,43 +10,44 @@
 
 namespace vvr::scene {
 
-/// The colours of all that isn't the video's.
+/// The colours of everything except the video.
 struct Theme {
     std::string_view name;
     std::string_view help;
     glm::vec3 background;
-    glm::vec3 ink;              ///< text that is to be read first
-    glm::vec3 pale_ink;         ///< other text
+    glm::vec3 ink;              ///< primary text
+    glm::vec3 pale_ink;         ///< secondary text
     glm::vec3 lines;            ///< the volume's outline, the ruler's marks
     glm::vec4 shadow;           ///< on the floor
-    std::string_view transfer;  ///< the transfer function that shows well on it
+    std::string_view transfer;  ///< default transfer function
     glm::vec3 slow;             ///< arrows and tracelines
     glm::vec3 fast;
-    std::array<glm::vec3, 8> objects;  ///< sRGB; all eyes tell them apart, and their greys differ too
-    glm::vec3 unowned;                 ///< what belongs to no object
+    std::array<glm::vec3, 8> objects;  ///< sRGB; distinct with colour blindness and in greyscale
+    glm::vec3 unowned;                 ///< motion that belongs to no object
 };
 
-/// The themes; the first is the default.
+/// The first row is the default.
 std::span<const Theme> themes();
 
-/// The colour (sRGB) of a hue in degrees: red lies near 30, green near 145, blue near 260. In OKLCH (Ottosson 2020), in
-/// which hues of one lightness and chroma look alike strong. What a screen can't show is cut off.
+/// Converts OKLCH (Ottosson 2020), whose hues of equal lightness and chroma look equally strong, to sRGB. Clips to the
+/// sRGB gamut.
 /// \param lightness 0..1
 /// \param chroma 0..0.3
+/// \param degrees hue: red is near 30, green near 145, blue near 260
 glm::vec3 hue_colour(double lightness, double chroma, double degrees);
 
-/// The colour of a direction in the picture, as a wheel has them.
-/// \param direction to the right and down, of any length but 0
+/// The colour (sRGB) of a direction on the colour wheel.
+/// \param direction x to the right, y down; any length but 0
 glm::vec3 direction_colour(const glm::dvec2& direction);
 
-/// The colours of time, from the first moment to the last: each later one is lighter and of another hue.
+/// The colours of time, first to last, sRGB: 256 of increasing lightness and changing hue.
 std::vector<glm::vec4> time_colours();
 
-/// How an object is while a voxel shows it.
+/// The state of an object at a voxel.
 enum class ObjectState {
     moving,
-    still,   ///< it stands or lies, and is in a light stretch of its stripes
-    marked,  ///< in a dark one
+    still,   ///< stationary, in a light stripe
+    marked,  ///< stationary, in a dark stripe
 };
 
 /// The look, as in Identity, of an object.

@@ -30,7 +30,7 @@ TransferFunction::TransferFunction(std::vector<TransferPoint> points) : points_(
                                                       point.value, points_[i - 1].value));
         }
     }
-    // A value counts when the function is above zero there or on the way to the next one.
+    // A value is visible if the extinction is above zero at the value or before the next one.
     for (int i = 0; i < 256; ++i) {
         const bool here = at(i).w > 0;
         visible_below_[static_cast<std::size_t>(i) + 1] = visible_below_[static_cast<std::size_t>(i)] + (here ? 1 : 0);

@@ -6,8 +6,8 @@ namespace vvr::space {
 
 namespace {
 
-/// The horseshoe straightened along the arc of its middle radius, with the same handedness: a frame that reads
-/// unmirrored from the volume's beginning does so in both.
+/// The horseshoe straightened along the arc of its middle radius. Handedness is kept, so frames read unmirrored from
+/// the same side in both.
 class Box final : public Layout {
   public:
     explicit Box(const LayoutShape& shape)

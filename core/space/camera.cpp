@@ -10,7 +10,7 @@ namespace vvr::space {
 
 namespace {
 
-/// The least interval that holds all that was added.
+/// The smallest interval that contains everything added.
 struct Bounds {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ glm::dvec2 Camera::pixel(const glm::dvec3& p, Size picture) const {
     return {(clip.x / clip.w + 1) / 2 * picture.width, (1 - clip.y / clip.w) / 2 * picture.height};
 }
 
-double Camera::pixel_side(const glm::dvec3& p, Size picture) const {
+double Camera::pixel_size(const glm::dvec3& p, Size picture) const {
     const double depth = perspective ? glm::dot(p - eye, forward) : 1;
     return 2 * depth / (projection[1][1] * picture.height);
 }
@@ -70,7 +70,7 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
     camera.perspective = view.fov > 0;
     camera.forward = {-std::sin(azimuth) * std::cos(elevation), -std::sin(elevation),
                       std::cos(azimuth) * std::cos(elevation)};
-    // Straight up and down the picture's upper edge still needs a direction: that of the azimuth.
+    // For vertical views, the azimuth defines the picture's up direction.
     const glm::dvec3 right = {std::cos(azimuth), 0, std::sin(azimuth)};
     const glm::dvec3 up = glm::cross(camera.forward, right);
 
@@ -79,8 +79,8 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
     const double tan_y = std::tan(glm::radians(view.fov) / 2) * free;
     const double tan_x = tan_y * aspect;
 
-    // A point at (x, y, z) is inside at distance D when |x - cx| <= (z + D) tan_x, and so for y: two half-planes a
-    // point and axis, whose tightest ones give centre and distance directly.
+    // A point (x, y, z) is visible at distance D if |x - cx| <= (z + D) tan_x, and likewise for y: two half-planes per
+    // point and axis. The tightest ones give centre and distance directly.
     Bounds x;
     Bounds y;
     Bounds z;
@@ -105,7 +105,7 @@ Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size pic
     camera.view = glm::translate(turn, -camera.eye);
 
     const double eye_z = glm::dot(camera.eye, camera.forward);
-    // Arrows may stick out of what the points hold.
+    // Arrows may extend beyond the points.
     const double far = z.high - eye_z + 0.3 * reach;
     if (camera.perspective) {
         const double near = std::max(z.low - eye_z - 0.3 * reach, far * 1e-3);

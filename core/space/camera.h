@@ -8,12 +8,12 @@
 
 namespace vvr::space {
 
-/// Where the viewer is: at azimuth 0 in front of the open side, at positive azimuth further to the right.
+/// The viewer's direction. Azimuth 0 is in front of the open side; positive azimuths are to the right.
 struct View {
     double azimuth = 0;     ///< degrees
     double elevation = 46;  ///< degrees above the floor
     double fov = 30;        ///< vertical field of view in degrees; 0 = orthographic
-    double margin = 0.04;   ///< part of the picture left free on each side
+    double margin = 0.04;   ///< on each side, as a fraction of the picture
 };
 
 /// A camera in P-space (left-handed).
@@ -26,20 +26,20 @@ struct Camera {
 
     glm::dmat4 clip_from_p() const { return projection * view; }
 
-    /// The same view of only a part of a picture of size `picture`.
+    /// The camera that shows only `part` of a picture of size `picture`.
     Camera cropped(const PixelBox& part, Size picture) const;
 
-    /// The camera whose picture of size `picture` shows this one's in `part`, and more around it.
+    /// The inverse of `cropped`: the camera that shows this one's view in `part` of a picture of size `picture`.
     Camera within(const PixelBox& part, Size picture) const;
 
-    /// The side of a pixel of `picture` at the depth of a point, in P-space units.
-    double pixel_side(const glm::dvec3& p, Size picture) const;
+    /// Width of a pixel of `picture` at the depth of `p`, in P-space units.
+    double pixel_size(const glm::dvec3& p, Size picture) const;
 
-    /// Pixel position (column, row from the top; pixel centres at .5) of a point of P-space.
+    /// Projects a point of P-space to pixels: column, and row from the top; pixel centres are at .5.
     glm::dvec2 pixel(const glm::dvec3& p, Size picture) const;
 };
 
-/// The camera that looks from `view`'s direction and holds all `points` as large as the picture allows.
+/// The camera in direction `view` that shows all `points` as large as possible.
 Camera fit_camera(const View& view, std::span<const glm::dvec3> points, Size picture);
 
 }  // namespace vvr::space

@@ -23,7 +23,7 @@ class Horseshoe final : public Layout {
     glm::dvec3 c_from_p(const glm::dvec3& p) const override {
         const double r = std::hypot(p.x, p.z);
         double t = std::atan2(p.z, -p.x) / pi;
-        // The cut of atan2 goes to the open side, half way between the two ends.
+        // Move the branch cut of atan2 to the middle of the open side.
         if (t < -0.5) t += 2;
         return {(r - shape().r_min) / depth(), p.y / shape().y_s, t};
     }
@@ -51,7 +51,7 @@ class Horseshoe final : public Layout {
     std::vector<int> back_to_front(const glm::dvec3& eye, std::span<const double> borders) const override {
         const double angle = std::atan2(eye.z, -eye.x);
         const bool before_open_side = angle < 0;
-        // Behind the open side the opposite direction decides, and far and near change places.
+        // An eye before the open side: use the opposite direction and reverse the order.
         std::vector<int> order = sections_towards((before_open_side ? angle + pi : angle) / pi, borders);
         if (before_open_side) std::ranges::reverse(order);
         return order;

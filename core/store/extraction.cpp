@@ -27,23 +27,12 @@
 
 namespace vvr::store {
 
-/// A plane of 8-bit values as a PNG picture in grey, lossless; same values, same bytes.
-/// \throws Error io
-std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane);
-
-/// The same in colour.
-std::vector<std::byte> encode_colour(const Plane<Bgr>& plane);
-
-/// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
-Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size);
-
-/// The same for three channels.
-Plane<Bgr> read_colour(const std::filesystem::path& path, Size size);
-
 namespace {
 
+namespace fs = std::filesystem;
+
 std::vector<std::byte> encode(Size size, int channels, std::span<const std::uint8_t> values) {
-    // Differences are mostly empty: the fastest level without a filter already leaves little of them.
+    // Differences are mostly empty, so the fastest level without a filter compresses them well enough.
     return image::picture_codec().encode(
         {.format = "png",
          .name = "a plane.png",
@@ -56,8 +45,6 @@ std::vector<std::byte> encode(Size size, int channels, std::span<const std::uint
 void swap_red_and_blue(Plane<Bgr>& plane) {
     for (Bgr& pixel : plane.pixels()) std::swap(pixel[0], pixel[2]);
 }
-
-}  // namespace
 
 std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
     return encode(plane.size(), 1, plane.pixels());
@@ -84,10 +71,6 @@ Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     return plane;
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -108,7 +91,7 @@ std::span<const std::byte> bytes_of(const Bytes& bytes) {
 void check_data_folder(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder, error)) {
-        const fs::path whole = folder.lexically_normal();  // which may end in a slash
+        const fs::path whole = folder.lexically_normal();  // drops a trailing slash
         image::check_file_path(whole.has_filename() ? whole : whole.parent_path());
         return;
     }
@@ -129,9 +112,9 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
     : folder_(std::move(folder)), flow_every_(flow_every), colour_(colour) {
     check_data_folder(folder_);
     std::error_code error;
-    made_ = fs::create_directory(folder_, error);
+    created_ = fs::create_directory(folder_, error);
     if (error) fail(folder_, error.value());
-    // From here on a run that is killed leaves a folder that the next one knows for its own.
+    // If the run is killed from here on, the next one recognises the folder as ours.
     image::replace_file(folder_ / stored::manifest, bytes_of(unfinished_manifest()));
     remove_data();
     for (const char* name : {stored::scalar, stored::flow, stored::seeds, stored::colour}) {
@@ -142,11 +125,11 @@ DataFolder::DataFolder(fs::path folder, std::int64_t flow_every, bool colour)
 }
 
 DataFolder::~DataFolder() {
-    // Without its manifest, what can't be removed would be another's to the next run.
+    // Keep the manifest if files remain: without it, the next run would not recognise them as ours.
     if (closed_ || !remove_data()) return;
     std::error_code none;
     fs::remove(folder_ / stored::manifest, none);
-    if (made_) fs::remove(folder_, none);
+    if (created_) fs::remove(folder_, none);
 }
 
 bool DataFolder::remove_data() const {
@@ -160,8 +143,8 @@ bool DataFolder::remove_data() const {
     return removed;
 }
 
-// Not each file by itself to the disk, as `replace_file` does: that takes longer than all the rest. The manifest, which
-// comes last, tells a whole folder from one that isn't.
+// Doesn't sync each file as `replace_file` does, which would take longer than everything else. The manifest, written
+// last, marks the folder as complete.
 void DataFolder::write(const fs::path& file, std::span<const std::byte> bytes) const {
     const fs::path path = folder_ / file;
     std::unique_ptr<std::FILE, CloseFile> out(std::fopen(path.c_str(), "wb"));
@@ -173,7 +156,7 @@ void DataFolder::add(const video::Frame& frame, const fields::Field& field) {
     StoredFrame stored{field.index, field.pts, {}};
     write(stored::scalar_file(field.index), bytes_of(encode_grey(field.scalar)));
     if (colour_) write(stored::colour_file(field.index), bytes_of(encode_colour(frame.colour)));
-    // Some filters make flow at every frame, wanted or not.
+    // Some filters compute flow for every frame.
     if (flow_every_ > 0 && field.index % flow_every_ == 0 && !field.flow.u.empty()) {
         write(stored::flow_file(field.index), bytes_of(fields::encode_flo(field.flow)));
         write(stored::seed_file(field.index),
@@ -203,7 +186,7 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-bool says_where(const std::string& option) {
+bool is_time_range(const std::string& option) {
     return option == "start" || option == "end";
 }
 
@@ -217,7 +200,7 @@ bool same_clip(const video::VideoInfo& a, const video::VideoInfo& b) {
            a.duration == b.duration && a.frames == b.frames;
 }
 
-/// What keeps two directories from being neighbouring parts of one clip; nothing = they are.
+/// Why two folders are not consecutive parts of one clip; empty if they are.
 std::string difference(const Manifest& a, const Manifest& b) {
     if (a.field_size != b.field_size) {
         return fmt::format("fields of {}x{} and of {}x{}", a.field_size.width, a.field_size.height, b.field_size.width,
@@ -231,7 +214,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
         for (const auto& [option, value] : *settings) {
             const std::string one = value_of(a.settings, option);
             const std::string other = value_of(b.settings, option);
-            if (!says_where(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
+            if (!is_time_range(option) && one != other) return fmt::format("{} is '{}' and '{}'", option, one, other);
         }
     }
     if (b.frames.front().index != a.frames.back().index + 1) {
@@ -241,7 +224,7 @@ std::string difference(const Manifest& a, const Manifest& b) {
     return "";
 }
 
-Settings joined(const Manifest& first, const Manifest& last) {
+Settings merged(const Manifest& first, const Manifest& last) {
     Settings settings;
     for (const auto& [option, value] : first.settings) {
         if (option != "end") settings.emplace_back(option, value);
@@ -269,7 +252,7 @@ StoredFields::StoredFields(std::span<const std::string> folders) {
     }
     const Manifest& first = parts_.front().manifest;
     const Manifest& last = parts_.back().manifest;
-    settings_ = joined(first, last);
+    settings_ = merged(first, last);
     info_ = first.clip;
     info_.name = parts_.front().folder.string();
     const bool whole = first.frames.front().index == 0 && value_of(settings_, "end").empty();

@@ -12,64 +12,64 @@
 
 namespace vvr::store {
 
-/// Says whether data files could be written to `folder`: it isn't there, is empty, or holds an extraction of ours.
+/// Checks that data files can be written to `folder`: it doesn't exist, is empty, or holds an extraction of ours.
 /// \throws Error io with the next step
 void check_data_folder(const std::filesystem::path& folder);
 
-/// Writes the data files of Fig. 3 to a directory. Until `close`, its manifest says that it isn't finished; without
-/// `close` nothing of it stays.
+/// Writes the data files of Fig. 3 to a folder. Until `close`, the manifest marks them as unfinished; destruction
+/// without `close` removes them.
 class DataFolder {
   public:
-    /// Makes the folder, or empties it of an older extraction.
-    /// \param colour whether every frame's picture is kept
-    /// \param flow_every flow and seeds are kept of frames whose index is a multiple of it; 0 = of none
+    /// Creates the folder, or deletes an older extraction in it.
+    /// \param colour whether to store every frame's picture
+    /// \param flow_every store flow and seeds of frames whose index is a multiple of it; 0 = of none
     /// \throws Error io
     DataFolder(std::filesystem::path folder, std::int64_t flow_every, bool colour);
     ~DataFolder();
     DataFolder(const DataFolder&) = delete;
     DataFolder& operator=(const DataFolder&) = delete;
 
-    /// The next frame, in colour, and its field.
+    /// Adds the next frame, in colour, and its field.
     void add(const video::Frame& frame, const fields::Field& field);
 
-    /// Writes the rest, and the manifest last. What only this class knows is filled in here:
-    /// its frames, their interval of flow, whether their pictures are kept, and whether there is a reference.
+    /// Writes the rest, the manifest last. Fills in what only this class knows: the frames, `flow_every`, `colour` and
+    /// `reference`.
     void close(Manifest manifest, const fields::Reference& reference);
 
   private:
     void write(const std::filesystem::path& file, std::span<const std::byte> bytes) const;
-    bool remove_data() const;  ///< whether all of them are gone
+    bool remove_data() const;  ///< \returns whether everything could be removed
 
     std::filesystem::path folder_;
     std::int64_t flow_every_;
     bool colour_;
-    bool made_ = false;
+    bool created_ = false;
     bool closed_ = false;
     std::vector<StoredFrame> frames_;
     Plane<Bgr> last_;
 };
 
-/// Fields that `vvr extract` wrote, to one directory or to several with the consecutive parts of a clip.
+/// Reads fields that `vvr extract` wrote, from one folder or from several with consecutive parts of a clip.
 class StoredFields final : public fields::FieldSource {
   public:
-    /// Reads the manifests; the data files are read, and checked, when their turn comes.
-    /// \throws Error io or not_video for a manifest that can't be, usage for parts that don't belong together
+    /// Reads the manifests. Data files are read and checked on demand.
+    /// \throws Error io or not_video for an invalid manifest, usage for parts that don't belong together
     explicit StoredFields(std::span<const std::string> folders);
 
-    /// Of the whole clip, as its container told, where the parts begin and end where it does; else of what is here.
+    /// The whole clip as its container described it if the parts cover it, else the stored part.
     const video::VideoInfo& info() const override { return info_; }
     Size field_size() const override { return parts_.front().manifest.field_size; }
 
-    /// What the clip itself would have given, so that both make the same picture.
+    /// The number that the clip itself gives, so that both make the same picture.
     std::int64_t expected_frames() const override;
     std::int64_t interval(std::int64_t asked) const override;
     bool has_pictures() const override { return parts_.front().manifest.colour; }
 
-    /// \throws Error io for a file that is missing or isn't what the manifest says, usage when flow or seeds are
-    ///         needed and were not extracted
+    /// \throws Error io for a file that is missing or contradicts the manifest, usage if flow, seeds or colours are
+    ///     needed but were not extracted
     fields::FieldSummary read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) override;
 
-    /// The options that made the fields, of all parts together.
+    /// The options that made the fields, merged from all parts.
     const std::vector<std::pair<std::string, std::string>>& settings() const { return settings_; }
 
   private:

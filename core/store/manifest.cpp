@@ -21,12 +21,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "vvr-extract";
 constexpr int format_version = 1;
-constexpr std::int64_t largest_side = 65536;
-constexpr std::int64_t largest_count = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t max_side = 65536;
+constexpr std::int64_t max_count = std::numeric_limits<std::int32_t>::max();
 
-constexpr double longest_time = 9.2e12;  // seconds: all that libav can count in microseconds
+constexpr double max_time = 9.2e12;  // seconds: libav's range in microseconds
 
-/// One object of the file, whose values are asked for by name, kind and range.
+/// A JSON object of the file: gives its values by name and checks their types and ranges.
 class Reader {
   public:
     Reader(const Json& json, std::string name, std::string where = "")
@@ -56,8 +56,8 @@ class Reader {
 
     double seconds(const char* key) const {
         const Json& value = at(key);
-        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= longest_time)) {
-            fail(fmt::format("'{}{}' is {}, not a number from 0 to {}", where_, key, value.dump(), longest_time));
+        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= max_time)) {
+            fail(fmt::format("'{}{}' is {}, not a number from 0 to {}", where_, key, value.dump(), max_time));
         }
         return value.get<double>();
     }
@@ -83,19 +83,19 @@ class Reader {
 };
 
 Size read_size(const Reader& reader, const char* width, const char* height) {
-    return {static_cast<int>(reader.integer(width, 1, largest_side)),
-            static_cast<int>(reader.integer(height, 1, largest_side))};
+    return {static_cast<int>(reader.integer(width, 1, max_side)),
+            static_cast<int>(reader.integer(height, 1, max_side))};
 }
 
 video::VideoInfo read_clip(const Reader& reader) {
     video::VideoInfo info;
-    if (reader.has("name")) info.title = reader.text("name");  // older extractions have none
+    if (reader.has("name")) info.title = reader.text("name");  // missing in older extractions
     info.container = reader.text("container");
     info.codec = reader.text("codec");
     info.size = read_size(reader, "width", "height");
     info.rate = reader.seconds("rate");
     info.duration = reader.seconds("seconds");
-    info.frames = reader.integer("frames", 0, largest_count);
+    info.frames = reader.integer("frames", 0, max_count);
     return info;
 }
 
@@ -109,18 +109,18 @@ Json json_of(const video::FrameSpan& span) {
 video::FrameSpan read_span(const Reader& reader) {
     video::FrameSpan span;
     span.start = reader.seconds("start");
-    span.first = reader.integer("first", 0, largest_count);
+    span.first = reader.integer("first", 0, max_count);
     if (reader.has("end")) span.end = reader.seconds("end");
-    if (reader.has("stop")) span.stop = reader.integer("stop", 0, largest_count);
+    if (reader.has("stop")) span.stop = reader.integer("stop", 0, max_count);
     return span;
 }
 
 StoredFrame read_frame(const Json& json, std::size_t number, const std::string& name) {
     const Reader reader(json, name, fmt::format("frames[{}].", number));
     StoredFrame frame;
-    frame.index = reader.integer("index", 0, largest_count);
+    frame.index = reader.integer("index", 0, max_count);
     frame.pts = reader.seconds("pts");
-    if (json.contains("seeds")) frame.seeds = reader.integer("seeds", 0, largest_count);
+    if (json.contains("seeds")) frame.seeds = reader.integer("seeds", 0, max_count);
     return frame;
 }
 
@@ -191,7 +191,7 @@ std::string format_manifest(const Manifest& manifest) {
     std::string text = json_text(head, 2);
     text.erase(text.rfind('\n'));  // the closing brace
     text += ",\n  \"frames\": [";
-    // A line a frame: such a list can be read, and compared, by people.
+    // One line per frame, so that people can read and compare the list.
     for (const StoredFrame& frame : manifest.frames) {
         Json entry{{"index", frame.index}, {"pts", frame.pts}};
         if (frame.seeds) entry["seeds"] = *frame.seeds;
@@ -211,7 +211,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     }
     const Reader reader(json, name);
     if (reader.text("format") != format_name) reader.fail(fmt::format("'format' is not '{}'", format_name));
-    const std::int64_t found = reader.integer("format_version", 1, largest_count);
+    const std::int64_t found = reader.integer("format_version", 1, max_count);
     if (found != format_version) {
         reader.fail(fmt::format("its format_version is {}, this vvr reads {}", found, format_version));
     }
@@ -221,8 +221,8 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
     manifest.clip = read_clip(reader.object("clip"));
     manifest.span = read_span(reader.object("span"));
     manifest.field_size = read_size(reader, "field_width", "field_height");
-    manifest.flow_every = reader.integer("flow_every", 0, largest_count);
-    manifest.damaged = reader.integer("damaged", 0, largest_count);
+    manifest.flow_every = reader.integer("flow_every", 0, max_count);
+    manifest.damaged = reader.integer("damaged", 0, max_count);
     manifest.colour = reader.flag(stored::colour);
     manifest.reference = reader.flag("reference");
     const Reader settings = reader.object("settings");
@@ -240,7 +240,7 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
 
 namespace {
 
-/// The JSON of a folder's manifest; nothing where there is no such file.
+/// A folder's manifest as JSON; nothing if there is no such file.
 std::optional<Json> manifest_of(const std::filesystem::path& folder) {
     std::error_code none;
     const std::filesystem::path file = folder / stored::manifest;

@@ -14,29 +14,29 @@
 
 namespace vvr::store {
 
-/// One frame of a directory of data files.
+/// A frame in a folder of data files.
 struct StoredFrame {
     std::int64_t index = 0;             ///< in the clip
     double pts = 0;                     ///< seconds from the clip's first frame
-    std::optional<std::int64_t> seeds;  ///< how many its list holds; none = the frame has neither flow nor seeds
+    std::optional<std::int64_t> seeds;  ///< number of seeds; none = no flow and no seeds
 
     friend bool operator==(const StoredFrame&, const StoredFrame&) = default;
 };
 
-/// What a directory of data files says of itself (`manifest.json`, in docs/formats.md).
+/// The manifest of a folder of data files (`manifest.json`, in docs/formats.md).
 struct Manifest {
-    video::VideoInfo clip;  ///< of the whole clip, however little of it is here; of its name only the title
-    video::FrameSpan span;  ///< that was asked for
+    video::VideoInfo clip;  ///< the whole clip, even if only a part is stored; its name is the title only
+    video::FrameSpan span;  ///< the requested part
     Size field_size;
     std::int64_t flow_every = 1;
-    std::int64_t damaged = 0;  ///< packets that did not decode, of these frames and their neighbours
-    bool colour = false;       ///< whether every frame's picture is here
-    bool reference = false;    ///< whether there was an empty scene to compare with
-    std::vector<std::pair<std::string, std::string>> settings;  ///< long names of options, and their texts
-    std::vector<StoredFrame> frames;                            ///< one after the other, no gap
+    std::int64_t damaged = 0;  ///< packets that did not decode, in or next to these frames
+    bool colour = false;       ///< whether every frame's picture is stored
+    bool reference = false;    ///< whether there was a reference (the empty scene)
+    std::vector<std::pair<std::string, std::string>> settings;  ///< options by long name, as text
+    std::vector<StoredFrame> frames;                            ///< consecutive
 };
 
-/// Names of the files inside the directory.
+/// Names of the files in the folder.
 namespace stored {
 inline constexpr const char* manifest = "manifest.json";
 inline constexpr const char* scalar = "scalar";
@@ -53,21 +53,21 @@ std::filesystem::path colour_file(std::int64_t index);
 std::filesystem::path seed_file(std::int64_t index);
 }  // namespace stored
 
-/// The text of the file.
+/// The file's text.
 std::string format_manifest(const Manifest& manifest);
 
-/// The text that stands there until all else is written.
+/// The file's text until all other files are written.
 std::string unfinished_manifest();
 
-/// \param name of the file, for the error text
-/// \throws Error io for what isn't a manifest, isn't finished, or can't be true; not_video where there is no frame
+/// \param name of the file, for messages
+/// \throws Error io if it isn't a manifest, isn't finished or is invalid; not_video if it has no frames
 Manifest parse_manifest(std::string_view text, const std::string& name);
 
-/// Whether `folder` has a manifest of ours, finished or not; one that is not even JSON counts, so that its reader
-/// says so. A manifest of some other program does not.
+/// Whether `folder` has a manifest of ours, finished or not, or one that isn't even JSON, which its reader will report.
+/// Manifests of other programs don't count.
 bool is_data_folder(const std::filesystem::path& folder);
 
-/// Whether what is in `folder` is ours to replace: its manifest says so. One that can't be read says nothing.
+/// Whether the content of `folder` may be replaced: it has a readable manifest of ours.
 bool is_replaceable(const std::filesystem::path& folder);
 
 }  // namespace vvr::store

@@ -176,7 +176,7 @@ TEST(Tracelines, AreOfTheirWidthAndNeverThinnerThanAsked) {
         shot.options.samples = 4;
         shot.options.glyphs.slow_colour = shot.options.glyphs.fast_colour = {0, 0, 0};
         shot.options.traces.width = width;
-        shot.options.traces.least_width = 1.5F;
+        shot.options.traces.min_width = 1.5F;
         shot.scene.tracelines = line({-0.5F, 0.2F, 0.1F}, {0.5F, 0.2F, 0.1F});
         const Drawn drawn = draw_volume(volume, shot);
         const double unit =

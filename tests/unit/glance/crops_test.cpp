@@ -36,12 +36,12 @@ TEST(Crops, AreOfTheFrameInWhichTheObjectIsSeenBest) {
     const video::Frame late = frame_of(2, {200, 200});
     crops.keep(7, {{1, 1}, {100, 90, 120, 130}, 5}, early);
     crops.keep(7, {{2, 2}, {100, 90, 120, 130}, 6}, late);
-    const glance::Crop* const crop = crops.of(event_of({3, 7}));
+    const glance::Crop* const crop = crops.find(event_of({3, 7}));
     ASSERT_NE(crop, nullptr);
     EXPECT_EQ(crop->at.frame, 2);
     EXPECT_EQ(crop->picture.at(0, 0), (Bgr{80, 80, 2}));
     EXPECT_EQ(crop->object, PixelBox(20, 10, 40, 50));
-    EXPECT_EQ(crops.of(event_of({3})), nullptr);
+    EXPECT_EQ(crops.find(event_of({3})), nullptr);
 }
 
 TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
@@ -50,9 +50,9 @@ TEST(Crops, OfSeveralTracksAreTheEventsPortrait) {
     crops.keep(1, {{1, 1}, {10, 10, 20, 20}, 9}, frame);
     crops.keep(2, {{4, 4}, {10, 10, 20, 20}, 5}, frame);
     events::Event event = event_of({1, 2});
-    EXPECT_EQ(crops.of(event)->at.frame, 1);
+    EXPECT_EQ(crops.find(event)->at.frame, 1);
     event.portrait = events::Portrait{{4, 4}, {10, 10, 20, 20}, 5};
-    EXPECT_EQ(crops.of(event)->at.frame, 4);
+    EXPECT_EQ(crops.find(event)->at.frame, 4);
 }
 
 TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
@@ -61,10 +61,10 @@ TEST(Crops, TakeNoMoreMemoryForMoreTracks) {
     for (std::size_t track = 0; track < 3000; ++track) {
         crops.keep(track, {{1, 1}, {10, 10, 20, 20}, static_cast<double>(track)}, frame);
     }
-    EXPECT_EQ(crops.of(event_of({0})), nullptr);
-    EXPECT_NE(crops.of(event_of({2999})), nullptr);
-    EXPECT_NE(crops.of(event_of({1976})), nullptr);
-    EXPECT_EQ(crops.of(event_of({1975})), nullptr);
+    EXPECT_EQ(crops.find(event_of({0})), nullptr);
+    EXPECT_NE(crops.find(event_of({2999})), nullptr);
+    EXPECT_NE(crops.find(event_of({1976})), nullptr);
+    EXPECT_EQ(crops.find(event_of({1975})), nullptr);
 }
 
 }  // namespace

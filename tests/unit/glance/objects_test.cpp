@@ -30,16 +30,16 @@ TEST(MostTelling, WhatWasLeftOrTakenThenTheLongest) {
 
 TEST(PlaceAt, IsOnThePath) {
     const events::Event event = event_of(events::EventKind::moved, 2, 4);
-    EXPECT_EQ(glance::place_at(event, 3), glm::dvec2(20, 30));
-    EXPECT_EQ(glance::place_at(event, 0), glm::dvec2(10, 20));
-    EXPECT_EQ(glance::place_at(event, 9), glm::dvec2(30, 40));
+    EXPECT_EQ(glance::position_at(event, 3), glm::dvec2(20, 30));
+    EXPECT_EQ(glance::position_at(event, 0), glm::dvec2(10, 20));
+    EXPECT_EQ(glance::position_at(event, 9), glm::dvec2(30, 40));
 }
 
 TEST(PlaceAt, OfNoPathIsTheMiddle) {
     events::Event event = event_of(events::EventKind::left, 2, 4);
     event.path.clear();
     event.box = {10, 20, 21, 41};
-    EXPECT_EQ(glance::place_at(event, 3), glm::dvec2(15, 30));
+    EXPECT_EQ(glance::position_at(event, 3), glm::dvec2(15, 30));
 }
 
 TEST(Words, SayWhatItDidAndWhen) {
@@ -47,8 +47,8 @@ TEST(Words, SayWhatItDidAndWhen) {
     event.stays.push_back({at(7), at(8), {}, {}});
     event.stays.push_back({at(10), at(24), {}, {}});
     EXPECT_EQ(glance::activity_texts(event).front(), "stood 14 s");
-    EXPECT_EQ(glance::times_of(event, {}).front(), "0:06–0:28");
-    EXPECT_EQ(glance::times_of(event, 1'795'248'017).front(), "08:00:23–08:00:45");
+    EXPECT_EQ(glance::time_texts(event, {}).front(), "0:06–0:28");
+    EXPECT_EQ(glance::time_texts(event, 1'795'248'017).front(), "08:00:23–08:00:45");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::left, 0, 5)).front(), "left behind");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::taken, 0, 5)).front(), "taken away");
     EXPECT_EQ(glance::activity_texts(event_of(events::EventKind::moved, 0, 5)).front(), "went ↘");
@@ -61,11 +61,11 @@ TEST(Words, SayWhatItDidAndWhen) {
 TEST(StandingTimes, OfWhatWasLeftAreAllOfItsTime) {
     events::Event event = event_of(events::EventKind::left, 5, 30);
     event.stays.push_back({at(9), at(20), {10, 20}, {}});
-    ASSERT_EQ(glance::standing_times(event).size(), 1U);
-    EXPECT_EQ(glance::standing_times(event)[0].first.seconds, 5);
-    EXPECT_EQ(glance::standing_times(event)[0].last.seconds, 30);
+    ASSERT_EQ(glance::stationary_times(event).size(), 1U);
+    EXPECT_EQ(glance::stationary_times(event)[0].first.seconds, 5);
+    EXPECT_EQ(glance::stationary_times(event)[0].last.seconds, 30);
     event.kind = events::EventKind::stood;
-    EXPECT_EQ(glance::standing_times(event)[0].first.seconds, 9);
+    EXPECT_EQ(glance::stationary_times(event)[0].first.seconds, 9);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
     }
     const space::Camera camera = space::fit_camera({}, points, part.size()).within(part, picture);
     const PixelBox area{200, 0, 1080, 660};
-    const PixelBox hollow = glance::hollow_of(*layout, camera, picture, area, 4.0 / 3);
+    const PixelBox hollow = glance::map_box(*layout, camera, picture, area, 4.0 / 3);
     EXPECT_GT(hollow.width(), 120);
     EXPECT_NEAR(hollow.width() * 3.0 / 4, hollow.height(), 1);
     EXPECT_TRUE(area.contains(hollow));
@@ -87,7 +87,7 @@ TEST(Hollow, HoldsAFrameInTheOpenMiddle) {
             }
         }
     }
-    EXPECT_TRUE(glance::hollow_of(*layout, camera, picture, {}, 4.0 / 3).empty());
+    EXPECT_TRUE(glance::map_box(*layout, camera, picture, {}, 4.0 / 3).empty());
 }
 
 }  // namespace

@@ -55,10 +55,10 @@ TEST(TimeTicks, AreRoundOnTheClockOnTheWall) {
     EXPECT_EQ(texts(labels::time_ticks(0, 40, 5, at)), (Texts{"08:00:20", "08:00:30", "08:00:40", "08:00:50"}));
     EXPECT_EQ(texts(labels::time_ticks(0, 0.9, 2, at)), (Texts{"08:00:17.00", "08:00:17.50"}));
     EXPECT_EQ(texts(labels::time_ticks(0, 3 * 86400.0, 4, at)), (Texts{"11-22", "11-23", "11-24"}));
-    EXPECT_EQ(labels::format_span(0, 46, at), "2026-11-21 08:00:17 to 08:01:03 (as given)");
-    EXPECT_EQ(labels::format_span(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17 (as given)");
-    EXPECT_EQ(labels::format_span(0, 7.5), "0.0 s to 7.5 s");
-    EXPECT_EQ(labels::format_span(0, 7267), "0:00 to 2:01:07");
+    EXPECT_EQ(labels::format_interval_and_zone(0, 46, at), "2026-11-21 08:00:17 to 08:01:03 (as given)");
+    EXPECT_EQ(labels::format_interval_and_zone(0, 60000, at), "2026-11-21 08:00:17 to 2026-11-22 00:40:17 (as given)");
+    EXPECT_EQ(labels::format_interval_and_zone(0, 7.5), "0.0 s to 7.5 s");
+    EXPECT_EQ(labels::format_interval_and_zone(0, 7267), "0:00 to 2:01:07");
 }
 
 TEST(Text, IsMadePrintable) {
@@ -234,10 +234,10 @@ TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
     const Clock clock = local_clock(1774737000, 4 * 3600, ClockSource::file_name);
     EXPECT_EQ(texts(labels::time_ticks(0, 4 * 3600, 4, clock)), (Texts{"00:00", "01:00", "03:00", "04:00"}));
     EXPECT_EQ(labels::time_ticks(0, 4 * 3600, 4, clock)[2].seconds, 2.5 * 3600);
-    EXPECT_EQ(labels::format_span(0, 4 * 3600, clock),
+    EXPECT_EQ(labels::format_interval_and_zone(0, 4 * 3600, clock),
               "2026-03-28 23:30:00 to 2026-03-29 04:30:00 (CET, UTC+1, then CEST, UTC+2; by file name)")
         << "what tells it";
-    EXPECT_EQ(labels::format_stretch(0, 60, clock), "2026-03-28 23:30:00 to 23:31:00");
+    EXPECT_EQ(labels::format_interval(0, 60, clock), "2026-03-28 23:30:00 to 23:31:00");
     EXPECT_EQ(clock.iso(0), "2026-03-28T23:30:00+01:00");
     EXPECT_EQ(clock.iso(2.5 * 3600), "2026-03-29T03:00:00+02:00");
     // In October the hour from 2:00 comes twice.
@@ -249,9 +249,9 @@ TEST(TimeTicks, GoOnAcrossSummerTimeAndMidnight) {
 }
 
 TEST(TimeTicks, LengthsAreRound) {
-    EXPECT_EQ(labels::format_length(7.4), "7 s");
-    EXPECT_EQ(labels::format_length(420), "7 min");
-    EXPECT_EQ(labels::format_length(12000), "3:20 h");
+    EXPECT_EQ(labels::format_duration(7.4), "7 s");
+    EXPECT_EQ(labels::format_duration(420), "7 min");
+    EXPECT_EQ(labels::format_duration(12000), "3:20 h");
 }
 
 TEST(Gaps, AreWhereNoFrameCame) {
