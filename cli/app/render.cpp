@@ -80,9 +80,7 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
 /// Sees the fields on their way, to keep what a page and a still show of them.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
-    const auto film =
-        page_of(output).empty() ? page::WatchedFields::EncodedVideo::none : page::WatchedFields::EncodedVideo::preview;
-    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), film);
+    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), !page_of(output).empty());
     page::WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);
     return watcher;

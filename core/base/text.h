@@ -20,9 +20,6 @@ inline std::string counted(std::int64_t count, const std::string& word) {
 /// nothing forges a line, moves the cursor, or shows a name as another.
 std::string shown_text(std::string_view text);
 
-/// The same for text that has lines of its own: line feeds stay.
-std::string shown_lines(std::string_view text);
-
 /// Text without what an address may hold that is nobody's business: user and password, and all from `?` or `#` on, of
 /// every `scheme://...` in it.
 std::string redact_secrets(std::string_view text);

@@ -31,8 +31,8 @@ struct Samples {
 };
 
 /// Reads a PNG, JPEG, TIFF or OpenEXR file: what it is, its first bytes say, whatever its name. Of several pictures in
-/// a file it reads the first. \throws Error io for any other file, or one that is damaged; limit for a picture that is
-/// too large
+/// a file it reads the first.
+/// \throws Error io for any other file, or one that is damaged; limit for a picture that is too large
 Samples read_samples(const std::filesystem::path& path);
 
 /// Reads a picture from the bytes of a file.

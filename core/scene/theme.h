@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include "core/base/plane.h"
+
 namespace vvr::scene {
 
 /// The colours of all that isn't the video's.
@@ -38,6 +40,9 @@ glm::vec3 hue_colour(double lightness, double chroma, double degrees);
 /// The colour of a direction in the picture, as a wheel has them.
 /// \param direction to the right and down, of any length but 0
 glm::vec3 direction_colour(const glm::dvec2& direction);
+
+/// A colour as pixels have it, cut off where a screen can't show it.
+Bgr bgr_of(const glm::vec3& colour);
 
 /// The colours of time, from the first moment to the last: each later one is lighter and of another hue.
 std::vector<glm::vec4> time_colours();

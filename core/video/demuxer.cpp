@@ -45,6 +45,16 @@ std::string formats_of_clips() {
     return names;
 }
 
+std::string name_of(const AVStream& stream) {
+    const char* const kind = av_get_media_type_string(stream.codecpar->codec_type);
+    const bool cover = (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
+    return fmt::format("{} ({})",
+                       cover  ? "cover picture"
+                       : kind ? kind
+                              : "data",
+                       avcodec_get_name(stream.codecpar->codec_id));
+}
+
 namespace {
 
 constexpr int max_read_errors = 100;  // in a row
@@ -128,14 +138,7 @@ bool is_text_art(AVCodecID codec) {
 std::string streams_found(const AVFormatContext& format) {
     std::string found;
     for (unsigned i = 0; i < format.nb_streams; ++i) {
-        const auto& codec = *format.streams[i]->codecpar;
-        const char* kind = av_get_media_type_string(codec.codec_type);
-        const bool cover = format.streams[i]->disposition & AV_DISPOSITION_ATTACHED_PIC;
-        found += fmt::format("{}{} ({})", found.empty() ? "" : ", ",
-                             cover  ? "cover picture"
-                             : kind ? kind
-                                    : "data",
-                             avcodec_get_name(codec.codec_id));
+        found += (found.empty() ? "" : ", ") + name_of(*format.streams[i]);
     }
     return found.empty() ? "no stream at all" : found;
 }

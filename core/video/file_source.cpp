@@ -4,25 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include <sys/stat.h>
-
 #include <fmt/format.h>
 
 #include "core/base/error.h"
 #include "core/video/stream_info.h"
+#include "core/video/video_files.h"
 
 namespace vvr::video {
-
-namespace {
-
-/// When a file was last written; nothing for a stream.
-std::optional<std::int64_t> modified_at(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    return status.st_mtim.tv_sec;
-}
-
-}  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
     : options_(options), reader_(std::move(input), options.rate, options.threads) {
@@ -45,7 +33,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         info_.began = options.begin;
         info_.began_source = ClockSource::file_name;
     }
-    if (const auto written = modified_at(name)) info_.modified = *written - std::llround(info_.duration);
+    // Of a stream without a header nobody knows how long before it was last written it began.
+    const auto written = info_.duration > 0 ? modified_at(name) : std::nullopt;
+    if (written) info_.modified = static_cast<std::int64_t>(*written) - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
     ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }

@@ -53,6 +53,11 @@ struct VideoInfo {
     OmittedFrames left_out{};              ///< of these files
 };
 
+/// Whether the time at which a clip began is that of its recording, not that of some copy of it.
+inline bool recording_time_is_known(const VideoInfo& info) {
+    return info.began && is_recording_time(info.began_source);
+}
+
 struct SourceOptions {
     Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
     bool colour = false;    ///< fill Frame::colour as well

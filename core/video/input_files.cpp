@@ -178,8 +178,6 @@ namespace {
 
 using Paths = std::vector<fs::path>;
 
-constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
-
 /// A folder is read as a recording, which has folders in it, as pictures, as an extraction, or as lists or flow.
 void add_folder(const fs::path& folder, Paths& files) {
     std::error_code none;

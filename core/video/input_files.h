@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@ namespace vvr::video {
 /// \throws Error io when the folder can't be read or no file matches, not_video for a folder without pictures,
 ///         usage for a pattern with more than one number or other conversions
 std::optional<std::vector<std::string>> list_pictures(const std::string& name);
+
+/// The largest text that is read as a list of files.
+inline constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
 
 /// Whether a file's name has the ending of a picture.
 bool is_picture_name(const std::string& name);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <glob.h>
+#include <sys/stat.h>
 
 #include <climits>
 #include <fmt/format.h>
@@ -47,6 +48,12 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
                                                folder.string(), why.message()));
     }
     return files;
+}
+
+std::optional<double> modified_at(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
 }
 
 namespace {

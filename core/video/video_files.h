@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ bool is_video_name(const std::string& name);
 /// folders are not followed.
 /// \throws Error io when the folder can't be read
 std::vector<std::string> video_files_in(const std::filesystem::path& folder);
+
+/// When a file was last written, seconds since 1970 (UTC); nothing for what is no regular file.
+std::optional<double> modified_at(const std::string& path);
 
 /// Whether `a` comes before `b` as people count: "frame2" before "frame10". Runs of digits compare by value, the rest
 /// by bytes; names that differ only in leading zeros keep their byte order.

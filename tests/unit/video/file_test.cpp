@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
 #include "core/video/packet_scan.h"
+#include "core/video/piece.h"
+#include "core/video/video_files.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -151,6 +155,36 @@ TEST(VideoFile, MakesPixelsSquare) {
               (Size{85, 48}));
     EXPECT_EQ(video::open_source(counting_clip(folder, "tall.mkv", "-c:v ffv1 -aspect 1:1"))->info().size,
               (Size{64, 64}));
+}
+
+/// Two clips of four seconds, one after another, whose clocks both begin at the same time.
+std::string clip_whose_clock_goes_back(const TempFolder& folder) {
+    std::ifstream part(counting_clip(folder, "part.ts", "-c:v libx264 -qp 4 -g 25 -bf 2"), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(part), {});
+    std::ofstream(folder / "whole.ts", std::ios::binary) << bytes << bytes;
+    return folder / "whole.ts";
+}
+
+TEST(VideoFile, IsMeasuredByItsPackets) {
+    const TempFolder folder;
+    for (const std::string& name :
+         {counting_clip(folder, "clip.mp4", "-c:v libx264 -qp 4 -g 25 -bf 3"),
+          counting_clip(folder, "clip.avi", "-c:v mpeg4 -q:v 2"), clip_whose_clock_goes_back(folder)}) {
+        const auto frames = read_all(*video::open_source(name));
+        EXPECT_NEAR(video::length_of(video::open_input(name), 25), frames.back().pts + 0.04, 0.045) << name;
+    }
+    EXPECT_NEAR(video::length_of(video::open_input(folder / "whole.ts"), 25), 8, 0.05);
+}
+
+TEST(VideoFile, BeganWhenItWasLastWrittenLessItsLength) {
+    const TempFolder folder;
+    const std::string clip = counting_clip(folder, "clip.avi", "-c:v mpeg4 -q:v 2");
+    const auto told = video::open_source(clip);
+    const auto written = static_cast<std::int64_t>(*video::modified_at(clip));
+    EXPECT_EQ(told->info().modified, written - 4);
+    const auto untold = video::open_source(counting_clip(folder, "clip.h264", "-c:v libx264 -qp 4"));
+    EXPECT_EQ(untold->info().duration, 0);
+    EXPECT_EQ(untold->info().modified, std::nullopt) << "a length of 0 is none";
 }
 
 TEST(VideoFile, TakesTinyAndOddSizes) {
