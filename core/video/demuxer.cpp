@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -82,6 +84,19 @@ bool has_read_error(const std::string& name) {
     return file.bad();
 }
 
+/// Whether libav would take a file for a list of others.
+bool is_playlist(const Input& input) {
+    constexpr std::size_t looked_at = 4096;
+    std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
+    const auto got = input.file ? ::pread(input.file->get(), begin.data(), looked_at, 0)
+                                : std::ifstream(input.name, std::ios::binary).read(begin.data(), looked_at).gcount();
+    if (got <= 0) return false;
+    const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
+                           nullptr};
+    const AVInputFormat* const format = av_probe_input_format(&data, 1);
+    return format != nullptr && is_playlist_format(*format);
+}
+
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
     const auto trouble = std::ranges::find(file_troubles, AVUNERROR(code), &FileTrouble::code);
@@ -99,7 +114,7 @@ bool has_read_error(const std::string& name) {
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    if (words.starts_with("Format not on whitelist")) {
+    if (is_local(input) && is_playlist(input)) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
                                 "files, or their paths, one per line, in a list that ends in .txt",

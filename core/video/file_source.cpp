@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/key_frames.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"
 
@@ -58,7 +59,6 @@ std::vector<std::string> FileSource::problems() const {
 
 void FileSource::rewind() {
     jump_ = 0;
-    stored_.reset();
     seek(0);
 }
 
@@ -66,8 +66,6 @@ void FileSource::seek(double seconds) {
     ahead_.reset();
     // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
-    if (stored_ && stored_->is_whole()) return stored_->skip(from_);
-    stored_.reset();
     start_ = from_ > 0 ? reader_.find(from_) : SeekPoint{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
@@ -83,7 +81,6 @@ std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> fr
 
 std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return given(std::move(ahead_));
-    if (stored_) return given(stored_->next());
     for (;;) {
         auto [image, time] = reader_.next();
         if (!image) {
@@ -101,11 +98,10 @@ std::vector<Frame> FileSource::sample(int count) {
     // Every open reader holds the clip's index: 24 MB for six hours.
     ahead_.reset();
     reader_.close();
-    stored_.reset();
-    const ClipSampler sampler(
-        {reader_.input(), options_, field_size_, orientation_, reader_.origin(), reader_.threaded()});
-    auto frames = sampler.sample(count, stored_);
-    if (stored_) return frames;
+    KeyFrames keys(count);
+    keys.scan(reader_.input(), options_.rate, 0);
+    Scaler scale(*this);
+    auto frames = keys.decode(options_.rate, scale);
     if (frames.empty()) return FrameSource::sample(count);
     rewind();
     return frames;

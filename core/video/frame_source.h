@@ -101,8 +101,7 @@ class FrameSource {
 
     /// At most `count` frames spread in time over the whole of what is really there;
     /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
-    /// first frame. Holds no more than `count` frames at a time; of a short clip it may store all, compressed, in a
-    /// bounded number of bytes, so that `next` need not decode them again. The frames' `index` is not filled in.
+    /// first frame. Holds no more than `count` frames at a time. The frames' `index` is not filled in.
     virtual std::vector<Frame> sample(int count);
 };
 
