@@ -16,8 +16,8 @@
 #include "core/base/file_io.h"
 #include "core/base/json_text.h"
 #include "core/store/manifest.h"
+#include "core/video/frame_source.h"
 #include "core/video/input.h"
-#include "core/video/input_files.h"
 #include "core/video/piece.h"
 
 namespace vvr::app {

@@ -114,7 +114,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     const PictureSink write = [&](const RenderReport& report, int number, image::Picture&& picture) {
         const image::Metadata record = record_of(job, report, products.series);
         if (taken) taken(picture, record);
-        if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
+        if (!job.output.golden.path.empty()) drawn = {picture.pixels};
         pictures.add_thumbnail(picture);
         page::Moments moments = watched == nullptr ? page::Moments{} : watched->take();
         if (!moments.problem.empty()) {

@@ -19,8 +19,7 @@ struct Samples {
     Size size;
     std::vector<std::string> channels;  ///< "R", "G", "B", "A", or the file's own names
     std::vector<float> values;          ///< integers of a file as 0..1
-    Encoding encoding = Encoding::srgb;
-    Metadata attributes{};  ///< all that the file holds, as text
+    Metadata attributes{};              ///< all that the file holds, as text
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {

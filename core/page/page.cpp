@@ -294,7 +294,7 @@ std::string url_of_picture(const PageContent& content) {
     constexpr int live_quality = 88;
     if (!content.live)
         return data_url("image/png", image::encode_picture("page.png", content.picture, content.settings));
-    const image::Picture colours{content.picture.pixels, content.picture.encoding, {}};
+    const image::Picture colours{content.picture.pixels};
     return data_url("image/jpeg", image::encode_picture("page.jpg", colours, content.settings, live_quality));
 }
 

@@ -62,19 +62,6 @@ namespace {
 constexpr int max_read_errors = 100;  // in a row
 constexpr int greatest_errno = 4096;  // libav's own codes are beyond
 
-/// What a system's code says of a file. libav takes these codes for its own purposes too: a damaged Matroska file is
-/// an "Input/output error", a picture that is too large a "Device or resource busy".
-struct FileTrouble {
-    int code;
-    const char* advice;
-};
-constexpr std::array file_troubles{
-    FileTrouble{ENOENT, "check the name and the folder it is in"},
-    FileTrouble{EACCES, "check the permissions of the file and its folder"},
-    FileTrouble{EMFILE, "raise the limit of open files (`ulimit -n`)"},
-    FileTrouble{ENFILE, "end some programs, as all of the machine's files are in use"},
-};
-
 /// Whether the system itself fails to read a file, of which the first bytes stand for all.
 bool has_read_error(const std::string& name) {
     constexpr std::size_t looked_at = 1 << 24;
@@ -99,9 +86,11 @@ bool is_playlist(const Input& input) {
 
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    const auto trouble = std::ranges::find(file_troubles, AVUNERROR(code), &FileTrouble::code);
-    if (trouble != file_troubles.end()) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; {}", input.name, words, trouble->advice));
+    // libav takes the system's codes for its own purposes too: a damaged Matroska file is an "Input/output error", a
+    // picture that is too large a "Device or resource busy".
+    if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its name, its folder and the permissions",
+                                               input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));

@@ -14,7 +14,6 @@
 #include "core/base/file_name.h"
 #include "core/base/text.h"
 #include "core/video/input.h"
-#include "core/video/input_files.h"
 #include "core/video/recording.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -120,6 +121,11 @@ std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOp
 /// \throws Error as above, and as find_recording does
 std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings);
+
+/// The files of this machine that are read where `name` is given as an input: a file, those that a folder, a pattern or
+/// a list names, what stdin is (`-`), or the file that holds an address (`@FILE`). All that may be read counts, be it a
+/// clip, a picture, or part of an extraction. What can't be looked at is left out: who opens it says why.
+std::vector<std::filesystem::path> files_of_input(const std::string& name);
 
 /// The field size that `asked` (as in SourceOptions) means for pictures of size `shown`.
 ///

@@ -174,7 +174,8 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
     const bool direct = has_luma_plane(static_cast<AVPixelFormat>(from.format));
     const AVFrame& image = direct ? from : parts_->convert(from, colour_);
     const Orientation orientation = decoded.orientation;
-    const cv::Size stored = orientation.transpose ? cv::Size(size_.height, size_.width) : cv::Size(size_.width, size_.height);
+    const cv::Size stored =
+        orientation.transpose ? cv::Size(size_.height, size_.width) : cv::Size(size_.width, size_.height);
     const auto fit = [&](int plane, Size size, int type) {
         return parts_->resize[static_cast<std::size_t>(plane)](plane_of(image, plane, size, type), stored);
     };
@@ -196,7 +197,8 @@ Frame Scaler::operator()(const DecodedFrame& decoded) {
         cv::cvtColor(cv_view(frame.grey), cv_view(frame.colour), cv::COLOR_GRAY2BGR);
         return frame;
     }
-    const Size size{AV_CEIL_RSHIFT(image.width, layout.log2_chroma_w), AV_CEIL_RSHIFT(image.height, layout.log2_chroma_h)};
+    const Size size{AV_CEIL_RSHIFT(image.width, layout.log2_chroma_w),
+                    AV_CEIL_RSHIFT(image.height, layout.log2_chroma_h)};
     std::array<cv::Mat, 2> chroma;  // Cb and Cr
     if (layout.comp[2].plane == 2) {
         chroma = {fit(1, size, CV_8UC1), fit(2, size, CV_8UC1)};

@@ -1,6 +1,7 @@
 #include "core/video/video_files.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <system_error>
 
@@ -27,6 +28,13 @@ const std::vector<std::string>& video_extensions() {
 
 bool is_video_name(const std::string& name) {
     return std::ranges::binary_search(video_extensions(), extension_of(name));
+}
+
+bool is_picture_name(const std::string& name) {
+    static constexpr std::array<std::string_view, 19> picture_extensions{
+        ".bmp", ".dpx", ".exr", ".gif", ".jp2", ".jpe", ".jpeg", ".jpg",  ".pam", ".pbm",
+        ".pgm", ".png", ".pnm", ".ppm", ".sgi", ".tga", ".tif",  ".tiff", ".webp"};
+    return std::ranges::binary_search(picture_extensions, extension_of(name));
 }
 
 std::vector<std::string> video_files_in(const fs::path& folder) {

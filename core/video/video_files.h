@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,6 +14,12 @@ const std::vector<std::string>& video_extensions();
 
 /// Whether a file's name has one of them.
 bool is_video_name(const std::string& name);
+
+/// Whether a file's name has the ending of a picture.
+bool is_picture_name(const std::string& name);
+
+/// The largest text that is read as a list of files.
+inline constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
 
 /// The video files in a folder and in those below it, in any order. Hidden files and folders are left out, and links to
 /// folders are not followed.
