@@ -362,8 +362,8 @@ void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> par
     try {
         packets = count_packets(input, rate);
         written = std::make_unique<FileSource>(input, options);
-    } catch (const Error&) {
-        written.reset();  // refused below, in words that name what was asked for
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::not_video) throw;
     }
     if (packets && *packets != copied.packets) {
         refuse(fmt::format("{} of {} frames can be read again", *packets, copied.packets));
