@@ -232,10 +232,6 @@ bool has_encoder(const std::string& encoder) {
 }
 
 VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
-                           int key_frames)
-    : VideoEncoder(format, name, size, ticks, rate, key_frames, {}) {}
-
-VideoEncoder::VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate,
                            int key_frames, WriteAt write_at)
     : parts_(std::make_unique<Parts>(format, name, size, ticks, rate, key_frames, std::move(write_at))) {}
 
