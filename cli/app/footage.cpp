@@ -16,9 +16,10 @@
 #include "core/base/file_io.h"
 #include "core/base/json_text.h"
 #include "core/store/manifest.h"
-#include "core/video/frame_source.h"
 #include "core/video/input.h"
+#include "core/video/picture_source.h"
 #include "core/video/piece.h"
+#include "core/video/video_files.h"
 
 namespace vvr::app {
 
