@@ -217,7 +217,7 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     using From = StartTime::From;
     if (start.from == From::given) return start.clock;
     if (start.from == From::none) return std::nullopt;
-    const bool told = info.began && is_recording_time(info.began_source);
+    const bool told = recording_time_is_known(info);
     struct Row {
         From from;
         std::optional<std::int64_t> begin;

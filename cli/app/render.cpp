@@ -80,9 +80,7 @@ std::string outcome(const RenderJob& job, bool series, const RenderReport& repor
 /// Sees the fields on their way, to keep what a page and a still show of them.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
-    const auto film =
-        page_of(output).empty() ? page::WatchedFields::EncodedVideo::none : page::WatchedFields::EncodedVideo::preview;
-    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), film);
+    auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), !page_of(output).empty());
     page::WatchedFields* const watcher = watched.get();
     fields.source = std::move(watched);
     return watcher;
@@ -116,7 +114,7 @@ RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink&
     const PictureSink write = [&](const RenderReport& report, int number, image::Picture&& picture) {
         const image::Metadata record = record_of(job, report, products.series);
         if (taken) taken(picture, record);
-        if (!job.output.golden.path.empty()) drawn = {picture.pixels, picture.encoding, {}};
+        if (!job.output.golden.path.empty()) drawn = {picture.pixels};
         pictures.add_thumbnail(picture);
         page::Moments moments = watched == nullptr ? page::Moments{} : watched->take();
         if (!moments.problem.empty()) {

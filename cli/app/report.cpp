@@ -189,7 +189,7 @@ double length_of(const events::Event& event) {
 /// chose.
 std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderReport& report) {
     const video::VideoInfo& info = report.info;
-    if (info.began && is_recording_time(info.began_source)) return {info.began, info.began_source};
+    if (recording_time_is_known(info)) return {info.began, info.began_source};
     const WallClock& clock = report.clock;
     if (clock && clock->utc_offset) return {clock->begin - *clock->utc_offset, clock->source};
     return {std::nullopt, ClockSource::none};

@@ -15,11 +15,6 @@ namespace {
 constexpr float resting = 0.2F;
 constexpr float moving = 0.6F;
 
-Bgr bgr_of(const glm::vec3& colour) {
-    const glm::vec3 level = glm::clamp(colour, 0.F, 1.F) * 255.F + 0.5F;
-    return {static_cast<std::uint8_t>(level.b), static_cast<std::uint8_t>(level.g), static_cast<std::uint8_t>(level.r)};
-}
-
 }  // namespace
 
 scene::TransferFunction second_transfer_of(const RenderJob& job) {
@@ -32,7 +27,7 @@ VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job
     if (row_.filter.empty()) return;
     const scene::TransferFunction transfer = second_transfer_of(job);
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
-        of_value_[value] = bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
+        of_value_[value] = scene::bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
     }
 }
 
@@ -41,11 +36,12 @@ Bgr VolumePaint::colour_of_flow(float u, float v) const {
     const float speed = std::hypot(u, v);
     if (row_.name == colour_by_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
-        if (share == 0) return bgr_of(theme.unowned);
-        return bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));
+        if (share == 0) return scene::bgr_of(theme.unowned);
+        return scene::bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));
     }
     const glm::vec2 range = job_.picture.glyphs.speed_range;
-    return bgr_of(glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
+    return scene::bgr_of(
+        glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
 }
 
 const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const fields::Field& field) {

@@ -59,8 +59,7 @@ void PictureOutput::add(int number, image::Picture picture, const image::Metadat
 
 void PictureOutput::add_thumbnail(const image::Picture& picture) {
     if (thumbnail_.empty()) return;
-    image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side)),
-                         picture.encoding};
+    image::Picture small{image::resized(picture.pixels, fit_into(picture.pixels.size(), thumbnail_side))};
     const std::vector<std::byte> encoded = image::encode_picture(thumbnail_, std::move(small), {}, thumbnail_quality);
     const auto held = observer_.guard();
     image::replace_file(thumbnail_, encoded);

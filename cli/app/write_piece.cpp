@@ -38,7 +38,7 @@ struct Encoding {
 };
 
 /// The first of a container whose encoder is installed is taken.
-constexpr const char* h264 = "crf=18,preset=veryfast,bf=0,x264-params=log=-1,colorspace=smpte170m,color_range=tv";
+constexpr const char* h264 = "crf=18,preset=veryfast,bf=0,colorspace=smpte170m,color_range=tv";
 constexpr std::array encodings{
     Encoding{"mp4", "libx264", h264},
     Encoding{"mov", "libx264", h264},

@@ -41,9 +41,7 @@ std::string digest_of(const options::CommandLine& line, const workers::ArchiveOp
         if (row.kind != archive::OutputKind::page || !options.no_pages)
             text += fmt::format("file {}\n", static_cast<int>(row.kind));
     }
-    std::string digest;
-    for (const std::byte byte : sha256(text)) digest += fmt::format("{:02x}", std::to_integer<int>(byte));
-    return digest;
+    return hex_sha256(text);
 }
 
 class Archive final : public Command {

@@ -24,10 +24,6 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-bool recorded_is_known(const video::VideoInfo& info) {
-    return info.began && is_recording_time(info.began_source);
-}
-
 std::string as_text(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
                     const std::vector<std::string>& warnings) {
     const video::VideoInfo& info = source.info();
@@ -40,12 +36,12 @@ std::string as_text(const fields::FieldSource& source, const app::Plan& plan, co
     line("rate", or_unknown(info.rate, fmt::format("{:.6g} frames per second", info.rate)));
     line("frames", or_unknown(static_cast<double>(info.frames), fmt::format("{}, as the container says", info.frames)));
     line("span", or_unknown(info.duration, fmt::format("{:.3f} s", info.duration)));
-    if (recorded_is_known(info)) {
+    if (recording_time_is_known(info)) {
         line("recorded", fmt::format("{} UTC, {}", labels::format_clock(*info.began), row_of(info.began_source).words));
     }
     if (info.created) {
         line("written", fmt::format("{} UTC, as the container says{}", labels::format_clock(*info.created),
-                                    recorded_is_known(info)
+                                    recording_time_is_known(info)
                                         ? ""
                                         : "; that need not be when it was recorded (--start-time container takes it)"));
     }
@@ -89,9 +85,9 @@ std::string as_json(const fields::FieldSource& source, const app::Plan& plan, co
         {"rate", known(info.rate)},
         {"frames", known(info.frames)},
         {"seconds", known(info.duration)},
-        {"recorded", recorded_is_known(info) ? time(info.began) : time(std::nullopt)},
-        {"recorded_by",
-         recorded_is_known(info) ? nlohmann::ordered_json(row_of(info.began_source).name) : nlohmann::ordered_json()},
+        {"recorded", recording_time_is_known(info) ? time(info.began) : time(std::nullopt)},
+        {"recorded_by", recording_time_is_known(info) ? nlohmann::ordered_json(row_of(info.began_source).name)
+                                                      : nlohmann::ordered_json()},
         {"written", time(info.created)},
         {"warnings", warnings},
         {"render",

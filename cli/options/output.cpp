@@ -30,7 +30,7 @@
 #include "core/image/film.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
-#include "core/video/input_files.h"
+#include "core/video/frame_source.h"
 
 namespace vvr::options {
 

@@ -104,7 +104,7 @@ void put_file(const fs::path& path, const std::string& text, cli::Signals& signa
     archive::check_own_place(path);
     if (holds(path, text)) return;
     const auto held = signals.hold();
-    image::replace_file(path, std::as_bytes(std::span(text)), image::Links::replaced);
+    image::replace_link(path, std::as_bytes(std::span(text)));
 }
 
 /// The clips that are no longer there; none where their folder itself is not, as its disk may not be mounted.

@@ -324,7 +324,7 @@ void write_sidecar(const fs::path& out, const Sidecar& sidecar) {
     const std::string text = format_sidecar(sidecar);
     const fs::path file = sidecar_path(out, sidecar.clip.path);
     check_own_place(file);
-    image::replace_file(file, std::as_bytes(std::span(text)), image::Links::replaced);
+    image::replace_link(file, std::as_bytes(std::span(text)));
 }
 
 std::optional<Sidecar> read_sidecar(const fs::path& out, const std::string& clip) {

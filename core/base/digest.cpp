@@ -36,6 +36,12 @@ std::array<std::byte, 32> sha256(std::string_view bytes) {
     return digest;
 }
 
+std::string hex_sha256(std::string_view bytes) {
+    std::string text;
+    for (const std::byte byte : sha256(bytes)) text += fmt::format("{:02x}", std::to_integer<int>(byte));
+    return text;
+}
+
 std::optional<FileDigest> digest_of(const std::string& path) {
     constexpr std::uintmax_t end = 64 * 1024;
     std::error_code none;
@@ -50,9 +56,7 @@ std::optional<FileDigest> digest_of(const std::string& path) {
     file.seekg(-last, std::ios::end);
     if (last > 0) file.read(std::next(read.data(), first), last);
     if (!file) return std::nullopt;
-    FileDigest digest{static_cast<std::int64_t>(size)};
-    for (const std::byte byte : sha256(read)) digest.ends += fmt::format("{:02x}", std::to_integer<int>(byte));
-    return digest;
+    return FileDigest{static_cast<std::int64_t>(size), hex_sha256(read)};
 }
 
 }  // namespace vvr

@@ -22,6 +22,9 @@ constexpr std::uint64_t fnv1a(std::string_view bytes) {
 
 std::array<std::byte, 32> sha256(std::string_view bytes);
 
+/// In hexadecimal digits.
+std::string hex_sha256(std::string_view bytes);
+
 /// Identifies a file independently of its name.
 struct FileDigest {
     std::int64_t bytes = 0;  ///< file size

@@ -32,14 +32,16 @@ std::string escaped(char32_t code) {
     }
 }
 
-std::string shown(std::string_view text, bool keeps_lines) {
+}  // namespace
+
+std::string shown_text(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::optional<Character> character = first_character(text);
         const std::size_t length = character ? character->length : 1;
         if (!character) {
             result += escaped(static_cast<unsigned char>(text[0]));
-        } else if (is_hidden(character->code) && !(keeps_lines && character->code == '\n')) {
+        } else if (is_hidden(character->code)) {
             result += escaped(character->code);
         } else {
             result += text.substr(0, length);
@@ -47,16 +49,6 @@ std::string shown(std::string_view text, bool keeps_lines) {
         text.remove_prefix(length);
     }
     return result;
-}
-
-}  // namespace
-
-std::string shown_text(std::string_view text) {
-    return shown(text, false);
-}
-
-std::string shown_lines(std::string_view text) {
-    return shown(text, true);
 }
 
 std::string redact_secrets(std::string_view text) {

@@ -20,9 +20,6 @@ inline std::string counted(std::int64_t count, const std::string& word) {
 /// disguise a name.
 std::string shown_text(std::string_view text);
 
-/// The same for text that has lines of its own: line feeds stay.
-std::string shown_lines(std::string_view text);
-
 /// Removes private parts of every `scheme://...` address in a text: user and password, and everything from `?` or `#`
 /// on.
 std::string redact_secrets(std::string_view text);

@@ -201,8 +201,7 @@ void replace_file(const fs::path& path, std::span<const std::byte> bytes) {
     replace_file(path, [bytes](const WriteAt& write_at) { write_at(0, bytes); });
 }
 
-void replace_file(const fs::path& path, std::span<const std::byte> bytes, Links links) {
-    if (links == Links::followed) return replace_file(path, bytes);
+void replace_link(const fs::path& path, std::span<const std::byte> bytes) {
     TemporaryFile file(path);
     file.write(0, bytes, path);
     file.rename_to(path);

@@ -22,17 +22,13 @@ void check_file_path(const std::filesystem::path& path);
 /// \throws Error io
 void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// What becomes of a link at `path`.
-enum class Links {
-    followed,
-    replaced,  ///< as by rename(2): where others may make links, what they lead to is not theirs to give
-};
+/// The same, but a link at `path` is replaced itself, as by rename(2): where others may make links, what they lead to
+/// is not theirs to give.
+void replace_link(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-void replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes, Links links);
-
-/// The same of a file that is too large for memory: `write` puts it together. If it throws, `path` stays as it was.
-/// \param check reads the whole file under its hidden name before `path` becomes it; it may throw too
-/// \throws Error io; what `write` and `check` throw
+/// As replace_file, of a file that is too large for memory: `write` puts it together. If it throws, `path` stays as it
+/// was. \param check reads the whole file under its hidden name before `path` becomes it; it may throw too \throws
+/// Error io; what `write` and `check` throw
 void replace_file(const std::filesystem::path& path, const std::function<void(const WriteAt&)>& write,
                   const std::function<void(const std::filesystem::path& written)>& check = {});
 

@@ -93,7 +93,8 @@ constexpr int search = RTLD_DEEPBIND;
 #endif
 
 /// One of its libraries, log4cplus, starts a thread per core as it is loaded, four at least. Where it can't have them
-/// it ends the program or waits for ever, so that is tried first. \throws std::system_error when there are not so many
+/// it ends the program or waits for ever, so that is tried first.
+/// \throws std::system_error when there are not so many
 void check_threads() {
     const unsigned wanted = std::max(4U, std::thread::hardware_concurrency());
     std::latch all_there(1);

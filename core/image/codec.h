@@ -19,8 +19,7 @@ struct Samples {
     Size size;
     std::vector<std::string> channels;  ///< "R", "G", "B", "A", or the file's own names
     std::vector<float> values;          ///< integers of a file as 0..1
-    Encoding encoding = Encoding::srgb;
-    Metadata attributes{};  ///< all that the file holds, as text
+    Metadata attributes{};              ///< all that the file holds, as text
 
     /// The values of the pixel at column `i`, row `j`.
     std::span<const float> at(int i, int j) const {
@@ -31,8 +30,8 @@ struct Samples {
 };
 
 /// Reads a PNG, JPEG, TIFF or OpenEXR file: what it is, its first bytes say, whatever its name. Of several pictures in
-/// a file it reads the first. \throws Error io for any other file, or one that is damaged; limit for a picture that is
-/// too large
+/// a file it reads the first.
+/// \throws Error io for any other file, or one that is damaged; limit for a picture that is too large
 Samples read_samples(const std::filesystem::path& path);
 
 /// Reads a picture from the bytes of a file.

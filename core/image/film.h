@@ -33,12 +33,10 @@ class VideoEncoder {
     /// \param ticks unit of times, per second
     /// \param rate pictures per second, about
     /// \param key_frames pictures from one key frame to the next
+    /// \param write_at takes the bytes, and outlives this; empty = they are kept in memory
     /// \throws Error io when libav can't
-    VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames);
-
-    /// The same with a file that takes the bytes; it outlives this.
     VideoEncoder(const VideoFormat& format, const std::string& name, Size size, int ticks, int rate, int key_frames,
-                 WriteAt write_at);
+                 WriteAt write_at = {});
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;

@@ -98,8 +98,7 @@ Samples read(const std::filesystem::path& path, std::string_view format,
     if (bytes) memory.emplace(bytes->data(), bytes->size());
     const auto input = open(path, format, memory ? &*memory : nullptr);
     const OIIO::ImageSpec& spec = input->spec();
-    Samples samples{{spec.width, spec.height}, spec.channelnames, {}, Encoding::srgb, {}};
-    if (spec.get_string_attribute("oiio:ColorSpace") == "Linear") samples.encoding = Encoding::linear;
+    Samples samples{{spec.width, spec.height}, spec.channelnames, {}, {}};
     for (const auto& attribute : spec.extra_attribs) {
         samples.attributes.emplace_back(attribute.name().string(), attribute.get_string());
     }

@@ -24,7 +24,7 @@ std::string value_of(const Metadata& settings, std::string_view name) {
 }
 
 Picture to_picture(Plane<Rgba> drawn) {
-    return {std::move(drawn), Encoding::srgb, {}};
+    return {std::move(drawn)};
 }
 
 void draw_line(Picture& picture, const glm::dvec2& from, const glm::dvec2& to, double width, const Rgba& colour) {

@@ -16,12 +16,6 @@ namespace vvr::image {
 /// Red, green, blue, alpha, 0..1, colours multiplied by alpha.
 using Rgba = glm::vec4;
 
-/// How the values of a picture relate to light.
-enum class Encoding {
-    srgb,    ///< as a display wants them
-    linear,  ///< proportional to light
-};
-
 /// What each pixel of a picture shows, as planes of the picture's size; empty unless asked for.
 struct PixelData {
     Plane<float> depth;  ///< along the view direction, from the eye or from the plane that parallel rays start on, in
@@ -33,14 +27,13 @@ struct PixelData {
     bool empty() const { return frame.empty(); }
 };
 
-/// A picture as it goes to a file or comes from one, top row first.
+/// A picture in sRGB as it goes to a file or comes from one, top row first.
 struct Picture {
     Plane<Rgba> pixels;
-    Encoding encoding = Encoding::srgb;
     PixelData pixel_data{};
 };
 
-/// A drawn picture as it goes to a file, its values as a display wants them.
+/// A drawn picture as it goes to a file.
 Picture to_picture(Plane<Rgba> drawn);
 
 /// Settings of a picture: name and value, in the order given. In a file their names begin with `vvr:`.

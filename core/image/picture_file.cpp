@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,11 +27,58 @@ extern "C" {
 
 namespace vvr::image {
 
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+constexpr std::size_t signature = 8;
+constexpr std::size_t word = 4;  // bytes of a chunk's length, of its name, and of its checksum
+
+const std::uint8_t* raw(Bytes bytes) {
+    return reinterpret_cast<const std::uint8_t*>(bytes.data());
+}
+
+void append(std::vector<std::byte>& to, Bytes bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+void append_number(std::vector<std::byte>& to, std::size_t number) {
+    for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::byte>(number >> shift));
+}
+
+/// \param text keyword, a zero and the text
+void append_utf8_chunk(std::vector<std::byte>& to, Bytes text) {
+    using namespace std::literals;
+    const auto key_end = std::ranges::find(text, std::byte{0});
+    std::vector<std::byte> chunk;
+    append(chunk, std::as_bytes(std::span("iTXt"sv)));
+    append(chunk, {text.begin(), key_end});
+    append(chunk, std::as_bytes(std::span("\0\0\0\0\0"sv)));  // not compressed, of no language, keyword not translated
+    append(chunk, {key_end + 1, text.end()});
+    append_number(to, chunk.size() - word);
+    append(to, chunk);
+    append_number(to, ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0U, raw(chunk), chunk.size()));
+}
+
 /// A PNG file whose texts beyond ASCII are marked as UTF-8: they become chunks iTXt. Readers take the chunks tEXt, all
 /// that OpenImageIO writes, for Latin-1.
-std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png);
-
-namespace {
+std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png) {
+    const Bytes whole(png);
+    std::vector<std::byte> marked(png.begin(), png.begin() + signature);
+    for (Bytes left = whole.subspan(signature); !left.empty();) {
+        const std::size_t length = AV_RB32(raw(left));
+        const Bytes chunk = left.first(word + word + length + word);
+        const Bytes text = chunk.subspan(word + word, length);
+        const bool is_text = std::ranges::equal(chunk.subspan(word, word), std::as_bytes(std::span("tEXt", word)));
+        if (is_text && std::ranges::any_of(text, [](std::byte byte) { return byte > std::byte{0x7F}; })) {
+            append_utf8_chunk(marked, text);
+        } else {
+            append(marked, chunk);
+        }
+        left = left.subspan(chunk.size());
+    }
+    return marked;
+}
 
 constexpr std::string_view setting_prefix = "vvr:";
 constexpr const char* lines_attribute = "ImageDescription";
@@ -73,18 +119,6 @@ const Format& format_of(const std::filesystem::path& path) {
                             did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
-float linear_to_srgb(float value) {
-    if (value <= 0.0031308F) return value >= 0 ? 12.92F * value : 0;
-    return 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
-}
-
-/// A linear pixel in sRGB, its colours still multiplied by alpha.
-Rgba in_srgb(Rgba pixel) {
-    if (pixel.a <= 0) return pixel;
-    for (int c = 0; c < 3; ++c) pixel[c] = linear_to_srgb(pixel[c] / pixel.a) * pixel.a;
-    return pixel;
-}
-
 std::uint8_t byte_of(float value) {
     constexpr float to_nearest = 0.5F;  // std::lround takes five times as long
     // std::clamp would pass on NaN.
@@ -95,8 +129,7 @@ std::uint8_t byte_of(float value) {
 std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
     std::vector<std::uint8_t> values;
     values.reserve(picture.pixels.pixels().size() * static_cast<std::size_t>(channels));
-    for (Rgba pixel : picture.pixels.pixels()) {
-        if (picture.encoding == Encoding::linear) pixel = in_srgb(pixel);
+    for (const Rgba& pixel : picture.pixels.pixels()) {
         // Where an 8-bit file holds alpha, its colours are not multiplied by it.
         const float over_alpha = channels == 4 && pixel.a > 0 ? 1 / pixel.a : 1;
         for (int c = 0; c < 3; ++c) values.push_back(byte_of(over_alpha * pixel[c]));
@@ -107,13 +140,12 @@ std::vector<std::uint8_t> bytes_of(const Picture& picture, int channels) {
 
 /// The values of a file of floats, pixel by pixel: `channels` of colour and alpha, and `pixel_data` after them unless
 /// it is empty.
-std::vector<float> floats_of(const Picture& picture, bool to_srgb, int channels, const PixelData& pixel_data) {
+std::vector<float> floats_of(const Picture& picture, int channels, const PixelData& pixel_data) {
     const auto pixels = picture.pixels.pixels();
     std::vector<float> values;
     values.reserve(pixels.size() * (static_cast<std::size_t>(channels) + pixel_data_channels.size()));
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const Rgba pixel = to_srgb ? in_srgb(pixels[i]) : pixels[i];
-        for (int c = 0; c < channels; ++c) values.push_back(pixel[c]);
+        for (int c = 0; c < channels; ++c) values.push_back(pixels[i][c]);
         if (pixel_data.empty()) continue;
         for (const PixelDataChannel& channel : pixel_data_channels) {
             const Plane<float>& plane = pixel_data.*channel.plane;
@@ -184,9 +216,8 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
     const bool opaque = std::ranges::all_of(picture.pixels.pixels(), [](const Rgba& pixel) { return pixel.a >= 1; });
     const int channels = opaque || !format.alpha ? 3 : 4;
     PictureFile file = describe(path, format, picture.pixels.size(), channels, metadata, jpeg_quality);
-    const bool linear = picture.encoding == Encoding::linear && format.stored == Stored::half;
     // TIFF would need an Exif block to say it, and integers in it are taken for sRGB anyway.
-    if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    if (format.settings) file.attributes.emplace_back("oiio:ColorSpace", "sRGB");
     if (format.stored == Stored::uint8) {
         const std::vector<std::uint8_t> values = bytes_of(picture, channels);
         picture = {};
@@ -202,8 +233,7 @@ std::vector<std::byte> encode_picture(const std::filesystem::path& path, Picture
             if (!(pixel_data.*channel.plane).empty()) file.pixel_data.emplace_back(channel.name);
         }
     }
-    const std::vector<float> values =
-        floats_of(picture, picture.encoding == Encoding::linear && !linear, channels, pixel_data);
+    const std::vector<float> values = floats_of(picture, channels, pixel_data);
     picture = {};
     file.values = std::as_bytes(std::span(values));
     return picture_codec().encode(file);
@@ -237,59 +267,6 @@ Metadata settings_of(const Samples& file) {
         }
     }
     return settings;
-}
-
-namespace {
-
-using Bytes = std::span<const std::byte>;
-
-constexpr std::size_t signature = 8;
-constexpr std::size_t word = 4;  // bytes of a chunk's length, of its name, and of its checksum
-
-const std::uint8_t* raw(Bytes bytes) {
-    return reinterpret_cast<const std::uint8_t*>(bytes.data());
-}
-
-void append(std::vector<std::byte>& to, Bytes bytes) {
-    to.insert(to.end(), bytes.begin(), bytes.end());
-}
-
-void append_number(std::vector<std::byte>& to, std::size_t number) {
-    for (const int shift : {24, 16, 8, 0}) to.push_back(static_cast<std::byte>(number >> shift));
-}
-
-/// \param text keyword, a zero and the text
-void append_utf8_chunk(std::vector<std::byte>& to, Bytes text) {
-    using namespace std::literals;
-    const auto key_end = std::ranges::find(text, std::byte{0});
-    std::vector<std::byte> chunk;
-    append(chunk, std::as_bytes(std::span("iTXt"sv)));
-    append(chunk, {text.begin(), key_end});
-    append(chunk, std::as_bytes(std::span("\0\0\0\0\0"sv)));  // not compressed, of no language, keyword not translated
-    append(chunk, {key_end + 1, text.end()});
-    append_number(to, chunk.size() - word);
-    append(to, chunk);
-    append_number(to, ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0U, raw(chunk), chunk.size()));
-}
-
-}  // namespace
-
-std::vector<std::byte> with_utf8_texts(const std::vector<std::byte>& png) {
-    const Bytes whole(png);
-    std::vector<std::byte> marked(png.begin(), png.begin() + signature);
-    for (Bytes left = whole.subspan(signature); !left.empty();) {
-        const std::size_t length = AV_RB32(raw(left));
-        const Bytes chunk = left.first(word + word + length + word);
-        const Bytes text = chunk.subspan(word + word, length);
-        const bool is_text = std::ranges::equal(chunk.subspan(word, word), std::as_bytes(std::span("tEXt", word)));
-        if (is_text && std::ranges::any_of(text, [](std::byte byte) { return byte > std::byte{0x7F}; })) {
-            append_utf8_chunk(marked, text);
-        } else {
-            append(marked, chunk);
-        }
-        left = left.subspan(chunk.size());
-    }
-    return marked;
 }
 
 }  // namespace vvr::image

@@ -27,7 +27,7 @@ bool holds_pixel_data(const std::filesystem::path& path);
 
 /// The bytes of a picture file in the format that the ending of `path` names, with its settings, and its pixel data
 /// where the format holds it: channels `Z`, `time` and `frame`. Same picture and settings, same bytes: no date goes
-/// into the file. Formats of integers hold sRGB, so linear values are converted.
+/// into the file.
 /// \param jpeg_quality 1..100
 /// \throws Error usage for an ending that is not in the table of formats, io for a picture too large for the format
 /// The picture is taken by value: one that is moved here is freed before it is encoded.

@@ -22,32 +22,6 @@
 #include "core/base/text.h"
 #include "core/image/picture.h"
 
-namespace vvr::image {
-
-/// A font file's letters, by FreeType. For one thread at a time.
-class Font {
-  public:
-    /// \param file of the font; if FreeType can't read it, no text can be drawn
-    explicit Font(const std::string& file);
-    ~Font();
-    Font(const Font&) = delete;
-    Font& operator=(const Font&) = delete;
-
-    /// The box of a line of UTF-8 whose baseline begins at 0,0.
-    /// \param size of the letters, in pixels
-    std::optional<PixelBox> measure(const std::string& text, int size);
-
-    /// Draws a line of UTF-8 over `pixels`, its baseline from `x`,`y` on.
-    /// \returns false if there is no font; nothing is drawn then
-    bool draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour);
-
-  private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
-};
-
-}  // namespace vvr::image
-
 #include FT_FREETYPE_H
 
 namespace vvr::image {
@@ -73,60 +47,62 @@ void blend(const FT_Bitmap& letter, int left, int top, const Rgba& colour, Plane
     }
 }
 
-}  // namespace
+/// A font file's letters, by FreeType. For one thread at a time.
+class Font {
+  public:
+    /// \param file of the font; if FreeType can't read it, no text can be drawn
+    explicit Font(const std::string& file) {
+        FT_Library library = nullptr;
+        if (FT_Init_FreeType(&library) != 0) return;
+        library_.reset(library);
+        FT_Face face = nullptr;
+        if (FT_New_Face(library, file.c_str(), 0, &face) == 0) face_.reset(face);
+    }
 
-struct Font::Parts {
-    std::unique_ptr<std::remove_pointer_t<FT_Library>, CloseLibrary> library;
-    std::unique_ptr<std::remove_pointer_t<FT_Face>, CloseFace> face;
+    /// The box of a line of UTF-8 whose baseline begins at 0,0.
+    /// \param size of the letters, in pixels
+    std::optional<PixelBox> measure(const std::string& text, int size) {
+        constexpr int far = std::numeric_limits<int>::max();
+        PixelBox box{far, far, -far, -far};
+        const bool done = for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
+            box.left = std::min(box.left, left);
+            box.top = std::min(box.top, top);
+            box.right = std::max(box.right, left + static_cast<int>(letter.width) + 1);
+            box.bottom = std::max(box.bottom, top + static_cast<int>(letter.rows) + 1);
+        });
+        if (!done || box.left == far) return std::nullopt;
+        return box;
+    }
 
+    /// Draws a line of UTF-8 over `pixels`, its baseline from `x`,`y` on.
+    /// \returns false if there is no font; nothing is drawn then
+    bool draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour) {
+        return for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
+            blend(letter, x + left, y + top, colour, pixels);
+        });
+    }
+
+  private:
     /// Calls `use` with each letter of a line of UTF-8 and the place of its bitmap's corner.
     bool for_letters(const std::string& text, int size,
                      const std::function<void(const FT_Bitmap&, int left, int top)>& use) const {
-        if (!face || FT_Set_Pixel_Sizes(face.get(), 0, static_cast<FT_UInt>(size)) != 0) return false;
+        if (!face_ || FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size)) != 0) return false;
         int x = 0;
         for (std::string_view rest = text; !rest.empty();) {
             const Character character = first_character(rest).value_or(Character{U'?', 1});
             rest.remove_prefix(character.length);
             // A letter that can't be loaded is left out.
-            if (FT_Load_Char(face.get(), character.code, FT_LOAD_RENDER) != 0) continue;
-            const FT_GlyphSlot letter = face->glyph;
+            if (FT_Load_Char(face_.get(), character.code, FT_LOAD_RENDER) != 0) continue;
+            const FT_GlyphSlot letter = face_->glyph;
             use(letter->bitmap, x + letter->bitmap_left, -letter->bitmap_top);
             x += static_cast<int>(letter->advance.x >> 6);
         }
         return true;
     }
+
+    std::unique_ptr<std::remove_pointer_t<FT_Library>, CloseLibrary> library_;
+    std::unique_ptr<std::remove_pointer_t<FT_Face>, CloseFace> face_;
 };
-
-Font::Font(const std::string& file) : parts_(std::make_unique<Parts>()) {
-    FT_Library library = nullptr;
-    if (FT_Init_FreeType(&library) != 0) return;
-    parts_->library.reset(library);
-    FT_Face face = nullptr;
-    if (FT_New_Face(library, file.c_str(), 0, &face) == 0) parts_->face.reset(face);
-}
-
-Font::~Font() = default;
-
-std::optional<PixelBox> Font::measure(const std::string& text, int size) {
-    constexpr int far = std::numeric_limits<int>::max();
-    PixelBox box{far, far, -far, -far};
-    const bool done = parts_->for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
-        box.left = std::min(box.left, left);
-        box.top = std::min(box.top, top);
-        box.right = std::max(box.right, left + static_cast<int>(letter.width) + 1);
-        box.bottom = std::max(box.bottom, top + static_cast<int>(letter.rows) + 1);
-    });
-    if (!done || box.left == far) return std::nullopt;
-    return box;
-}
-
-bool Font::draw(Plane<Rgba>& pixels, int x, int y, const std::string& text, int size, const Rgba& colour) {
-    return parts_->for_letters(text, size, [&](const FT_Bitmap& letter, int left, int top) {
-        blend(letter, x + left, y + top, colour, pixels);
-    });
-}
-
-namespace {
 
 /// The file of fontconfig's sans serif font, empty when there is none.
 std::string find_font() {

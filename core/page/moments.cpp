@@ -66,8 +66,8 @@ bool browsers_play(const video::VideoInfo& info) {
 
 }  // namespace
 
-WatchedFields::WatchedFields(std::unique_ptr<fields::FieldSource> fields, EncodedVideo film)
-    : fields_(std::move(fields)), video_(film) {}
+WatchedFields::WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview)
+    : fields_(std::move(fields)), with_preview_(with_preview) {}
 
 fields::FieldSummary WatchedFields::read(const fields::FieldNeeds& needs, const fields::FieldSink& sink) {
     begin();
@@ -95,7 +95,7 @@ void WatchedFields::begin() {
     times_ = {};
     preview_.reset();
     // With pictures of only two frames, a film is of no use.
-    if (has_pictures() && video_ == EncodedVideo::preview) {
+    if (has_pictures() && with_preview_) {
         const Preview::Use use = browsers_play(info()) ? Preview::Use::fallback : Preview::Use::instead;
         preview_.emplace(info().size, expected, use);
     }

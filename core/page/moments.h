@@ -64,12 +64,8 @@ struct Moments {
 /// Takes times, stills and a preview from fields as they are read: a page needs no second pass over the clip.
 class WatchedFields final : public fields::FieldSource {
   public:
-    enum class EncodedVideo {
-        none,
-        preview,  ///< small where browsers play the clip itself
-    };
-
-    WatchedFields(std::unique_ptr<fields::FieldSource> fields, EncodedVideo film);
+    /// \param with_preview small where browsers play the clip itself
+    WatchedFields(std::unique_ptr<fields::FieldSource> fields, bool with_preview);
 
     const video::VideoInfo& info() const override { return fields_->info(); }
     Size field_size() const override { return fields_->field_size(); }
@@ -87,7 +83,7 @@ class WatchedFields final : public fields::FieldSource {
     void encode(const fields::Field& field, Plane<Bgr>&& picture);
 
     std::unique_ptr<fields::FieldSource> fields_;
-    EncodedVideo video_;
+    bool with_preview_;
     Timeline times_;
     std::optional<Stills> stills_;
     std::optional<Preview> preview_;

@@ -28,7 +28,7 @@ struct Kind {
 
 /// The first whose encoder is installed is taken.
 constexpr std::array kinds{
-    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0,x264-params=log=-1", {29, 32}},
+    Kind{"video/mp4", "mp4", "libx264", "preset=veryfast,bf=0", {29, 32}},
     Kind{"video/webm", "webm", "libvpx-vp9", "cpu-used=6,deadline=realtime", {36, 40}},
     Kind{"video/webm", "webm", "libvpx", "cpu-used=8,deadline=realtime", {22, 28}},
 };

@@ -50,10 +50,6 @@ std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(value * 255 + 0.5F);
 }
 
-Bgr bgr_of(const glm::vec3& colour) {
-    return {byte_of(colour.b), byte_of(colour.g), byte_of(colour.r)};
-}
-
 }  // namespace
 
 FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) {

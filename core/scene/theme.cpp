@@ -94,6 +94,11 @@ glm::vec3 direction_colour(const glm::dvec2& direction) {
     return hue_colour(0.64, 0.18, right + degrees);
 }
 
+Bgr bgr_of(const glm::vec3& colour) {
+    const glm::vec3 level = glm::clamp(colour, 0.F, 1.F) * 255.F + 0.5F;
+    return {static_cast<std::uint8_t>(level.b), static_cast<std::uint8_t>(level.g), static_cast<std::uint8_t>(level.r)};
+}
+
 std::vector<glm::vec4> time_colours() {
     constexpr int steps = 256;
     std::vector<glm::vec4> colours;

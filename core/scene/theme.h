@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include "core/base/plane.h"
+
 namespace vvr::scene {
 
 /// The colours of everything except the video.
@@ -39,6 +41,9 @@ glm::vec3 hue_colour(double lightness, double chroma, double degrees);
 /// The colour (sRGB) of a direction on the colour wheel.
 /// \param direction x to the right, y down; any length but 0
 glm::vec3 direction_colour(const glm::dvec2& direction);
+
+/// A colour as pixels store it, clipped to what a screen can show.
+Bgr bgr_of(const glm::vec3& colour);
 
 /// The colours of time, first to last, sRGB: 256 of increasing lightness and changing hue.
 std::vector<glm::vec4> time_colours();

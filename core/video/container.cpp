@@ -57,16 +57,6 @@ std::vector<const AVStream*> media_of(const AVFormatContext& clip) {
     return streams;
 }
 
-std::string name_of(const AVStream& stream) {
-    const char* const kind = av_get_media_type_string(stream.codecpar->codec_type);
-    const bool cover = (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
-    return fmt::format("{} ({})",
-                       cover  ? "cover picture"
-                       : kind ? kind
-                              : "data",
-                       avcodec_get_name(stream.codecpar->codec_id));
-}
-
 void check_container(const ContainerRow& container, const AVFormatContext& clip, const std::filesystem::path& path) {
     if (holds_all(container, clip)) return;
     const std::vector<const AVStream*> streams = media_of(clip);

@@ -25,9 +25,6 @@ const ContainerRow& container_of(const std::filesystem::path& path);
 /// The streams of a clip that are copied: picture, sound and text.
 std::vector<const AVStream*> media_of(const AVFormatContext& clip);
 
-/// "audio (aac)"
-std::string name_of(const AVStream& stream);
-
 /// \throws Error usage where the container can't hold a stream, which names some that can
 void check_container(const ContainerRow& container, const AVFormatContext& clip, const std::filesystem::path& path);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -34,6 +35,12 @@ bool stops_cleanly(AVCodecID codec) {
     constexpr std::array known{AV_CODEC_ID_H264, AV_CODEC_ID_VP9,    AV_CODEC_ID_AV1,       AV_CODEC_ID_MJPEG,
                                AV_CODEC_ID_FFV1, AV_CODEC_ID_PRORES, AV_CODEC_ID_MPEG2VIDEO};
     return std::find(known.begin(), known.end(), codec) != known.end();
+}
+
+/// Whether the codec has frames that need others.
+bool leans_on_others(const Demuxer& demuxer) {
+    const AVCodecDescriptor* const codec = avcodec_descriptor_get(demuxer.stream().codecpar->codec_id);
+    return codec == nullptr || (codec->props & AV_CODEC_PROP_INTRA_ONLY) == 0;
 }
 
 bool is_damaged(const AVFrame& frame) {
@@ -69,19 +76,6 @@ Decoder::Decoder(Demuxer& demuxer, const std::string& name, int threads) : demux
     }
 }
 
-/// The next packet that is to be decoded.
-bool Decoder::read_packet() {
-    while (demuxer_->read(*packet_)) {
-        if (uses_.empty()) return true;
-        const PacketUse use = packets_ < uses_.size() ? uses_[packets_] : PacketUse::none;
-        ++packets_;
-        // The decoder itself knows best which frames no other frame depends on.
-        codec_->skip_frame = use == PacketUse::frame ? AVDISCARD_DEFAULT : AVDISCARD_NONREF;
-        if (use != PacketUse::none) return true;
-    }
-    return false;
-}
-
 AvFrame Decoder::next() {
     auto frame = av::make_frame();
     for (int failures = 0; failures < max_failures;) {
@@ -91,7 +85,7 @@ AvFrame Decoder::next() {
         if (code == AVERROR_EOF) return nullptr;
         const bool has_frame = code == 0;
         if (code == AVERROR(EAGAIN)) {
-            const bool more = read_packet();
+            const bool more = demuxer_->read(*packet_);
             bad_packet = more && packet_->flags & AV_PKT_FLAG_CORRUPT;
             errors = demuxer_->log().errors();
             code = avcodec_send_packet(codec_.get(), more ? packet_.get() : nullptr);
@@ -137,7 +131,6 @@ void VideoReader::open(const SeekPoint& start) {
     close();
     demuxer_ = std::make_unique<Demuxer>(input_, Demuxer::Kind::video, rate_);
     decoder_ = std::make_unique<Decoder>(*demuxer_, input_.name, threads_);
-    threaded_ = decoder_->threaded();
     forgotten_ = 0;
     pass_frames_ = 0;
     pass_until_.reset();
@@ -162,8 +155,35 @@ void VideoReader::rewind(const SeekPoint& start) {
 }
 
 SeekPoint VideoReader::find(double time) const {
-    Demuxer scan(input_, Demuxer::Kind::video, rate_);
-    return find_seek_point(scan, origin() + time);
+    Demuxer demuxer(input_, Demuxer::Kind::video, rate_);
+    const double end = origin() + time;
+    const auto packet = av::make_packet();
+    std::int64_t packets = 0;
+    std::int64_t frames = 0;
+    // Decoding begins a key frame earlier than it need: frames that follow a key frame and are shown before it, and
+    // streams that heal over some frames, come out whole then.
+    std::int64_t last_key = 0;
+    std::int64_t key_before = 0;
+    std::int64_t keys = 0;
+    double last_dts = -std::numeric_limits<double>::infinity();
+    while (demuxer.read(*packet)) {
+        const auto pts = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        const auto dts = demuxer.seconds(packet->dts);
+        // Without times in order the count of frames would be a guess.
+        if (!pts || !dts || *dts < last_dts) return {};
+        if (*dts >= end) break;
+        last_dts = *dts;
+        if (*pts < end) ++frames;
+        keys += packet->flags & AV_PKT_FLAG_KEY ? 1 : 0;
+        if (packet->flags & AV_PKT_FLAG_KEY && *pts <= end) {
+            key_before = last_key;
+            last_key = packets;
+        }
+        ++packets;
+    }
+    // Some files call each packet a key frame, and of these codecs few are.
+    if (keys == packets && leans_on_others(demuxer)) return {};
+    return {key_before, frames};
 }
 
 VideoReader::Timed VideoReader::next() {

@@ -3,13 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "core/video/demuxer.h"
 #include "core/video/frame_times.h"
 #include "core/video/input.h"
-#include "core/video/packet_scan.h"
 
 namespace vvr::video {
 
@@ -26,14 +23,8 @@ class Decoder {
     /// The next frame that decodes; nothing at the end, after very many failures in a row, or when it has stopped.
     AvFrame next();
 
-    bool threaded() const { return threaded_; }  ///< whether it decodes on more than one thread
-
     /// Whether it met damage that only a decoder of one thread may pass.
     bool stopped() const { return stopped_; }
-
-    /// From now on `next` gives only frames that the plan wants, and others that cost nothing to leave out.
-    /// \param uses of the packets from the next one on
-    void follow(std::vector<PacketUse> uses) { uses_ = std::move(uses); }
 
     /// The frame of one key packet by itself; nothing when it doesn't decode alone. Not to be mixed with `next`.
     AvFrame decode_alone(const AVPacket& packet);
@@ -42,18 +33,20 @@ class Decoder {
     std::int64_t damaged() const;
 
   private:
-    bool read_packet();
-
     Demuxer* demuxer_;
     av::Ptr<AVCodecContext> codec_;
     av::Ptr<AVPacket> packet_ = av::make_packet();
     std::int64_t bad_packets_ = 0;
     std::int64_t bad_frames_ = 0;
     std::int64_t errors_at_start_ = 0;  ///< in the log
-    std::vector<PacketUse> uses_;       ///< empty = all packets are decoded
-    std::size_t packets_ = 0;           ///< read so far, for the place in `uses_`
     bool threaded_ = false;
     bool stopped_ = false;
+};
+
+/// Where decoding has to begin so that the first frame at or after a time comes out whole.
+struct SeekPoint {
+    std::int64_t packets = 0;  ///< packets to pass over undecoded; 0 = decode from the first
+    std::int64_t frames = 0;   ///< frames before the time; only where `packets` isn't 0
 };
 
 /// The frames of one container in order, with their times. Decodes with several threads until the first damage, and
@@ -85,7 +78,6 @@ class VideoReader {
 
     Demuxer& demuxer() const { return *demuxer_; }  ///< only while it isn't closed
     const Input& input() const { return input_; }
-    bool threaded() const { return threaded_; }
 
     /// The first frame's time on the container's own clock, seconds.
     double origin() const { return origin_.value_or(0); }
@@ -101,7 +93,6 @@ class VideoReader {
     std::unique_ptr<Decoder> decoder_;
     StampClock clock_{0};
     std::optional<double> origin_;
-    bool threaded_ = false;     ///< the decoder
     std::int64_t damaged_ = 0;  ///< when it was closed
 
     SeekPoint start_;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include "core/base/error.h"
@@ -45,23 +47,20 @@ std::string formats_of_clips() {
     return names;
 }
 
+std::string name_of(const AVStream& stream) {
+    const char* const kind = av_get_media_type_string(stream.codecpar->codec_type);
+    const bool cover = (stream.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0;
+    return fmt::format("{} ({})",
+                       cover  ? "cover picture"
+                       : kind ? kind
+                              : "data",
+                       avcodec_get_name(stream.codecpar->codec_id));
+}
+
 namespace {
 
 constexpr int max_read_errors = 100;  // in a row
 constexpr int greatest_errno = 4096;  // libav's own codes are beyond
-
-/// What a system's code says of a file. libav takes these codes for its own purposes too: a damaged Matroska file is
-/// an "Input/output error", a picture that is too large a "Device or resource busy".
-struct FileTrouble {
-    int code;
-    const char* advice;
-};
-constexpr std::array file_troubles{
-    FileTrouble{ENOENT, "check the name and the folder it is in"},
-    FileTrouble{EACCES, "check the permissions of the file and its folder"},
-    FileTrouble{EMFILE, "raise the limit of open files (`ulimit -n`)"},
-    FileTrouble{ENFILE, "end some programs, as all of the machine's files are in use"},
-};
 
 /// Whether the system itself fails to read a file, of which the first bytes stand for all.
 bool has_read_error(const std::string& name) {
@@ -72,11 +71,26 @@ bool has_read_error(const std::string& name) {
     return file.bad();
 }
 
+/// Whether libav would take a file for a list of others.
+bool is_playlist(const Input& input) {
+    constexpr std::size_t looked_at = 4096;
+    std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
+    const auto got = input.file ? ::pread(input.file->get(), begin.data(), looked_at, 0)
+                                : std::ifstream(input.name, std::ios::binary).read(begin.data(), looked_at).gcount();
+    if (got <= 0) return false;
+    const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
+                           nullptr};
+    const AVInputFormat* const format = av_probe_input_format(&data, 1);
+    return format != nullptr && is_playlist_format(*format);
+}
+
 [[noreturn]] void throw_unreadable_file(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    const auto trouble = std::ranges::find(file_troubles, AVUNERROR(code), &FileTrouble::code);
-    if (trouble != file_troubles.end()) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; {}", input.name, words, trouble->advice));
+    // libav takes the system's codes for its own purposes too: a damaged Matroska file is an "Input/output error", a
+    // picture that is too large a "Device or resource busy".
+    if (code == AVERROR(ENOENT) || code == AVERROR(EACCES)) {
+        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its name, its folder and the permissions",
+                                               input.name, words));
     }
     if (code == AVERROR(EIO) && has_read_error(input.name)) {
         throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check its disk", input.name, words));
@@ -89,7 +103,7 @@ bool has_read_error(const std::string& name) {
 
 [[noreturn]] void throw_unreadable(const Input& input, const av::Log& log, int code) {
     const std::string words = log.text(code);
-    if (words.starts_with("Format not on whitelist")) {
+    if (is_local(input) && is_playlist(input)) {
         throw Error(ErrorKind::not_video,
                     fmt::format("'{}' is a list of other files (a playlist), not a video; give the folder of those "
                                 "files, or their paths, one per line, in a list that ends in .txt",
@@ -128,14 +142,7 @@ bool is_text_art(AVCodecID codec) {
 std::string streams_found(const AVFormatContext& format) {
     std::string found;
     for (unsigned i = 0; i < format.nb_streams; ++i) {
-        const auto& codec = *format.streams[i]->codecpar;
-        const char* kind = av_get_media_type_string(codec.codec_type);
-        const bool cover = format.streams[i]->disposition & AV_DISPOSITION_ATTACHED_PIC;
-        found += fmt::format("{}{} ({})", found.empty() ? "" : ", ",
-                             cover  ? "cover picture"
-                             : kind ? kind
-                                    : "data",
-                             avcodec_get_name(codec.codec_id));
+        found += (found.empty() ? "" : ", ") + name_of(*format.streams[i]);
     }
     return found.empty() ? "no stream at all" : found;
 }

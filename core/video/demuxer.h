@@ -21,6 +21,9 @@ bool is_playlist_format(const AVInputFormat& format);
 /// libav's names of all containers but those that name other files, as its `format_whitelist` wants them.
 std::string formats_of_clips();
 
+/// "audio (aac)"
+std::string name_of(const AVStream& stream);
+
 /// The packets of one video stream of a container.
 class Demuxer {
   public:

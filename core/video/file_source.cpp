@@ -4,25 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include <sys/stat.h>
-
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/video/key_frames.h"
 #include "core/video/stream_info.h"
+#include "core/video/video_files.h"
 
 namespace vvr::video {
-
-namespace {
-
-/// When a file was last written; nothing for a stream.
-std::optional<std::int64_t> modified_at(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    return status.st_mtim.tv_sec;
-}
-
-}  // namespace
 
 FileSource::FileSource(Input input, const SourceOptions& options)
     : options_(options), reader_(std::move(input), options.rate, options.threads) {
@@ -45,7 +34,9 @@ FileSource::FileSource(Input input, const SourceOptions& options)
         info_.began = options.begin;
         info_.began_source = ClockSource::file_name;
     }
-    if (const auto written = modified_at(name)) info_.modified = *written - std::llround(info_.duration);
+    // Of a stream without a header nobody knows how long before it was last written it began.
+    const auto written = info_.duration > 0 ? modified_at(name) : std::nullopt;
+    if (written) info_.modified = static_cast<std::int64_t>(*written) - std::llround(info_.duration);
     field_size_ = field_size_for(info_.size, options_.field_size);
     ahead_ = std::make_unique<DecodedFrame>(DecodedFrame{index_++, first.time, orientation_, std::move(first.image)});
 }
@@ -68,7 +59,6 @@ std::vector<std::string> FileSource::problems() const {
 
 void FileSource::rewind() {
     jump_ = 0;
-    stored_.reset();
     seek(0);
 }
 
@@ -76,8 +66,6 @@ void FileSource::seek(double seconds) {
     ahead_.reset();
     // Between two ticks of the container's clock, so that counting and decoding agree on which side a frame lies.
     from_ = (std::floor(seconds / tick_) - 0.5) * tick_;
-    if (stored_ && stored_->is_whole()) return stored_->skip(from_);
-    stored_.reset();
     start_ = from_ > 0 ? reader_.find(from_) : SeekPoint{};
     reader_.rewind(start_);
     index_ = start_.packets > 0 ? start_.frames : 0;
@@ -93,7 +81,6 @@ std::unique_ptr<DecodedFrame> FileSource::given(std::unique_ptr<DecodedFrame> fr
 
 std::unique_ptr<DecodedFrame> FileSource::next() {
     if (ahead_) return given(std::move(ahead_));
-    if (stored_) return given(stored_->next());
     for (;;) {
         auto [image, time] = reader_.next();
         if (!image) {
@@ -111,11 +98,10 @@ std::vector<Frame> FileSource::sample(int count) {
     // Every open reader holds the clip's index: 24 MB for six hours.
     ahead_.reset();
     reader_.close();
-    stored_.reset();
-    const ClipSampler sampler(
-        {reader_.input(), options_, field_size_, orientation_, reader_.origin(), reader_.threaded()});
-    auto frames = sampler.sample(count, stored_);
-    if (stored_) return frames;
+    KeyFrames keys(count);
+    keys.scan(reader_.input(), options_.rate, 0);
+    Scaler scale(*this);
+    auto frames = keys.decode(options_.rate, scale);
     if (frames.empty()) return FrameSource::sample(count);
     rewind();
     return frames;

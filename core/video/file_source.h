@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/video/clip_sampler.h"
 #include "core/video/decoder.h"
 #include "core/video/frame_source.h"
 #include "core/video/input.h"
-#include "core/video/packet_scan.h"
 
 namespace vvr::video {
 
@@ -49,7 +47,6 @@ class FileSource final : public FrameSource {
 
     std::int64_t index_ = 0;               ///< of the next frame
     std::unique_ptr<DecodedFrame> ahead_;  ///< decoded while opening, not yet given out
-    std::optional<StoredClip> stored_;     ///< read instead of the file
 };
 
 }  // namespace vvr::video

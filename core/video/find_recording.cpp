@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <system_error>
-
-#include <sys/stat.h>
 
 #include <fmt/format.h>
 
@@ -15,7 +14,6 @@
 #include "core/base/file_name.h"
 #include "core/base/text.h"
 #include "core/video/input.h"
-#include "core/video/input_files.h"
 #include "core/video/recording.h"
 #include "core/video/stream_info.h"
 #include "core/video/video_files.h"
@@ -27,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view list_ending = ".txt";
-constexpr std::uintmax_t most_list_bytes = 16 * 1024 * 1024;
 
 [[noreturn]] void refuse_line(const std::string& list, std::int64_t number, std::string_view why) {
     throw Error(ErrorKind::io, fmt::format("'{}', line {}: {}; a list has the path of a video file in each line, below "
@@ -128,25 +125,24 @@ void add_files(const std::string& name, std::vector<std::string>& files) {
 
 // ---- When each begins
 
-double written_at(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) return 0;
-    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
-}
-
-/// A file whose name doesn't tell when it begins.
-struct UndatedSegment {
-    std::size_t segment = 0;
-    ClipHeader header;
-    double written = 0;
-};
-
-ClipHeader header_of(const std::string& path) {
-    try {
-        return header_of(Demuxer(open_input(path), Demuxer::Kind::video, 25));
-    } catch (const Error&) {
-        return {};  // it is named when it is read
+/// The headers of files whose names don't tell when they begin, and first that of one whose name does.
+std::vector<SegmentHeader> headers_of(std::vector<Segment>& segments) {
+    std::vector<Segment*> looked_at;
+    const auto told = std::ranges::find_if(segments, [](const Segment& each) { return each.begin.has_value(); });
+    if (told != segments.end()) looked_at.push_back(&*told);
+    for (Segment& segment : segments) {
+        if (!segment.begin) looked_at.push_back(&segment);
     }
+    std::vector<SegmentHeader> headers;
+    if (told != segments.end() && looked_at.size() == 1) return headers;
+    for (Segment* const segment : looked_at) {
+        try {
+            headers.push_back({segment, header_of(Demuxer(open_input(segment->path), Demuxer::Kind::video, 25))});
+        } catch (const Error&) {
+            continue;  // it is named when it is read
+        }
+    }
+    return headers;
 }
 
 /// Whether times make sense for files that follow each other: few begin before the one before has ended.
@@ -159,34 +155,32 @@ bool follow_each_other(std::vector<std::pair<double, double>> spans, double shar
     return static_cast<double>(wrong) <= share * static_cast<double>(spans.size());
 }
 
-void set_times_of_containers(Recording& recording) {
-    std::vector<UndatedSegment> untold;
-    for (std::size_t i = 0; i < recording.segments.size(); ++i) {
-        const Segment& segment = recording.segments[i];
-        if (!segment.begin) untold.push_back({i, header_of(segment.path), written_at(segment.path)});
-    }
-    if (untold.empty()) return;
+void set_times_of_containers(Recording& recording, std::span<const SegmentHeader> headers) {
+    const auto undated = std::ranges::count_if(recording.segments, [](const Segment& each) { return !each.begin; });
+    if (undated == 0) return;
+    std::vector<SegmentHeader> read;
+    std::ranges::copy_if(headers, std::back_inserter(read), [](const auto& each) { return !each.segment->begin; });
     const auto try_times = [&](ClockSource source, double share,
-                               const std::function<std::optional<double>(const UndatedSegment&)>& begin_of) {
+                               const std::function<std::optional<double>(const SegmentHeader&)>& begin_of) {
         std::vector<std::pair<double, double>> spans;
-        for (const UndatedSegment& file : untold) {
-            const auto begin = begin_of(file);
-            if (!begin && file.header.length > 0) return false;
-            if (begin) spans.emplace_back(*begin, *begin + file.header.length);
+        std::vector<std::optional<double>> begins;
+        for (const SegmentHeader& file : read) {
+            begins.push_back(begin_of(file));
+            if (!begins.back() && file.header.length > 0) return false;
+            if (begins.back()) spans.emplace_back(*begins.back(), *begins.back() + file.header.length);
         }
         if (spans.empty() || !follow_each_other(spans, share)) return false;
-        for (const UndatedSegment& file : untold) {
-            const auto begin = begin_of(file);
-            if (!begin) continue;
-            recording.segments[file.segment].begin = std::llround(*begin);
-            recording.segments[file.segment].begin_source = source;
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            if (!begins[i]) continue;
+            read[i].segment->begin = std::llround(*begins[i]);
+            read[i].segment->begin_source = source;
         }
         return true;
     };
-    const std::string files = untold.size() == recording.segments.size()
+    const std::string files = undated == std::ssize(recording.segments)
                                   ? "its files' names do not tell"
-                                  : fmt::format("the names of {} do not tell", counted(std::ssize(untold), "file"));
-    if (try_times(ClockSource::container, 0.4, [](const UndatedSegment& file) -> std::optional<double> {
+                                  : fmt::format("the names of {} do not tell", counted(undated, "file"));
+    if (try_times(ClockSource::container, 0.4, [](const SegmentHeader& file) -> std::optional<double> {
             if (!file.header.created) return std::nullopt;
             return static_cast<double>(*file.header.created);
         })) {
@@ -197,9 +191,9 @@ void set_times_of_containers(Recording& recording) {
         return;
     }
     // Copies have the time at which they were copied; taken for the truth it would make footage overlap, and go.
-    if (try_times(ClockSource::modified, 0.05, [](const UndatedSegment& file) -> std::optional<double> {
+    if (try_times(ClockSource::modified, 0.05, [](const SegmentHeader& file) -> std::optional<double> {
             if (file.header.length <= 0) return std::nullopt;
-            return file.written - file.header.length;
+            return modified_at(file.segment->path).value_or(0) - file.header.length;
         })) {
         recording.warnings.push_back(fmt::format(
             "'{}': {} when it was recorded, nor do containers, so each is taken to end when the file was last written; "
@@ -257,7 +251,7 @@ Segment segment_from_name(const std::string& path, const RecorderNames& layouts)
     segment.camera = std::move(told.camera);
     segment.layout = std::move(told.layout);
     if (told.begin) {
-        segment.begin = utc_of(*told.begin, std::llround(written_at(path)));
+        segment.begin = utc_of(*told.begin, std::llround(modified_at(path).value_or(0)));
         segment.begin_source = ClockSource::file_name;
     }
     return segment;
@@ -283,8 +277,9 @@ std::optional<Recording> find_recording(std::span<const std::string> names, cons
     Recording recording{name_of(names, files), {}, {}};
     for (const std::string& file : files) recording.segments.push_back(segment_from_name(file, layouts));
     recording.camera = find_camera(recording.name, recording.segments, layouts, join);
-    if (!join) require_related(recording);
-    set_times_of_containers(recording);
+    const std::vector<SegmentHeader> headers = headers_of(recording.segments);
+    if (!join) require_related(recording, headers);
+    set_times_of_containers(recording, headers);
     sort_by_time(recording.segments);
     return recording;
 }

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "core/base/plane.h"
-#include "core/kernels/colour_rows.h"
 
 namespace vvr::video {
 
@@ -21,7 +20,14 @@ struct Frame {
 using SharedFrame = std::shared_ptr<const Frame>;
 
 /// The frame as people see it: in colour where there is some, else in grey.
-Plane<Bgr> picture_of(const Frame& frame);
+inline Plane<Bgr> picture_of(const Frame& frame) {
+    if (!frame.colour.empty()) return frame.colour;
+    Plane<Bgr> picture(frame.grey.size());
+    std::ranges::transform(frame.grey.pixels(), picture.pixels().begin(), [](std::uint8_t grey) {
+        return Bgr{grey, grey, grey};
+    });
+    return picture;
+}
 
 }  // namespace vvr::video
 
@@ -43,21 +49,12 @@ struct Orientation {
     friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// A picture at the field size, not yet upright.
-struct ScaledPicture {
-    Plane<std::uint8_t> planes;  ///< luma in full range; in colour, below it Cb and Cr, of the same size
-    std::optional<kernels::ColourMatrix> matrix{};  ///< only in colour
-
-    int height() const { return matrix ? planes.height() / 3 : planes.height(); }
-};
-
-/// A frame of a source, cheap to move between threads; a `Scaler` makes a `Frame` of it. It has one of two pictures.
+/// A frame of a source, cheap to move between threads; a `Scaler` makes a `Frame` of it.
 struct DecodedFrame {
     std::int64_t index = 0;
     double pts = 0;  ///< seconds from the clip's first frame
     Orientation orientation;
-    AvFrame image;                          ///< as it left the decoder
-    std::optional<ScaledPicture> scaled{};  ///< where the clip was kept after it was sampled
+    AvFrame image;  ///< as it left the decoder
 };
 
 }  // namespace vvr::video

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +54,11 @@ struct VideoInfo {
     OmittedFrames left_out{};              ///< of these files
 };
 
+/// Whether the time at which a clip began is that of its recording, not that of some copy of it.
+inline bool recording_time_is_known(const VideoInfo& info) {
+    return info.began && is_recording_time(info.began_source);
+}
+
 struct SourceOptions {
     Size field_size{0, 0};  ///< {0, 0}: long side at most 384, aspect kept; {-1, -1}: the video's own size
     bool colour = false;    ///< fill Frame::colour as well
@@ -96,8 +102,7 @@ class FrameSource {
 
     /// At most `count` frames spread in time over the whole of what is really there;
     /// all of them where there are no more than `count`, else more than a third of it. Leaves the source at its
-    /// first frame. Holds no more than `count` frames at a time; of a short clip it may store all, compressed, in a
-    /// bounded number of bytes, so that `next` need not decode them again. The frames' `index` is not filled in.
+    /// first frame. Holds no more than `count` frames at a time. The frames' `index` is not filled in.
     virtual std::vector<Frame> sample(int count);
 };
 
@@ -116,6 +121,11 @@ std::unique_ptr<FrameSource> open_source(const std::string& name, const SourceOp
 /// \throws Error as above, and as find_recording does
 std::unique_ptr<FrameSource> open_sources(const std::vector<std::string>& names, const SourceOptions& options,
                                           const RecorderNames& layouts, std::vector<std::string>& warnings);
+
+/// The files of this machine that are read where `name` is given as an input: a file, those that a folder, a pattern or
+/// a list names, what stdin is (`-`), or the file that holds an address (`@FILE`). All that may be read counts, be it a
+/// clip, a picture, or part of an extraction. What can't be looked at is left out: who opens it says why.
+std::vector<std::filesystem::path> files_of_input(const std::string& name);
 
 /// The field size that `asked` (as in SourceOptions) means for pictures of size `shown`.
 ///

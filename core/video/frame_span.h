@@ -13,7 +13,6 @@
 namespace vvr::video {
 
 struct FrameSpan;
-struct VideoInfo;
 
 /// A moment by the clock on the wall.
 struct RequestedTime {

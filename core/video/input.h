@@ -42,6 +42,13 @@ bool is_local(const Input& input);
 /// \throws Error io when it can't be read or spooled, not_video for an empty one, usage for a terminal
 Input open_input(const std::string& name);
 
+/// The same for one who reads it as it comes, so that nothing is spooled; a camera's device counts too. The name that
+/// it has from then on holds no password.
+///
+/// \throws Error io when it can't be read, or when a named pipe gives nothing within the watchdog's patience, usage for
+/// a terminal or a device where libav's devices aren't installed
+Input open_live_input(const std::string& name, std::shared_ptr<Watchdog> watchdog);
+
 /// Opens a file that has to be a regular one.
 ///
 /// \throws Error io

@@ -1,5 +1,3 @@
-#include "core/video/live_input.h"
-
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -20,6 +18,7 @@ extern "C" {
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/video/av.h"
+#include "core/video/input.h"
 #include "core/video/settings.h"
 
 namespace vvr::video {

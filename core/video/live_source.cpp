@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/video/demuxer.h"
-#include "core/video/live_input.h"
+#include "core/video/input.h"
 #include "core/video/stream_info.h"
 
 namespace vvr::video {

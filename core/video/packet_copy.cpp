@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -223,8 +224,9 @@ class PartCopy {
         const AVFormatContext& from = demuxer_.format();
         const auto packet = av::make_packet();
         std::int64_t number = -1;  // of the last packet of the video
-        while (!copied.stopped && demuxer_.read_any(*packet)) {
+        while (demuxer_.read_any(*packet)) {
             copied.stopped = stopped();
+            if (copied.stopped) return;
             const AVStream& stream = *from.streams[packet->stream_index];
             const std::int64_t stamp = packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts;
             if (&stream == &video_) {
@@ -286,6 +288,7 @@ CopyResult copy_pieces(std::span<const CopyPart> parts, double rate, const std::
         const bool is_last = &part == &parts.back();
         PartCopy(part, demuxer, part.begin + part.piece.begin - zero)(*muxer, &part != &parts.front(), is_last, copied,
                                                                       stopped);
+        if (copied.stopped) break;
     }
     muxer->close();
     return copied;
@@ -354,16 +357,18 @@ void check_copy(const std::filesystem::path& copy, std::span<const CopyPart> par
     SourceOptions options;
     options.threads = 1;
     options.rate = rate;
+    std::optional<std::int64_t> packets;
     std::unique_ptr<FileSource> written;
     try {
-        const std::int64_t packets = count_packets(input, rate);
-        if (packets != copied.packets)
-            refuse(fmt::format("{} of {} frames can be read again", packets, copied.packets));
+        packets = count_packets(input, rate);
         written = std::make_unique<FileSource>(input, options);
     } catch (const Error& error) {
-        if (error.about().names().empty()) refuse("its frames don't decode there");
-        throw;
+        if (error.kind() != ErrorKind::not_video) throw;
     }
+    if (packets && *packets != copied.packets) {
+        refuse(fmt::format("{} of {} frames can be read again", *packets, copied.packets));
+    }
+    if (!written) refuse("its frames don't decode there");
     const double zero = parts.front().begin + parts.front().piece.begin;
     for (const CopyPart& part : parts.first(std::min(parts.size(), checked_parts))) {
         if (begins_alike(*written, part.begin + part.piece.begin - zero, part, options)) continue;

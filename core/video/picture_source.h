@@ -4,12 +4,21 @@
 #include <deque>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/video/frame_source.h"
 
 namespace vvr::video {
+
+/// The files that `name` means if it names a sequence of pictures, in natural order: a folder, a glob
+/// (`dir/*.png`) or a printf pattern (`dir/%05d.png`). Nothing if it is none of these, or if there is a file of that
+/// name.
+///
+/// \throws Error io when the folder can't be read or no file matches, not_video for a folder without pictures,
+///         usage for a pattern with more than one number or other conversions
+std::optional<std::vector<std::string>> list_pictures(const std::string& name);
 
 /// Frames that are a picture file each. Some are decoded ahead of time, one in each thread.
 class PictureSource final : public FrameSource {

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/video/decoder.h"
 #include "core/video/demuxer.h"
+#include "core/video/frame_times.h"
 
 namespace vvr::video {
 namespace {
@@ -64,8 +65,6 @@ class Scan {
         const bool before = last_time() < span_.start || std::ssize(packets_) <= span_.first;
         return before && !is_done() ? std::optional(last_time()) : std::nullopt;
     }
-
-    double length() const { return last_time() + demuxer_.frame_duration(); }
 
     const std::vector<VideoPacket>& packets() const { return packets_; }
 
@@ -173,8 +172,30 @@ PacketRange find_packets(const Input& input, double rate, const FrameSpan& span)
 }
 
 double length_of(const Input& input, double rate) {
-    const FrameSpan whole;
-    return Scan(input, rate, whole).length();
+    Demuxer demuxer(input, Demuxer::Kind::video, rate);
+    StampClock clock(demuxer.frame_duration(), origin_of(input, rate));
+    double last = 0;
+    double last_dts = -std::numeric_limits<double>::infinity();
+    std::vector<double> stamps;  // since the clock was set last
+    const auto count = [&] {
+        std::ranges::sort(stamps);
+        for (const double stamp : stamps) last = clock(stamp);
+        stamps.clear();
+    };
+    const auto packet = av::make_packet();
+    while (demuxer.read(*packet)) {
+        const auto dts = demuxer.seconds(packet->dts);
+        const auto stamp = packet->pts == AV_NOPTS_VALUE ? dts : demuxer.seconds(packet->pts);
+        if (!stamp || (dts && *dts < last_dts - clock_was_set)) count();
+        if (dts) last_dts = *dts;
+        if (stamp) {
+            stamps.push_back(*stamp);
+        } else {
+            last = clock(std::nullopt);
+        }
+    }
+    count();
+    return last + demuxer.frame_duration();
 }
 
 void throw_empty(const std::string& name, const FrameSpan& span, std::optional<double> last) {

@@ -32,8 +32,9 @@ struct PacketRange {
 /// span
 PacketRange find_packets(const Input& input, double rate, const FrameSpan& span);
 
-/// How long a clip is shown, by the packets of all of it, in seconds from its first frame that decodes.
-/// \throws Error as find_packets does
+/// How long a clip is shown, by the packets of all of it, in seconds from its first frame that decodes. Where its clock
+/// goes back, time goes on, as it does where the clip is decoded.
+/// \throws Error not_video where no frame decodes
 double length_of(const Input& input, double rate);
 
 /// Says that a span has no frame.

@@ -17,7 +17,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/video/input.h"
-#include "core/video/stream_info.h"
 
 namespace vvr::video {
 
@@ -104,31 +103,14 @@ std::string choice_of(const Files& own, const Files& others, std::string_view ca
     return own.front();
 }
 
-/// What a header says of a file's pictures.
-struct Shape {
-    Size size;
-    double rate = 0;
-};
-
-std::optional<Shape> shape_of(const std::string& path) {
-    try {
-        const Demuxer demuxer(open_input(path), Demuxer::Kind::video, 25);
-        const AVCodecParameters& picture = *demuxer.stream().codecpar;
-        const AVRational rate = demuxer.stream().avg_frame_rate;
-        return Shape{{picture.width, picture.height}, rate.den > 0 ? av_q2d(rate) : 0};
-    } catch (const Error&) {
-        return std::nullopt;  // it is named when it is read
-    }
-}
-
-bool are_alike(const Shape& a, const Shape& b) {
+bool are_alike(const ClipHeader& a, const ClipHeader& b) {
     constexpr double tolerance = 0.1;  // of a rate: a camera's varies from file to file
     const bool rates = a.rate <= 0 || b.rate <= 0 || std::abs(a.rate - b.rate) <= tolerance * std::max(a.rate, b.rate);
-    return a.size == b.size && rates;
+    return a.picture == b.picture && rates;
 }
 
-std::string text_of(const Shape& shape) {
-    return fmt::format("{}x{} at {:.3g} frames per second", shape.size.width, shape.size.height, shape.rate);
+std::string text_of(const ClipHeader& header) {
+    return fmt::format("{}x{} at {:.3g} frames per second", header.picture.width, header.picture.height, header.rate);
 }
 
 }  // namespace
@@ -148,7 +130,7 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
     std::map<std::string, Files> cameras;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const std::string camera = layouts.camera_of(paths[i], common);
-        segments[i].camera = camera.empty() ? layouts.read(paths[i]).camera : camera;
+        segments[i].camera = camera;
         cameras[camera].push_back(segments[i].path);
     }
     if (cameras.size() == 1) return segments.front().camera;
@@ -179,33 +161,15 @@ std::string find_camera(const std::string& name, std::vector<Segment>& segments,
                 {"join"});
 }
 
-void require_related(const Recording& recording) {
-    std::optional<Shape> first;
-    const std::string* first_path = nullptr;
-    bool first_is_told = false;
-    // One whose name tells the time stands for all of those.
-    std::vector<const Segment*> segments;
-    for (const Segment& segment : recording.segments) {
-        if (!segment.begin) segments.push_back(&segment);
-    }
-    if (segments.empty()) return;
-    const auto told = std::ranges::find_if(recording.segments, [](const Segment& s) { return s.begin.has_value(); });
-    if (told != recording.segments.end()) segments.insert(segments.begin(), &*told);
-    for (const Segment* segment : segments) {
-        const auto shape = shape_of(segment->path);
-        if (!shape) continue;
-        if (!first) {
-            first = shape;
-            first_path = &segment->path;
-            first_is_told = segment->begin.has_value();
-            continue;
-        }
-        if (are_alike(*first, *shape)) continue;
+void require_related(const Recording& recording, std::span<const SegmentHeader> headers) {
+    for (const auto& [segment, header] : headers) {
+        const SegmentHeader& first = headers.front();
+        if (are_alike(first.header, header)) continue;
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' is {} and '{}' is {}, and {} when it was recorded, so nothing says that the {} "
                                 "are one recording; give one, or join them",
-                                *first_path, text_of(*first), segment->path, text_of(*shape),
-                                first_is_told ? "no name tells of the second" : "no name tells of either",
+                                first.segment->path, text_of(first.header), segment->path, text_of(header),
+                                first.segment->begin ? "no name tells of the second" : "no name tells of either",
                                 counted(std::ssize(recording.segments), "file")),
                     {"join"});
     }

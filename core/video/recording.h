@@ -8,6 +8,7 @@
 
 #include "core/base/wall_clock.h"
 #include "core/video/recorder_names.h"
+#include "core/video/stream_info.h"
 
 // A recorder writes files of seconds, minutes or an hour: segments. All of a camera, in order, are one recording.
 namespace vvr::video {
@@ -75,9 +76,16 @@ std::string whole_path(const std::string& name);
 std::string find_camera(const std::string& name, std::vector<Segment>& segments, const RecorderNames& layouts,
                         bool join);
 
+/// What the header of a file says that can be read now.
+struct SegmentHeader {
+    Segment* segment = nullptr;
+    ClipHeader header;
+};
+
 /// Throws where no name tells when some files were recorded, and their sizes or rates differ besides: nothing says that
 /// they belong together.
+/// \param headers of these files, and first of one whose name tells it, where there is one: it stands for all of those
 /// \throws Error usage
-void require_related(const Recording& recording);
+void require_related(const Recording& recording, std::span<const SegmentHeader> headers);
 
 }  // namespace vvr::video

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,9 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/video/decoder.h"
-#include "core/video/frame_times.h"
-#include "core/video/scaler.h"
+#include "core/video/key_frames.h"
 #include "core/video/stream_info.h"
 
 namespace vvr::video {
@@ -37,18 +34,6 @@ double frame_duration(const VideoInfo& info) {
 double on_clock(double begin, double time, double tick) {
     return static_cast<double>(std::llround(begin / tick) + std::llround(time / tick)) * tick;
 }
-
-/// A key packet, and the file that it is of.
-struct KeyPacket {
-    std::size_t segment = 0;
-    av::Ptr<AVPacket> packet;
-};
-
-/// What the packets of a file tell of its time.
-struct PacketSpan {
-    double first = std::numeric_limits<double>::infinity();
-    double last = 0;
-};
 
 }  // namespace
 
@@ -262,54 +247,18 @@ std::vector<Frame> RecordingSource::sample_segments(int count) const {
     return frames;
 }
 
-/// As of one clip: none where there are fewer key frames than asked for, or where they don't decode by themselves.
 std::vector<Frame> RecordingSource::sample_key_frames(int count) const {
-    TimeSampler<KeyPacket> sampler(count);
-    std::int64_t seen = 0;
+    KeyFrames keys(count);
     std::optional<double> end;
-    const auto packet = av::make_packet();
-    for (std::size_t i = 0; i < recording_.segments.size(); ++i) {
-        const Segment& segment = recording_.segments[i];
+    for (const Segment& segment : recording_.segments) {
         try {
-            Demuxer demuxer(open_input(segment.path), Demuxer::Kind::video, options_.rate);
-            const double begin = begin_of(segment, origin_, end).time;
-            PacketSpan span;
-            double last_key = -std::numeric_limits<double>::infinity();
-            while (demuxer.read(*packet)) {
-                const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
-                if (!time) continue;
-                span = {std::min(span.first, *time), std::max(span.last, *time)};
-                if (!(packet->flags & AV_PKT_FLAG_KEY) || *time < last_key) continue;
-                last_key = *time;
-                ++seen;
-                const double at = begin + *time - span.first;
-                if (!sampler.wants(at)) continue;
-                av::Ptr<AVPacket> copy(av_packet_clone(packet.get()));
-                if (!copy) throw Error(ErrorKind::limit, "out of memory while reading the video");
-                sampler.keep(at, {i, std::move(copy)});
-            }
-            if (span.last >= span.first) end = begin + span.last - span.first + demuxer.frame_duration();
+            end = keys.scan(open_input(segment.path), options_.rate, begin_of(segment, origin_, end).time);
         } catch (const Error& error) {
             if (error.kind() == ErrorKind::limit) throw;
         }
     }
-    if (seen < count) return {};
-    const std::vector<KeyPacket> keys = sampler.take();
     Scaler scale(field_size_, options_.colour);
-    std::vector<Frame> frames;
-    for (auto key = keys.begin(); key != keys.end();) {
-        const std::size_t of = key->segment;
-        const std::string& path = recording_.segments[of].path;
-        Demuxer demuxer(open_input(path), Demuxer::Kind::video, options_.rate);
-        Decoder decoder(demuxer, path, 1);
-        for (; key != keys.end() && key->segment == of; ++key) {
-            if (auto image = decoder.decode_alone(*key->packet)) {
-                frames.push_back(scale({0, 0, orientation_of(demuxer.stream()), std::move(image)}));
-            }
-        }
-    }
-    if (frames.size() < keys.size() / 2 + 1) return {};
-    return frames;
+    return keys.decode(options_.rate, scale);
 }
 
 }  // namespace vvr::video

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -26,141 +27,13 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-// What libav's many pixel formats hold, and one format for those that don't have luma in a plane of 8 bits.
 namespace vvr::video {
 
+namespace {
+
+// ---- What libav's many pixel formats hold, and one format for those that don't have luma in a plane of 8 bits
+
 /// Whether plane 0 is luma of 8 bits, and chroma, where there is any, lies in planes 1 and 2 or in pairs in plane 1.
-bool has_luma_plane(AVPixelFormat format);
-
-bool is_full_range(const AVFrame& frame);
-
-/// Where nothing is said, large pictures are in HDTV's colours and small ones in television's, as players assume.
-AVColorSpace colour_space(const AVFrame& frame);
-
-/// Brings any pixel format to 8-bit full-range luma, and chroma where colour is asked for, at the frame's own size.
-class PixelConverter {
-  public:
-    /// Valid until the next call.
-    ///
-    /// \throws Error not_video for a format that can't be converted, limit when there is no memory
-    const AVFrame& operator()(const AVFrame& from, bool colour);
-
-  private:
-    using Key = std::tuple<int, int, int, int, int, bool>;
-
-    void prepare(const AVFrame& from, bool colour);
-
-    std::optional<Key> key_;
-    std::unique_ptr<SwsContext, SwsFree> context_;
-    AvFrame to_;
-};
-
-namespace {
-
-cv::Mat plane_of(const AVFrame& frame, int plane, Size size, int type) {
-    return {size.height, size.width, type, frame.data[plane], static_cast<std::size_t>(frame.linesize[plane])};
-}
-
-/// `from` mirrored and turned as `orientation` says.
-cv::Mat upright(cv::Mat from, Orientation orientation) {
-    if (orientation.transpose) from = from.t();
-    if (!orientation.flip_x && !orientation.flip_y) return from;
-    cv::Mat flipped;
-    cv::flip(from, flipped, orientation.flip_x ? (orientation.flip_y ? -1 : 1) : 0);
-    return flipped;
-}
-
-/// \param scaled has `scaled`
-Frame finished(const DecodedFrame& decoded, Size size, bool colour) {
-    const ScaledPicture& scaled = *decoded.scaled;
-    const auto part = [&](int number) {
-        const int height = scaled.height();
-        return upright(cv_view(scaled.planes).rowRange(number * height, (number + 1) * height), decoded.orientation);
-    };
-    Frame frame{decoded.index, decoded.pts, Plane<std::uint8_t>::for_overwrite(size), {}};
-    part(0).copyTo(cv_view(frame.grey));
-    if (!colour) return frame;
-
-    frame.colour = Plane<Bgr>::for_overwrite(size);
-    if (!scaled.matrix) {
-        cv::cvtColor(cv_view(frame.grey), cv_view(frame.colour), cv::COLOR_GRAY2BGR);
-        return frame;
-    }
-    const cv::Mat cb = part(1);
-    const cv::Mat cr = part(2);
-    const auto width = static_cast<std::size_t>(size.width);
-    for (int j = 0; j < size.height; ++j) {
-        kernels::to_bgr(*scaled.matrix, frame.grey.row(j), {cb.ptr<std::uint8_t>(j), width},
-                        {cr.ptr<std::uint8_t>(j), width}, frame.colour.row(j));
-    }
-    return frame;
-}
-
-}  // namespace
-
-struct Scaler::Parts {
-    PixelConverter convert;
-    std::array<AreaScaler, 3> resize;  // one for each plane, so that none throws its tables away
-};
-
-Scaler::Scaler(Size field_size, bool colour) : size_(field_size), colour_(colour), parts_(std::make_unique<Parts>()) {}
-Scaler::Scaler(const FrameSource& source) : Scaler(source.field_size(), source.colour()) {}
-Scaler::~Scaler() = default;
-Scaler::Scaler(Scaler&&) noexcept = default;
-Scaler& Scaler::operator=(Scaler&&) noexcept = default;
-
-DecodedFrame Scaler::shrink(const DecodedFrame& decoded) {
-    const AVFrame& from = *decoded.image;
-    const bool direct = has_luma_plane(static_cast<AVPixelFormat>(from.format));
-    const AVFrame& image = direct ? from : parts_->convert(from, colour_);
-    const Size stored = decoded.orientation.transpose ? Size{size_.height, size_.width} : size_;
-    const auto fit = [&](int plane, Size size, int type) {
-        AreaScaler& resize = parts_->resize[static_cast<std::size_t>(plane)];
-        return resize(plane_of(image, plane, size, type), {stored.width, stored.height});
-    };
-    const auto& layout = *av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image.format));
-    const bool coloured = colour_ && layout.nb_components >= 3;
-    ScaledPicture scaled{Plane<std::uint8_t>::for_overwrite({stored.width, (coloured ? 3 : 1) * stored.height})};
-    const auto part = [&](int number) {
-        return cv_view(scaled.planes).rowRange(number * stored.height, (number + 1) * stored.height);
-    };
-
-    const cv::Mat luma = fit(0, {image.width, image.height}, CV_8UC1);
-    if (is_full_range(image)) {
-        luma.copyTo(part(0));
-    } else {
-        const auto width = static_cast<std::size_t>(stored.width);
-        for (int j = 0; j < stored.height; ++j)
-            kernels::to_full_range({luma.ptr<std::uint8_t>(j), width}, scaled.planes.row(j));
-    }
-    if (coloured) {
-        scaled.matrix.emplace(colour_space(image), is_full_range(image));
-        const Size chroma{AV_CEIL_RSHIFT(image.width, layout.log2_chroma_w),
-                          AV_CEIL_RSHIFT(image.height, layout.log2_chroma_h)};
-        if (layout.comp[2].plane == 2) {
-            fit(1, chroma, CV_8UC1).copyTo(part(1));
-            fit(2, chroma, CV_8UC1).copyTo(part(2));
-        } else {
-            std::array<cv::Mat, 2> to{part(1), part(2)};
-            if (layout.comp[1].offset > layout.comp[2].offset) std::swap(to[0], to[1]);
-            cv::split(fit(1, chroma, CV_8UC2), to.data());
-        }
-    }
-    return {decoded.index, decoded.pts, decoded.orientation, nullptr, std::move(scaled)};
-}
-
-Frame Scaler::operator()(const DecodedFrame& decoded) {
-    return decoded.scaled ? finished(decoded, size_, colour_) : finished(shrink(decoded), size_, colour_);
-}
-
-namespace {
-
-bool is_grey(AVPixelFormat format) {
-    return av_pix_fmt_desc_get(format)->nb_components <= 2;
-}
-
-}  // namespace
-
 bool has_luma_plane(AVPixelFormat format) {
     const auto* layout = av_pix_fmt_desc_get(format);
     constexpr std::uint64_t others = AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_PAL | AV_PIX_FMT_FLAG_BITSTREAM |
@@ -174,6 +47,10 @@ bool has_luma_plane(AVPixelFormat format) {
     const bool planar = first.plane == 1 && second.plane == 2 && first.step == 1 && second.step == 1;
     const bool pairs = first.plane == 1 && second.plane == 1 && first.step == 2 && second.step == 2;
     return (planar || pairs) && first.depth == 8;
+}
+
+bool is_grey(AVPixelFormat format) {
+    return av_pix_fmt_desc_get(format)->nb_components <= 2;
 }
 
 bool is_full_range(const AVFrame& frame) {
@@ -192,10 +69,29 @@ bool is_full_range(const AVFrame& frame) {
     return frame.color_range == AVCOL_RANGE_JPEG;
 }
 
+/// Where nothing is said, large pictures are in HDTV's colours and small ones in television's, as players assume.
 AVColorSpace colour_space(const AVFrame& frame) {
     if (frame.colorspace != AVCOL_SPC_UNSPECIFIED && frame.colorspace != AVCOL_SPC_RGB) return frame.colorspace;
     return frame.height > 576 ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
 }
+
+/// Brings any pixel format to 8-bit full-range luma, and chroma where colour is asked for, at the frame's own size.
+class PixelConverter {
+  public:
+    /// Valid until the next call.
+    ///
+    /// \throws Error not_video for a format that can't be converted, limit when there is no memory
+    const AVFrame& operator()(const AVFrame& from, bool colour);
+
+  private:
+    using Key = std::tuple<int, int, int, int, int, bool>;
+
+    void prepare(const AVFrame& from, bool colour);
+
+    std::optional<Key> key_;
+    std::unique_ptr<SwsContext, SwsFree> context_;
+    AvFrame to_;
+};
 
 const AVFrame& PixelConverter::operator()(const AVFrame& from, bool colour) {
     const Key key{from.width, from.height, from.format, from.color_range, colour_space(from), colour};
@@ -243,6 +139,79 @@ void PixelConverter::prepare(const AVFrame& from, bool colour) {
     }
     const int* coefficients = sws_getCoefficients(to_->colorspace);
     sws_setColorspaceDetails(context_.get(), coefficients, full, coefficients, 1, 0, 1 << 16, 1 << 16);
+}
+
+// ---- Pictures at the field size
+
+cv::Mat plane_of(const AVFrame& frame, int plane, Size size, int type) {
+    return {size.height, size.width, type, frame.data[plane], static_cast<std::size_t>(frame.linesize[plane])};
+}
+
+/// `from` mirrored and turned as `orientation` says.
+cv::Mat upright(cv::Mat from, Orientation orientation) {
+    if (orientation.transpose) from = from.t();
+    if (!orientation.flip_x && !orientation.flip_y) return from;
+    cv::Mat flipped;
+    cv::flip(from, flipped, orientation.flip_x ? (orientation.flip_y ? -1 : 1) : 0);
+    return flipped;
+}
+
+}  // namespace
+
+struct Scaler::Parts {
+    PixelConverter convert;
+    std::array<AreaScaler, 3> resize;  // one for each plane, so that none throws its tables away
+};
+
+Scaler::Scaler(Size field_size, bool colour) : size_(field_size), colour_(colour), parts_(std::make_unique<Parts>()) {}
+Scaler::Scaler(const FrameSource& source) : Scaler(source.field_size(), source.colour()) {}
+Scaler::~Scaler() = default;
+Scaler::Scaler(Scaler&&) noexcept = default;
+Scaler& Scaler::operator=(Scaler&&) noexcept = default;
+
+Frame Scaler::operator()(const DecodedFrame& decoded) {
+    const AVFrame& from = *decoded.image;
+    const bool direct = has_luma_plane(static_cast<AVPixelFormat>(from.format));
+    const AVFrame& image = direct ? from : parts_->convert(from, colour_);
+    const Orientation orientation = decoded.orientation;
+    const cv::Size stored =
+        orientation.transpose ? cv::Size(size_.height, size_.width) : cv::Size(size_.width, size_.height);
+    const auto fit = [&](int plane, Size size, int type) {
+        return parts_->resize[static_cast<std::size_t>(plane)](plane_of(image, plane, size, type), stored);
+    };
+    const auto width = static_cast<std::size_t>(size_.width);
+    const auto row = [width](const cv::Mat& plane, int j) { return std::span(plane.ptr<std::uint8_t>(j), width); };
+
+    Frame frame{decoded.index, decoded.pts, Plane<std::uint8_t>::for_overwrite(size_), {}};
+    const cv::Mat luma = upright(fit(0, {image.width, image.height}, CV_8UC1), orientation);
+    if (is_full_range(image)) {
+        luma.copyTo(cv_view(frame.grey));
+    } else {
+        for (int j = 0; j < size_.height; ++j) kernels::to_full_range(row(luma, j), frame.grey.row(j));
+    }
+    if (!colour_) return frame;
+
+    frame.colour = Plane<Bgr>::for_overwrite(size_);
+    const auto& layout = *av_pix_fmt_desc_get(static_cast<AVPixelFormat>(image.format));
+    if (layout.nb_components < 3) {
+        cv::cvtColor(cv_view(frame.grey), cv_view(frame.colour), cv::COLOR_GRAY2BGR);
+        return frame;
+    }
+    const Size size{AV_CEIL_RSHIFT(image.width, layout.log2_chroma_w),
+                    AV_CEIL_RSHIFT(image.height, layout.log2_chroma_h)};
+    std::array<cv::Mat, 2> chroma;  // Cb and Cr
+    if (layout.comp[2].plane == 2) {
+        chroma = {fit(1, size, CV_8UC1), fit(2, size, CV_8UC1)};
+    } else {
+        cv::split(fit(1, size, CV_8UC2), chroma.data());
+        if (layout.comp[1].offset > layout.comp[2].offset) std::swap(chroma[0], chroma[1]);
+    }
+    for (cv::Mat& plane : chroma) plane = upright(plane, orientation);
+    const kernels::ColourMatrix matrix(colour_space(image), is_full_range(image));
+    for (int j = 0; j < size_.height; ++j) {
+        kernels::to_bgr(matrix, frame.grey.row(j), row(chroma[0], j), row(chroma[1], j), frame.colour.row(j));
+    }
+    return frame;
 }
 
 }  // namespace vvr::video

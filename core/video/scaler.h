@@ -27,10 +27,6 @@ class Scaler {
     /// \throws Error not_video for a pixel format that can't be converted
     Frame operator()(const DecodedFrame& decoded);
 
-    /// Does the scaling alone: the result has a `scaled` picture, of which `operator()` makes the same `Frame`.
-    /// \throws Error not_video for a pixel format that can't be converted
-    DecodedFrame shrink(const DecodedFrame& decoded);
-
   private:
     struct Parts;
 

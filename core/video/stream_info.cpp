@@ -63,8 +63,8 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
     info.container = formats.substr(0, formats.find(','));
     info.codec = avcodec_get_name(stream.codecpar->codec_id);
     info.size = shown_size(first, av_guess_sample_aspect_ratio(&format, &stream, nullptr), orientation_of(stream));
-    info.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
     const ClipHeader header = header_of(demuxer);
+    info.rate = header.rate;
     info.duration = header.length;
     info.frames = header.frames;
     info.created = header.created;
@@ -73,13 +73,14 @@ VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFram
 
 ClipHeader header_of(const Demuxer& demuxer) {
     const AVStream& stream = demuxer.stream();
-    const double rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
     ClipHeader header;
+    header.picture = {stream.codecpar->width, stream.codecpar->height};
+    header.rate = stream.avg_frame_rate.den > 0 ? av_q2d(stream.avg_frame_rate) : 0;
     header.length = stated_duration(demuxer.format(), stream);
     if (header.length > longest_clip) header.implausible_length = std::exchange(header.length, 0);
     header.frames = stream.nb_frames;
     header.created = creation_time(demuxer.format());
-    if (header.frames <= 0) header.frames = std::llround(header.length * rate);
+    if (header.frames <= 0) header.frames = std::llround(header.length * header.rate);
     return header;
 }
 

@@ -12,14 +12,16 @@ namespace vvr::video {
 /// What the container says of the video stream, with the size of its first frame as it is to be seen.
 VideoInfo describe(const Demuxer& demuxer, const std::string& name, const AVFrame& first);
 
-/// What a container's header says of a clip, without a frame being decoded.
 /// Seconds that a clip may last: ten years. What is longer is no clip's length but a header that lies.
 inline constexpr double longest_clip = 10 * 365.25 * 86'400;
 
+/// What a container's header says of a clip, without a frame being decoded.
 struct ClipHeader {
     double length = 0;                      ///< seconds; 0 = unknown
     double implausible_length = 0;          ///< seconds that it says instead, where no clip lasts so long
     std::int64_t frames = 0;                ///< estimate; 0 = unknown
+    Size picture;                           ///< as it is stored
+    double rate = 0;                        ///< frames per second; 0 = unknown
     std::optional<std::int64_t> created{};  ///< seconds since 1970 (UTC)
 };
 

@@ -1,10 +1,12 @@
 #include "core/video/video_files.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <system_error>
 
 #include <glob.h>
+#include <sys/stat.h>
 
 #include <climits>
 #include <fmt/format.h>
@@ -28,6 +30,13 @@ bool is_video_name(const std::string& name) {
     return std::ranges::binary_search(video_extensions(), extension_of(name));
 }
 
+bool is_picture_name(const std::string& name) {
+    static constexpr std::array<std::string_view, 19> picture_extensions{
+        ".bmp", ".dpx", ".exr", ".gif", ".jp2", ".jpe", ".jpeg", ".jpg",  ".pam", ".pbm",
+        ".pgm", ".png", ".pnm", ".ppm", ".sgi", ".tga", ".tif",  ".tiff", ".webp"};
+    return std::ranges::binary_search(picture_extensions, extension_of(name));
+}
+
 std::vector<std::string> video_files_in(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code why;
@@ -47,6 +56,12 @@ std::vector<std::string> video_files_in(const fs::path& folder) {
                                                folder.string(), why.message()));
     }
     return files;
+}
+
+std::optional<double> modified_at(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<double>(status.st_mtim.tv_sec) + static_cast<double>(status.st_mtim.tv_nsec) * 1e-9;
 }
 
 namespace {

@@ -1,7 +1,6 @@
 # Every library that vvr needs. scripts/packages.txt installs them from Debian.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(libav REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
-pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 # Debian's CMake files of OpenImageIO ask for its Qt tools as well; pkg-config doesn't.
 pkg_check_modules(oiio REQUIRED IMPORTED_TARGET OpenImageIO)
 
@@ -21,8 +20,6 @@ foreach(module core imgproc video)
     INTERFACE_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE}
     INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
 endforeach()
-
-pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 
 find_package(Fontconfig REQUIRED)
 find_package(Freetype REQUIRED)

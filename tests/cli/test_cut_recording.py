@@ -102,6 +102,15 @@ def test_cut_of_files_that_overlap(t):
     check(all(b - a < 0.08 for a, b in zip(shown, shown[1:])), "there is a gap")
 
 
+def test_cut_knows_the_footage_of_a_file_whose_clock_goes_back(t):
+    bag(t)
+    names = segments(t, ending=".ts")
+    t.ffmpeg("-i", names[1], "-c", "copy", "-f", "segment", "-segment_time", "1.5", "-reset_timestamps", "1", "part%d.ts")
+    t.path(names[1]).write_bytes(b"".join(t.path(f"part{k}.ts").read_bytes() for k in range(3)))
+    t.vvr("cut", "day", "--from", "6s", "--to", "8s", "-o", "x.mp4").expect(3, f"'{names[1]}' can't be copied: its clock goes back by 1.", "--exact")
+    t.vvr("cut", "day", "--from", "6s", "--to", "8s", "--exact", "-o", "x.mp4").expect(0, "50 frames encoded anew")
+
+
 def test_cut_refuses_to_join_what_differs(t):
     bag(t)
     names = segments(t)

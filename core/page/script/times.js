@@ -45,14 +45,15 @@ function frameBeside(frame, by) {
 }
 
 /// How long a frame is on show. Several may have one time; the last of all, and of those before a gap, is on show as long
-/// as the one before it.
+/// as the one before it. Nothing tells how long one alone is.
 function lengthOf(frame) {
     const begin = secondsOf(frame);
     const last = Math.min(frame + 100, gaps.find(([before]) => before >= frame)?.[0] ?? lastFrame);
     for (let next = frame + 1; next <= last; ++next) {
         if (secondsOf(next) > begin) return secondsOf(next) - begin;
     }
-    return frame > firstFrame ? Math.max(0, begin - secondsOf(frame - 1)) : 0.04;
+    const isFirst = frame === firstFrame || gaps.some(([, first]) => first === frame);
+    return isFirst ? 0.04 : Math.max(0, begin - secondsOf(frame - 1));
 }
 
 /// A time at which a player shows this frame, however it rounds: the middle of the frame's time, but not far from its

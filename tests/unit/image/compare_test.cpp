@@ -10,7 +10,7 @@ namespace vvr {
 namespace {
 
 image::Samples even(Size size, float value, std::vector<std::string> channels = {"R", "G", "B"}) {
-    image::Samples samples{size, std::move(channels), {}, image::Encoding::srgb};
+    image::Samples samples{size, std::move(channels), {}};
     samples.values.assign(static_cast<std::size_t>(size.width * size.height) * samples.channels.size(), value);
     return samples;
 }

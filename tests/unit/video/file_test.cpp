@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
-#include "core/video/packet_scan.h"
+#include "core/video/piece.h"
+#include "core/video/video_files.h"
 #include "tests/unit/video/clips.h"
 
 namespace vvr {
@@ -153,6 +156,36 @@ TEST(VideoFile, MakesPixelsSquare) {
               (Size{64, 64}));
 }
 
+/// Two clips of four seconds, one after another, whose clocks both begin at the same time.
+std::string clip_whose_clock_goes_back(const TempFolder& folder) {
+    std::ifstream part(counting_clip(folder, "part.ts", "-c:v libx264 -qp 4 -g 25 -bf 2"), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(part), {});
+    std::ofstream(folder / "whole.ts", std::ios::binary) << bytes << bytes;
+    return folder / "whole.ts";
+}
+
+TEST(VideoFile, IsMeasuredByItsPackets) {
+    const TempFolder folder;
+    for (const std::string& name :
+         {counting_clip(folder, "clip.mp4", "-c:v libx264 -qp 4 -g 25 -bf 3"),
+          counting_clip(folder, "clip.avi", "-c:v mpeg4 -q:v 2"), clip_whose_clock_goes_back(folder)}) {
+        const auto frames = read_all(*video::open_source(name));
+        EXPECT_NEAR(video::length_of(video::open_input(name), 25), frames.back().pts + 0.04, 0.045) << name;
+    }
+    EXPECT_NEAR(video::length_of(video::open_input(folder / "whole.ts"), 25), 8, 0.05);
+}
+
+TEST(VideoFile, BeganWhenItWasLastWrittenLessItsLength) {
+    const TempFolder folder;
+    const std::string clip = counting_clip(folder, "clip.avi", "-c:v mpeg4 -q:v 2");
+    const auto told = video::open_source(clip);
+    const auto written = static_cast<std::int64_t>(*video::modified_at(clip));
+    EXPECT_EQ(told->info().modified, written - 4);
+    const auto untold = video::open_source(counting_clip(folder, "clip.h264", "-c:v libx264 -qp 4"));
+    EXPECT_EQ(untold->info().duration, 0);
+    EXPECT_FALSE(untold->info().modified) << "a length of 0 is none";
+}
+
 TEST(VideoFile, TakesTinyAndOddSizes) {
     const TempFolder folder;
     for (const Size size : {Size{1, 1}, Size{1, 40}, Size{40, 1}, Size{33, 17}}) {
@@ -197,10 +230,6 @@ TEST(VideoFile, NamesWithColonsAndPercentsAreFiles) {
     }
 }
 
-video::DecodingPlan samples_of(const video::ClipPackets& clip, int count) {
-    return video::plan_decoding(clip, video::sampled_stamps(clip, count));
-}
-
 TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
     const TempFolder folder;
     const auto source = video::open_source(counting_clip(folder, "clip.mkv", "-c:v libx264 -qp 4 -g 1000"));
@@ -211,135 +240,6 @@ TEST(Sample, SpreadsOverAClipOfFewKeyFrames) {
     EXPECT_GT(frames.back().pts, 3.4);
     for (const auto& frame : frames) EXPECT_NEAR(middle_of(frame), level(std::lround(frame.pts * 25)), 2);
     EXPECT_EQ(read_all(*source).size(), 100u);
-}
-
-TEST(Sample, DecodesOnlyWhatItNeedsAndGivesTheSameFrames) {
-    const TempFolder folder;
-    for (const char* encoding :
-         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
-          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
-          "-c:v msmpeg4 -g 30 -sc_threshold 1000000000"}) {
-        const auto name = counting_clip(folder, "clip.mkv", encoding);
-        const auto source = video::open_source(name);
-        const auto quick = source->sample(7);
-        const auto all = source->video::FrameSource::sample(7);
-        ASSERT_EQ(quick.size(), all.size()) << encoding;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            EXPECT_NEAR(quick[i].pts, all[i].pts, 1e-6) << encoding;
-            EXPECT_TRUE(std::ranges::equal(quick[i].grey.pixels(), all[i].grey.pixels())) << encoding;
-        }
-        video::Demuxer demuxer(video::open_input(name), video::Demuxer::Kind::video, 25);
-        const video::DecodingPlan plan = samples_of(video::scan_packets(demuxer), 7);
-        EXPECT_EQ(std::ranges::count(plan.uses, video::PacketUse::frame), std::ssize(all)) << encoding;
-        EXPECT_GT(std::ranges::count(plan.uses, video::PacketUse::none), 5) << encoding;
-    }
-}
-
-TEST(Sample, IsCutIntoPartsThatAreThePlanOneAfterAnother) {
-    const TempFolder folder;
-    for (const char* encoding :
-         {"-c:v libx264 -g 20 -bf 3 -sc_threshold 0", "-c:v libx264 -g 20 -bf 3 -x264-params open-gop=1",
-          "-c:v mpeg4 -g 10 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 1000"}) {
-        video::Demuxer demuxer(video::open_input(counting_clip(folder, "clip.mkv", encoding)),
-                               video::Demuxer::Kind::video, 25);
-        const video::DecodingPlan plan = samples_of(video::scan_packets(demuxer), 31);
-        for (const int parts : {1, 2, 3, 50}) {
-            const auto cut = video::cut_plan(plan, parts);
-            EXPECT_LE(std::ssize(cut), parts);
-            EXPECT_EQ(cut.size() > 1, parts > 1 && !plan.starts.empty()) << encoding << ", " << parts;
-            std::vector<std::int64_t> stamps;
-            std::vector<video::PacketUse> uses(plan.uses.size(), video::PacketUse::none);
-            for (const video::DecodingPlan& part : cut) {
-                stamps.insert(stamps.end(), part.stamps.begin(), part.stamps.end());
-                EXPECT_EQ(std::ranges::count(part.uses, video::PacketUse::frame), std::ssize(part.stamps)) << encoding;
-                for (std::size_t i = 0; i < uses.size(); ++i) {
-                    if (part.uses[i] == video::PacketUse::none) continue;
-                    EXPECT_EQ(uses[i], video::PacketUse::none) << "a packet is decoded twice";
-                    uses[i] = part.uses[i];
-                }
-            }
-            EXPECT_EQ(stamps, plan.stamps) << encoding;
-            EXPECT_EQ(uses, plan.uses) << encoding;
-        }
-    }
-}
-
-std::size_t colours(const std::vector<video::Frame>& frames) {
-    std::size_t sum = 14695981039346656037u;
-    for (const auto& frame : frames) {
-        for (const auto& pixel : frame.colour.pixels()) {
-            for (const auto value : pixel) sum = (sum ^ value) * 1099511628211u;
-        }
-    }
-    return sum;
-}
-
-void expect_same(const std::vector<video::Frame>& frames, const std::vector<video::Frame>& wanted,
-                 const std::string& which) {
-    ASSERT_EQ(frames.size(), wanted.size()) << which;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        EXPECT_EQ(frames[i].index, wanted[i].index) << which;
-        EXPECT_DOUBLE_EQ(frames[i].pts, wanted[i].pts) << which;
-    }
-    EXPECT_EQ(fingerprint(frames), fingerprint(wanted)) << which;
-    EXPECT_EQ(colours(frames), colours(wanted)) << which;
-}
-
-TEST(Sample, KeepsAShortClipSoThatItIsDecodedOnce) {
-    const TempFolder folder;
-    for (const char* encoding :
-         {"-c:v libx264 -g 40 -bf 3 -sc_threshold 0", "-c:v libx264 -g 40 -bf 3 -x264-params open-gop=1",
-          "-c:v libx264 -g 40 -bf 3 -intra-refresh 1", "-c:v libx265 -g 30 -bf 3 -x265-params log-level=none",
-          "-c:v mpeg2video -g 30 -bf 2 -sc_threshold 1000000000", "-c:v mpeg4 -g 30 -bf 2 -sc_threshold 1000000000",
-          "-c:v libx264 -g 40 -pix_fmt yuv422p10le", "-vf noise=alls=40:allf=t -c:v mpeg4 -q:v 2 -g 35",
-          "-c:v libx264 -g 40 -color_range pc -colorspace bt709", "-c:v libvpx-vp9 -b:v 0 -crf 30 -g 40"}) {
-        const std::string name = walkers_clip(folder, "clip.mkv", encoding);
-        for (const Size size : {Size{0, 0}, Size{101, 77}, Size{400, 300}}) {
-            video::SourceOptions options;
-            options.colour = true;
-            options.field_size = size;
-            const auto fresh = read_all(*video::open_source(name, options));
-            const auto source = video::open_source(name, options);
-            source->sample(7);
-            // What has been kept needs no file any more.
-            std::filesystem::rename(name, folder / "away.mkv");
-            expect_same(read_all(*source), fresh, encoding);
-            EXPECT_EQ(source->next(), nullptr);
-            EXPECT_EQ(source->damaged(), 0);
-            std::filesystem::rename(folder / "away.mkv", name);
-            source->rewind();
-            expect_same(read_all(*source), fresh, encoding);
-            source->sample(7);
-            source->seek(1.5);
-            const auto later = read_all(*source);
-            ASSERT_FALSE(later.empty());
-            expect_same(later, {fresh.end() - std::ssize(later), fresh.end()}, encoding);
-            EXPECT_NEAR(later.front().pts, 1.5, 0.041);
-            source->seek(0.5);
-            EXPECT_LT(source->next()->pts, 0.6) << encoding;
-        }
-    }
-}
-
-TEST(Sample, KeepsNeitherADamagedClipNorOneForWhichThereIsNoRoom) {
-    const TempFolder folder;
-    const std::string noise = folder / "noise.mkv";
-    ffmpeg("-f lavfi -i color=gray:s=1280x720:r=25:d=4 -vf noise=alls=100:allf=t -c:v mpeg4 -q:v 2 -g 1000 " +
-           quoted(noise));
-    const std::string whole = walkers_clip(folder, "whole.avi", "-c:v mpeg4 -q:v 2 -g 30");
-    for (const std::string& name : {noise, spoiled(folder, whole), cut(folder, whole, 0.7)}) {
-        video::SourceOptions options;
-        options.field_size = {-1, -1};
-        const auto fresh = video::open_source(name, options);
-        const auto wanted = read_all(*fresh);
-        const auto source = video::open_source(name, options);
-        EXPECT_GE(source->sample(9).size(), 4u);
-        expect_same(read_all(*source), wanted, name);
-        EXPECT_EQ(source->damaged(), fresh->damaged());
-        source->sample(9);
-        std::filesystem::resize_file(name, 4096);
-        EXPECT_LT(read_all(*source).size(), wanted.size());
-    }
 }
 
 TEST(Sample, TakesKeyFramesWhereThereAreEnough) {

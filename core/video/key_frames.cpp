@@ -1,0 +1,56 @@
+#include "core/video/key_frames.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/video/decoder.h"
+#include "core/video/demuxer.h"
+#include "core/video/stream_info.h"
+
+namespace vvr::video {
+
+double KeyFrames::scan(const Input& input, double rate, double begin) {
+    Demuxer demuxer(input, Demuxer::Kind::video, rate);
+    files_.push_back(input);
+    const auto packet = av::make_packet();
+    double first = std::numeric_limits<double>::infinity();
+    double last = -std::numeric_limits<double>::infinity();
+    double last_key = last;
+    while (demuxer.read(*packet)) {
+        const auto time = demuxer.seconds(packet->pts != AV_NOPTS_VALUE ? packet->pts : packet->dts);
+        if (!time) continue;
+        first = std::min(first, *time);
+        last = std::max(last, *time);
+        if (!(packet->flags & AV_PKT_FLAG_KEY) || *time < last_key) continue;
+        last_key = *time;
+        ++seen_;
+        const double at = begin + *time - first;
+        if (!sampler_.wants(at)) continue;
+        av::Ptr<AVPacket> copy(av_packet_clone(packet.get()));
+        if (!copy) throw Error(ErrorKind::limit, "out of memory while reading the video");
+        sampler_.keep(at, {files_.size() - 1, at, std::move(copy)});
+    }
+    return last < first ? begin : begin + last - first + demuxer.frame_duration();
+}
+
+std::vector<Frame> KeyFrames::decode(double rate, Scaler& scale) {
+    if (seen_ < count_) return {};
+    const std::vector<KeyPacket> keys = sampler_.take();
+    std::vector<Frame> frames;
+    for (auto key = keys.begin(); key != keys.end();) {
+        const Input& input = files_[key->file];
+        Demuxer demuxer(input, Demuxer::Kind::video, rate);
+        Decoder decoder(demuxer, input.name, 1);
+        const auto end = std::find_if(key, keys.end(), [&](const KeyPacket& k) { return k.file != key->file; });
+        for (; key != end; ++key) {
+            auto image = decoder.decode_alone(*key->packet);
+            if (image) frames.push_back(scale({0, key->time, orientation_of(demuxer.stream()), std::move(image)}));
+        }
+    }
+    if (frames.size() < keys.size() / 2 + 1) frames.clear();
+    return frames;
+}
+
+}  // namespace vvr::video
