@@ -42,9 +42,11 @@ class Account {
         ++outcome_.drawn;
         const std::string events = sidecar.events ? counted(*sidecar.events, "event") + ", " : "";
         log_.info("{} {}: {}{:.1f} s", next(), name, events, sidecar.took);
-        for (const std::string& warning : warnings) log_.info("{}: {}", name, warning);
         if (sidecar.status == 0) {
+            // What is not right in a day's clips is in its reason.
             if (!sidecar.reason.empty()) log_.warn("{}: {}", name, sidecar.reason);
+            for (const std::string& warning : sidecar.reason.empty() ? warnings : std::vector<std::string>())
+                log_.info("{}: {}", name, warning);
             return;
         }
         ++outcome_.not_whole;

@@ -356,6 +356,15 @@ def test_archive_limits_its_workers(t):
     t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "200M", "--size", "4000x4000").expect(6, "a.avi failed, status ", "--max-memory")
 
 
+def test_an_archive_says_what_its_workers_warn_of(t):
+    t.path("in").mkdir()
+    t.clip("long.avi", seconds=3)
+    t.write("in/cut.avi", t.path("long.avi").read_bytes()[:-6000])
+    age(t)
+    archive(t).expect(0, "cut.avi: 'cut.avi': 1 damaged packet; shown are")
+    check(archive(t, "--quiet").err == "", "a warning of what is done before")
+
+
 def of_shard(t, number, count):
     return archive(t, "--shard", f"{number}/{count}", "--no-index", "--dry-run").expect(0, out=None).out.splitlines()
 
