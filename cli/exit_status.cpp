@@ -6,11 +6,13 @@
 #include <exception>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "cli/log.h"
 #include "core/base/memory.h"
 
 namespace vvr::cli {
@@ -26,7 +28,7 @@ constexpr std::array table{
     Row{ErrorKind::usage, ExitStatus::usage},         Row{ErrorKind::io, ExitStatus::io},
     Row{ErrorKind::not_video, ExitStatus::not_video}, Row{ErrorKind::backend, ExitStatus::backend},
     Row{ErrorKind::limit, ExitStatus::limit},         Row{ErrorKind::partial, ExitStatus::partial},
-    Row{ErrorKind::differs, ExitStatus::differs},
+    Row{ErrorKind::differs, ExitStatus::differs},     Row{ErrorKind::bug, ExitStatus::bug},
 };
 
 }  // namespace
@@ -36,11 +38,26 @@ ExitStatus exit_status(ErrorKind kind) {
     return row == table.end() ? ExitStatus::bug : row->status;
 }
 
+std::optional<ErrorCode> code_of_status(int status) {
+    const auto row = std::ranges::find(table, static_cast<ExitStatus>(status), &Row::status);
+    return row == table.end() ? std::nullopt : std::optional(general_code(row->kind));
+}
+
+namespace {
+
+/// Whether a text begins with a setting's name, as errors about one do: "threshold: 300 is not between 0 and 255".
+bool begins_with(const std::string& text, const std::string& name) {
+    if (!text.starts_with(name) || text.size() == name.size()) return false;
+    return text[name.size()] == ':' || text[name.size()] == ' ';
+}
+
+}  // namespace
+
 std::string with_flags(const std::string& text, const RelatedSettings& about) {
     std::string flagged = text;
     std::string others;
     for (const std::string& name : about.names()) {
-        if (text.starts_with(name)) {
+        if (begins_with(text, name)) {
             flagged = fmt::format("--{}", text);
         } else {
             others += fmt::format("{}--{}", others.empty() ? "" : ", ", name);
@@ -60,7 +77,7 @@ constexpr std::string_view out_of_memory =
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::exception& error) {
         if (is_out_of_memory(error)) {
-            for (const std::string_view text : {std::string_view("vvr: "), out_of_memory, std::string_view("\n")}) {
+            for (const std::string_view text : {"vvr: ", out_of_memory.data(), " [out-of-memory]\n"}) {
                 [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
             }
             ::_exit(static_cast<int>(ExitStatus::limit));
@@ -77,24 +94,32 @@ void install_terminate_handler() {
     std::set_terminate(end_program);
 }
 
-ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
+namespace {
+
+Outcome outcome_of(const std::function<ExitStatus()>& action) {
+    const auto outcome = [](ErrorCode code, std::string text) {
+        return Outcome{exit_status(row_of(code).kind), code, std::move(text)};
+    };
     try {
-        return action();
+        return {action()};
     } catch (const Error& error) {
-        log.error("{}", with_flags(error.what(), error.about()));
-        return exit_status(error.kind());
+        return outcome(error.code(), with_flags(error.what(), error.about()));
     } catch (const std::exception& error) {
-        if (is_out_of_memory(error)) {
-            log.error("{}", out_of_memory);
-            return ExitStatus::limit;
+        if (is_out_of_memory(error)) return outcome(ErrorCode::out_of_memory, std::string(out_of_memory));
+        if (const auto* const system = dynamic_cast<const std::system_error*>(&error)) {
+            return outcome(code_of_system_error(system->code().value()), error.what());
         }
-        if (dynamic_cast<const std::system_error*>(&error) != nullptr) {
-            log.error("{}", error.what());
-            return ExitStatus::io;
-        }
-        log.error("this is a bug in vvr, please report it with the command line: {}", error.what());
-        return ExitStatus::bug;
+        return outcome(ErrorCode::bug,
+                       fmt::format("this is a bug in vvr, please report it with the command line: {}", error.what()));
     }
+}
+
+}  // namespace
+
+Outcome report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action) {
+    const Outcome outcome = outcome_of(action);
+    if (outcome.code) log_error(log, *outcome.code, outcome.text);
+    return outcome;
 }
 
 }  // namespace vvr::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <spdlog/logger.h>
@@ -25,12 +26,22 @@ enum class ExitStatus {
 
 ExitStatus exit_status(ErrorKind kind);
 
+/// The general code of what ends with a status; nothing where no error does.
+std::optional<ErrorCode> code_of_status(int status);
+
 /// A text with the options of the settings that it is about: `threshold: 300 ...` becomes `--threshold: 300 ...`, and
 /// what the text does not begin with follows in brackets.
 std::string with_flags(const std::string& text, const RelatedSettings& about);
 
-/// Runs `action`; whatever it throws becomes a line for people and an exit status. The one place that does so.
-ExitStatus report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action);
+/// What came of a run.
+struct Outcome {
+    ExitStatus status = ExitStatus::done;
+    std::optional<ErrorCode> code{};  ///< of the error that ended it; none = nothing was thrown
+    std::string text{};               ///< of that error, for people
+};
+
+/// Runs `action`; whatever it throws becomes a line for people, a code and an exit status. The one place that does so.
+Outcome report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action);
 
 /// Makes a program that a library ends with std::terminate, for want of memory or of a thread, end with status 5 and
 /// its line. What is half written then has a hidden name, and goes at the next run.

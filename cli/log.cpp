@@ -25,6 +25,8 @@
 
 namespace vvr::cli {
 
+namespace {
+
 /// Appends lines to a file, each in one write, so that several programs can share it. When the file at its path is
 /// another than the one that is open, or there is none any more, it is opened anew.
 class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
@@ -46,19 +48,17 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
     int fd_;
 };
 
-namespace {
-
 int open_at_end(const std::string& path) {
     constexpr mode_t mode = 0666;
     return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, mode);
 }
 
-}  // namespace
-
 LogFile::LogFile(std::string path) : path_(std::move(path)), fd_(open_at_end(path_)) {
     if (fd_ >= 0) return;
-    throw Error(ErrorKind::io, fmt::format("cannot write the log '{}': {}; check its folder and permissions", path_,
-                                           std::strerror(errno)));
+    const int error = errno;
+    throw Error(code_of_system_error(error), fmt::format("cannot write the log '{}': {}; check its folder and "
+                                                         "permissions",
+                                                         path_, std::strerror(error)));
 }
 
 LogFile::~LogFile() {
@@ -83,8 +83,6 @@ void LogFile::sink_it_(const spdlog::details::log_msg& message) {
     [[maybe_unused]] const auto written = fd_ < 0 ? 0 : ::write(fd_, line.data(), line.size());
 }
 
-namespace {
-
 /// Marks warnings; other lines speak for themselves.
 class WarningFlag : public spdlog::custom_flag_formatter {
   public:
@@ -99,11 +97,18 @@ std::string payload_of(const spdlog::details::log_msg& message) {
     return shown_text(redact_secrets({message.payload.data(), message.payload.size()}));
 }
 
+/// The name of the code of an error's line, null for other lines. A line of spdlog has room for where in the source it
+/// is from, which no line of ours says: log_error puts the name there.
+const char* code_of(const spdlog::details::log_msg& message) {
+    return message.source.funcname;
+}
+
 /// What is said, as a terminal and a log may show it: names in it may be anybody's.
 class SaidText : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
-        const std::string text = payload_of(message);
+        std::string text = payload_of(message);
+        if (const char* const code = code_of(message)) text += fmt::format(" [{}]", code);
         out.append(text.data(), text.data() + text.size());
     }
     std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<SaidText>(); }
@@ -115,10 +120,11 @@ class JsonLines : public spdlog::formatter {
     void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
         const auto time = std::chrono::floor<std::chrono::milliseconds>(message.time);
         const auto level = spdlog::level::to_string_view(message.level);
-        const nlohmann::ordered_json line{
+        nlohmann::ordered_json line{
             {"time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)))},
             {"level", std::string(level.data(), level.size())},
             {"message", payload_of(message)}};
+        if (const char* const code = code_of(message)) line["code"] = code;
         const std::string text = json_text(line) + "\n";
         out.append(text.data(), text.data() + text.size());
     }
@@ -145,6 +151,23 @@ std::unique_ptr<spdlog::formatter> make_lines(const std::string& name, bool time
     return std::ranges::find(formats, name, &LogFormat::name)->make(timed);
 }
 
+class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
+  public:
+    std::vector<std::string> texts() {
+        const std::lock_guard lock(mutex_);
+        return texts_;
+    }
+
+  protected:
+    void sink_it_(const spdlog::details::log_msg& message) override {
+        if (message.level == spdlog::level::warn) texts_.push_back(payload_of(message));
+    }
+    void flush_() override {}
+
+  private:
+    std::vector<std::string> texts_;
+};
+
 constexpr std::size_t on_stderr = 0;  // among the sinks
 
 }  // namespace
@@ -155,6 +178,10 @@ std::shared_ptr<spdlog::logger> make_log() {
     set_format(*log, "text");
     set_verbosity(*log, Verbosity::normal);
     return log;
+}
+
+void log_error(spdlog::logger& log, ErrorCode code, std::string_view text) {
+    log.log(spdlog::source_loc("", 1, row_of(code).name), spdlog::level::err, "{}", text);
 }
 
 void set_verbosity(spdlog::logger& log, Verbosity talk) {
@@ -175,6 +202,12 @@ void add_file(spdlog::logger& log, const std::string& path, const std::string& f
     file->set_formatter(make_lines(format, true));
     file->set_level(std::min(spdlog::level::info, log.sinks()[on_stderr]->level()));
     log.sinks().push_back(std::move(file));
+}
+
+std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log) {
+    auto kept = std::make_shared<KeptWarnings>();
+    log.sinks().push_back(kept);
+    return [kept] { return kept->texts(); };
 }
 
 }  // namespace vvr::cli

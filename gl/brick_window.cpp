@@ -62,7 +62,7 @@ void BrickTextures::upload(std::int64_t number, const bricks::BrickLayers& layer
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
     if (std::max<std::int64_t>({width, height, layers.count()}) > largest) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::picture_too_large,
                     fmt::format("a brick of {}x{} with {} layers is larger than this OpenGL's largest 3D texture ({}); "
                                 "choose smaller fields or shorter bricks",
                                 width, height, layers.brick().count, largest),

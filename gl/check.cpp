@@ -39,7 +39,7 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
     }
     if (error == GL_OUT_OF_MEMORY) {
-        throw Error(ErrorKind::limit,
+        throw Error(ErrorCode::out_of_memory,
                     fmt::format("OpenGL ran out of memory while {}; try a smaller picture, smaller fields, or more "
                                 "frames per layer",
                                 doing),
@@ -47,7 +47,7 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     }
     if (error == context_lost) {
         throw Error(
-            ErrorKind::backend,
+            ErrorCode::opengl_lost,
             fmt::format("OpenGL lost its context (GL_CONTEXT_LOST) while {}: the GPU or its driver was reset; try "
                         "again, or draw with the backend software",
                         doing),
@@ -55,13 +55,13 @@ void check_gl(const GladGLContext& gl, std::string_view doing) {
     }
     const std::string failure = fmt::format("OpenGL failed with {} ({:#x}) while {}", name(error), error, doing);
     throw_if_out_of_memory(failure);
-    throw Error(ErrorKind::backend, failure);
+    throw Error(ErrorCode::backend, failure);
 }
 
 void throw_if_out_of_memory(std::string_view failure) {
     constexpr std::int64_t taken = 256'000'000;  // bytes: a driver, its compiler and a small picture
     if (is_memory_available(taken)) return;
-    throw Error(ErrorKind::limit,
+    throw Error(ErrorCode::out_of_memory,
                 fmt::format("out of memory for OpenGL: {}; allow the program more, or try a smaller picture or smaller "
                             "fields",
                             failure),

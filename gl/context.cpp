@@ -52,14 +52,14 @@ void GLAD_API_PTR forward_message(GLenum /*source*/, GLenum type, GLuint /*id*/,
 
 void Context::finish(std::string_view get_proc_address, GLADuserptrloadfunc load, void* user) {
     if (!gladLoadGLContextUserPtr(&gl_, load, user)) {
-        throw Error(ErrorKind::backend, fmt::format("{} gives no OpenGL 3.3 functions", get_proc_address));
+        throw Error(ErrorCode::opengl_unavailable, fmt::format("{} gives no OpenGL 3.3 functions", get_proc_address));
     }
     renderer_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
     version_ = reinterpret_cast<const char*>(gl_.GetString(GL_VERSION));
 }
 
 void Context::listen(DriverMessages messages) {
-    if (!gl_.KHR_debug) throw Error(ErrorKind::backend, "the driver has no GL_KHR_debug, so it can't be heard");
+    if (!gl_.KHR_debug) throw Error(ErrorCode::backend, "the driver has no GL_KHR_debug, so it can't be heard");
     messages_ = std::move(messages);
     gl_.Enable(GL_DEBUG_OUTPUT);
     gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -81,7 +81,7 @@ std::unique_ptr<Context> open_context(std::string_view name, int device, DriverM
     }
     if (tried.empty()) refuse_choice("backend", name, backend_names());
     throw_if_out_of_memory(fmt::format("no context from {}", tried));
-    throw Error(ErrorKind::backend,
+    throw Error(ErrorCode::opengl_unavailable,
                 fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it", name,
                             device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
@@ -130,12 +130,13 @@ Library::Library(const std::vector<std::string>& names) {
         }
         why = dlerror();
     }
-    throw Error(ErrorKind::backend, fmt::format("cannot load {}: {}", fmt::join(names, " or "), why));
+    throw Error(ErrorCode::opengl_unavailable, fmt::format("cannot load {}: {}", fmt::join(names, " or "), why));
 }
 
 void* Library::symbol(const char* name) const {
     void* address = dlsym(handle_.get(), name);
-    if (address == nullptr) throw Error(ErrorKind::backend, fmt::format("{} has no function {}", name_, name));
+    if (address == nullptr)
+        throw Error(ErrorCode::opengl_unavailable, fmt::format("{} has no function {}", name_, name));
     return address;
 }
 

@@ -57,13 +57,14 @@ struct Device {
 
 std::vector<Device> list_devices(const Egl& egl) {
     if (egl.query_devices == nullptr || egl.query_device_string == nullptr || egl.get_platform_display == nullptr) {
-        throw Error(ErrorKind::backend, "this libEGL cannot list devices (no EGL_EXT_device_enumeration)");
+        throw Error(ErrorCode::opengl_unavailable, "this libEGL cannot list devices (no EGL_EXT_device_enumeration)");
     }
     std::array<EGLDeviceEXT, 64> handles{};
     EGLint count = 0;
     const auto most = static_cast<EGLint>(handles.size());
     if (!while_loading([&] { return egl.query_devices(most, handles.data(), &count); })) {
-        throw Error(ErrorKind::backend, fmt::format("eglQueryDevicesEXT failed (EGL error {:#x})", egl.get_error()));
+        throw Error(ErrorCode::opengl_unavailable,
+                    fmt::format("eglQueryDevicesEXT failed (EGL error {:#x})", egl.get_error()));
     }
     std::vector<Device> devices;
     for (EGLint i = 0; i < count; ++i) {
@@ -102,7 +103,7 @@ class EglContext final : public Context {
   private:
     void create(bool debug) {
         if (!has_word(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-            throw Error(ErrorKind::backend, "the driver has no EGL_KHR_surfaceless_context");
+            throw Error(ErrorCode::opengl_unavailable, "the driver has no EGL_KHR_surfaceless_context");
         }
         if (!egl_.bind_api(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
         const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
@@ -110,7 +111,8 @@ class EglContext final : public Context {
         EGLConfig config = nullptr;
         EGLint configs = 0;
         if (!egl_.choose_config(display_, wanted.data(), &config, 1, &configs)) fail("eglChooseConfig");
-        if (configs == 0) throw Error(ErrorKind::backend, "eglChooseConfig: no configuration with desktop OpenGL");
+        if (configs == 0)
+            throw Error(ErrorCode::opengl_unavailable, "eglChooseConfig: no configuration with desktop OpenGL");
 
         // The flags come last, so that drivers that don't know them see them only in debug contexts.
         const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
@@ -140,7 +142,7 @@ class EglContext final : public Context {
     }
 
     [[noreturn]] void fail(const char* call) const {
-        throw Error(ErrorKind::backend, fmt::format("{} failed (EGL error {:#x})", call, egl_.get_error()));
+        throw Error(ErrorCode::opengl_unavailable, fmt::format("{} failed (EGL error {:#x})", call, egl_.get_error()));
     }
 
     Egl egl_;
@@ -158,7 +160,7 @@ std::vector<std::string> device_names() {
 std::unique_ptr<Context> open_kind(const std::string& backend, bool software, int number, bool debug) {
     const std::vector<Device> devices = list_devices(Egl{});
     if (number >= static_cast<int>(devices.size())) {
-        throw Error(ErrorKind::backend,
+        throw Error(ErrorCode::opengl_unavailable,
                     fmt::format("asked for EGL device {} but there are only {}", number, devices.size()));
     }
     std::vector<std::string> tried;
@@ -176,10 +178,10 @@ std::unique_ptr<Context> open_kind(const std::string& backend, bool software, in
         }
     }
     if (tried.empty()) {
-        throw Error(ErrorKind::backend, fmt::format("none of the {} EGL device(s) is a {}", devices.size(),
-                                                    software ? "software rasteriser" : "GPU"));
+        throw Error(ErrorCode::opengl_unavailable, fmt::format("none of the {} EGL device(s) is a {}", devices.size(),
+                                                               software ? "software rasteriser" : "GPU"));
     }
-    throw Error(ErrorKind::backend, fmt::format("{}", fmt::join(tried, "; ")));
+    throw Error(ErrorCode::opengl_unavailable, fmt::format("{}", fmt::join(tried, "; ")));
 }
 
 }  // namespace

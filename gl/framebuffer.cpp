@@ -18,7 +18,7 @@ void check_samples(const GladGLContext& gl, int samples) {
     const GLint most = std::min(max_drawn, max_sampled);
     if (samples <= most) return;
     throw Error(
-        ErrorKind::limit,
+        ErrorCode::option_value_out_of_range,
         fmt::format("samples {}: this OpenGL has at most {} per pixel; choose {} or fewer", samples, most, most),
         {"samples"});
 }
@@ -39,8 +39,9 @@ Framebuffer::Framebuffer(const GladGLContext& gl, Size size, int samples) : gl_(
     GLint largest = 0;
     gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (size.width > largest || size.height > largest) {
-        throw Error(ErrorKind::limit, fmt::format("a picture of {}x{} was asked for, this OpenGL draws at most {}x{}",
-                                                  size.width, size.height, largest, largest));
+        throw Error(ErrorCode::picture_too_large,
+                    fmt::format("a picture of {}x{} was asked for, this OpenGL draws at most {}x{}", size.width,
+                                size.height, largest, largest));
     }
     check_samples(gl, samples);
     drawn_ = make_drawn();
@@ -87,7 +88,7 @@ void Framebuffer::check_complete(int samples) const {
     const std::string failure = fmt::format("a framebuffer of {}x{} with {} samples is not complete ({:#x})",
                                             size_.width, size_.height, samples, status);
     throw_if_out_of_memory(failure);
-    throw Error(ErrorKind::backend, failure);
+    throw Error(ErrorCode::backend, failure);
 }
 
 void Framebuffer::bind(Size size) const {
@@ -172,7 +173,7 @@ PixelDataTarget::PixelDataTarget(const GladGLContext& gl, Size size)
             const std::string failure = fmt::format("a framebuffer for the pixel data of {}x{} is not complete ({:#x})",
                                                     size.width, size.height, status);
             throw_if_out_of_memory(failure);
-            throw Error(ErrorKind::backend, failure);
+            throw Error(ErrorCode::backend, failure);
         }
     }
     check_gl(gl, "making a framebuffer for pixel data");

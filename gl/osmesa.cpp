@@ -48,9 +48,9 @@ class OSMesaContext final : public Context {
                                            3,
                                            0};
         handle_.reset(while_loading([&] { return mesa_.create(attributes.data(), nullptr); }));
-        if (!handle_) throw Error(ErrorKind::backend, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
+        if (!handle_) throw Error(ErrorCode::opengl_unavailable, "OSMesaCreateContextAttribs (OpenGL 3.3 core) failed");
         if (!mesa_.make_current(handle_.get(), surface_.data(), GL_UNSIGNED_BYTE, side, side)) {
-            throw Error(ErrorKind::backend, "OSMesaMakeCurrent failed");
+            throw Error(ErrorCode::opengl_unavailable, "OSMesaMakeCurrent failed");
         }
         const auto load = [](void* user, const char* name) -> GLADapiproc {
             return static_cast<OSMesa*>(user)->get_proc_address(name);
@@ -72,7 +72,7 @@ class OSMesaContext final : public Context {
 Backend osmesa_backend() {
     return {"osmesa", "Mesa's software rasteriser through OSMesa, for machines without EGL",
             [](int device, bool /*debug*/) -> std::unique_ptr<Context> {
-                if (device >= 0) throw Error(ErrorKind::backend, "OSMesa has no devices to choose from");
+                if (device >= 0) throw Error(ErrorCode::opengl_unavailable, "OSMesa has no devices to choose from");
                 return std::make_unique<OSMesaContext>();
             },
             []() { return std::vector<std::string>{}; }, "apt-get install libosmesa6"};

@@ -26,7 +26,7 @@ void check_done(GLuint id, GLenum what, Get get, GetLog get_log, const std::stri
     get_log(id, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
     throw_if_out_of_memory(fmt::format("{}: {}", failed, log));
-    throw Error(ErrorKind::backend, fmt::format("{}: {}", failed, log));
+    throw Error(ErrorCode::backend, fmt::format("{}: {}", failed, log));
 }
 
 void compile(const GladGLContext& gl, GLuint shader, const std::string& name, std::span<const ShaderChunk> chunks) {

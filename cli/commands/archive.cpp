@@ -72,8 +72,8 @@ class Archive final : public Command {
         }
         for (const options::OptionValue& value : line.given(std::array{options::Group::run})) {
             if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
-            std::string passed = pass_on(value);
-            if (value.name != setting::gl_debug.name) options_.drawn_with.push_back(std::move(passed));
+            pass_on(value);
+            if (value.name != setting::gl_debug.name) options_.drawn_with.emplace_back(value.name, value.value);
         }
         options_.needs.gpu = gl::may_use_gpu(job_.backend.name);
         options_.names = job_.input.layouts;
@@ -82,9 +82,9 @@ class Archive final : public Command {
     }
 
   private:
-    std::string pass_on(const options::OptionValue& value) {
+    void pass_on(const options::OptionValue& value) {
         if (value.may_be_file) options_.needs.files.emplace_back(value.value);
-        return options_.worker_options.emplace_back(fmt::format("--{}={}", value.name, value.value));
+        options_.worker_settings.emplace_back(value.name, value.value);
     }
 
     workers::ArchiveOptions options_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/exit_status.h"
 #include "cli/options/command_line.h"
+#include "cli/workers/worker_message.h"
 
 namespace vvr::commands {
 
@@ -33,18 +35,6 @@ struct CommandRow {
     std::unique_ptr<Command> (*make)();
 };
 
-/// Every command.
-std::span<const CommandRow> commands();
-
-/// The options that config files can set, of every command.
-std::vector<options::CommandNames> names_of_commands();
-
-/// \throws Error usage when there is no command of that name
-const CommandRow& find_command(const std::string& name);
-
-/// Runs the command that the first argument names, with the others; --help as well.
-cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment);
-
 std::unique_ptr<Command> make_render();
 std::unique_ptr<Command> make_watch();
 std::unique_ptr<Command> make_extract();
@@ -56,5 +46,32 @@ std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_info();
 std::unique_ptr<Command> make_config();
 std::unique_ptr<Command> make_doctor();
+
+/// Every command, in the order of `vvr --help`.
+inline constexpr std::array command_rows{
+    CommandRow{"render", "draw a video as one picture", make_render},
+    CommandRow{"watch", "draw a live stream as a picture that is replaced after each brick", make_watch},
+    CommandRow{"extract", "write the data files of a video: scalar fields, flow, seeds", make_extract},
+    CommandRow{"seeds", "choose seeds anew on a flow that is stored, as lists", make_seeds_command},
+    CommandRow{"inspect", "show one frame's object, flow and seeds side by side, or draw regions on it", make_inspect},
+    CommandRow{"cut", "cut an event, or any piece, out of a clip", make_cut},
+    CommandRow{"archive", "draw every new clip of a folder, with pages and an index", make_archive},
+    CommandRow{"compare", "compare two pictures within a tolerance", make_compare},
+    CommandRow{"info", "describe a video, and what a render of it would do and need", make_info},
+    CommandRow{"config", "say which config file is in force, and what it sets", make_config},
+    CommandRow{"doctor", "say what this machine can do, and how to fix what it cannot", make_doctor},
+};
+
+/// The options that config files can set, of every command.
+std::vector<options::CommandNames> names_of_commands();
+
+/// \throws Error usage when there is no command of that name
+const CommandRow& find_command(const std::string& name);
+
+/// Runs the command that the first argument names, with the others; --help as well.
+cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment);
+
+/// Runs what a worker is to do.
+cli::ExitStatus run_plan(const workers::WorkerPlan& plan, const cli::Environment& environment);
 
 }  // namespace vvr::commands

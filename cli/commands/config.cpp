@@ -40,7 +40,7 @@ std::string file_line(const options::ConfigChoice& choice) {
 /// What the file sets for each command that it holds for.
 std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
-    for (const CommandRow& row : commands()) {
+    for (const CommandRow& row : command_rows) {
         const std::unique_ptr<Command> command = row.make();
         options::LogOptions talk;
         options::CommandLine line(std::string(row.name), std::string(row.help));

@@ -95,7 +95,7 @@ class Doctor final : public Command {
                        {"vvr doctor --backend software", "whether this one works: the status is 4 where it doesn't"}});
     }
 
-    cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
+    cli::ExitStatus run(const options::CommandLine&, const cli::Environment&) override {
         const std::vector<gl::BackendReport> reports = gl::probe_backends();
         cli::print(json_ ? as_json(reports) : as_text(reports));
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
@@ -103,8 +103,8 @@ class Doctor final : public Command {
             if (asked) gl::open_context(backend_.name, backend_.device);
             return cli::ExitStatus::done;
         }
-        environment.log.error("no backend works, so vvr can draw nothing here; the commands above fix it");
-        return cli::ExitStatus::backend;
+        throw Error(ErrorCode::opengl_unavailable,
+                    "no backend works, so vvr can draw nothing here; the commands above fix it");
     }
 
   private:

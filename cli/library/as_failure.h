@@ -22,6 +22,7 @@ constexpr FailureKind failure_kind(ErrorKind kind) {
             return FailureKind::backend;
         case ErrorKind::limit:
             return FailureKind::limit;
+        case ErrorKind::bug:
         case ErrorKind::partial:
         case ErrorKind::differs:
             break;  // of commands that the library does not have
@@ -35,12 +36,14 @@ auto as_failure(const Action& action) {
     try {
         return action();
     } catch (const Error& error) {
-        throw Failure(failure_kind(error.kind()), error.what());
+        throw Failure(failure_kind(error.kind()), row_of(error.code()).name, error.what());
     } catch (const std::exception& error) {
         if (is_out_of_memory(error)) {
-            throw Failure(FailureKind::limit, "out of memory; try a smaller field-size, size or window");
+            throw Failure(FailureKind::limit, row_of(ErrorCode::out_of_memory).name,
+                          "out of memory; try a smaller field-size, size or window");
         }
-        throw Failure(FailureKind::bug, std::string("this is a bug in vvr, please report it: ") + error.what());
+        throw Failure(FailureKind::bug, row_of(ErrorCode::bug).name,
+                      std::string("this is a bug in vvr, please report it: ") + error.what());
     }
 }
 

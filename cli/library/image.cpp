@@ -28,7 +28,7 @@ void write_image(const std::string& file, const Image& image) {
         const std::size_t values =
             sized ? std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) : 0;
         if (!sized || image.rgba.size() != values) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::usage,
                         fmt::format("'{}': an image of {}x{} pixels can't have {} values; it needs 4 per pixel", file,
                                     image.width, image.height, image.rgba.size()));
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <sstream>
 #include <type_traits>
 
 #include <CLI/CLI.hpp>
@@ -110,7 +111,7 @@ void as_setting(const Setting& setting, Action action) {
         action();
     } catch (const Error& error) {
         if (!error.about().names().empty() && error.about().names().front() == setting.name) throw;
-        throw Error(error.kind(), fmt::format("{}: {}", setting.name, error.what()), {setting.name});
+        throw Error(error.code(), fmt::format("{}: {}", setting.name, error.what()), {setting.name});
     }
 }
 
@@ -124,7 +125,7 @@ struct CommandLine::Impl {
     std::map<const CLI::Option*, bool> files{};
     NamesOfCommands names_of_commands{};
     std::map<const CLI::Option*, FileUse> uses{};
-    const std::vector<std::string>* arguments = nullptr;
+    std::vector<std::string>* arguments = nullptr;
     ConfigChoice config{};
     bool reads_config = true;
 
@@ -323,7 +324,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         const auto names = error.about().names();
         const CLI::Option* const wrong = names.empty() ? nullptr : app.get_option_no_throw("--" + names.front());
         if (config_name.empty() || wrong == nullptr || is_given(*wrong, arguments)) throw;
-        throw Error(error.kind(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
+        throw Error(error.code(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
                     error.about());
     } catch (const CLI::FileError&) {
         throw Error(ErrorKind::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
@@ -334,6 +335,18 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     refuse_leftovers();
     refuse_two_outputs();
     return true;
+}
+
+void CommandLine::take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings) {
+    CLI::App& app = impl_->app;
+    app.config_formatter(std::make_shared<GivenSettings>(app, settings));
+    std::istringstream nothing;
+    try {
+        app.parse_from_stream(nothing);
+    } catch (const CLI::ParseError& error) {
+        throw Error(ErrorCode::options_conflict, error.what());
+    }
+    if (impl_->arguments != nullptr) *impl_->arguments = std::move(inputs);
 }
 
 void CommandLine::refuse_two_outputs() const {

@@ -186,6 +186,11 @@ class CommandLine {
     /// \throws Error usage, or io when the config file can't be read
     bool parse(std::span<const std::string> arguments);
 
+    /// Takes the same as data: no config file is read, and no value is taken for anything else.
+    /// \param settings long names of options, and values as one types them; of two with the same name the last one
+    /// counts \throws Error usage
+    void take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings);
+
     /// The options of some groups: as given, else the default, which may be empty.
     std::vector<OptionValue> values(std::span<const Group> groups) const;
 

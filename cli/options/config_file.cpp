@@ -84,4 +84,22 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     return kept;
 }
 
+std::vector<CLI::ConfigItem> GivenSettings::from_config(std::istream& /*input*/) const {
+    std::vector<CLI::ConfigItem> taken;
+    for (const auto& [name, value] : settings_) {
+        const CLI::Option* const option = option_of(app_, name);
+        if (option == nullptr) {
+            throw Error(ErrorCode::option_unknown,
+                        fmt::format("there is no setting '{}'{}", name, did_you_mean(name, configurable_names(app_))));
+        }
+        const std::string& known = option->get_lnames().front();
+        auto item = std::ranges::find(taken, known, &CLI::ConfigItem::name);
+        if (item == taken.end()) item = taken.insert(taken.end(), {{}, known, {}});
+        if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll) item->inputs.clear();
+        item->inputs.push_back(value);
+    }
+    add_preset(app_, taken);
+    return taken;
+}
+
 }  // namespace vvr::options

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <istream>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,20 @@ class ConfigFile : public CLI::ConfigTOML {
     std::string command_;
     std::string file_;  ///< for errors
     NamesOfCommands names_;
+};
+
+/// Settings that are there as data, in the place of a config file.
+class GivenSettings : public CLI::ConfigTOML {
+  public:
+    GivenSettings(const CLI::App& app, std::span<const std::pair<std::string, std::string>> settings)
+        : app_(app), settings_(settings) {}
+
+    /// \throws Error usage for a name that no option has
+    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
+
+  private:
+    const CLI::App& app_;
+    std::span<const std::pair<std::string, std::string>> settings_;
 };
 
 /// The options of a command that a config file can set, by all their names.

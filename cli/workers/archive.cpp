@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/log.h"
 #include "cli/workers/archive_run.h"
 #include "core/archive/output_files.h"
 #include "core/base/error.h"
@@ -23,11 +24,13 @@
 
 namespace vvr::workers {
 
+namespace {
+
+namespace fs = std::filesystem;
+
 /// Which camera a clip of an archive is of and when it begins, and what tells that, for people: "camera gate,
 /// 2026-11-21 20:00:00 by file name (Frigate)".
 /// \param clip its path below the archive's folder
-std::string describe_name(const std::string& clip, const video::RecorderNames& names);
-
 std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
     const video::RecorderName name = names.read(clip);
     const std::string camera = names.camera_of(clip);
@@ -37,10 +40,6 @@ std::string describe_name(const std::string& clip, const video::RecorderNames& n
     return fmt::format("{}, {} {} ({})", text, labels::format_clock(utc + local_offset(utc)),
                        row_of(ClockSource::file_name).words, name.layout);
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 // Many times what the largest picture and page have. So a worker that a clip has taken over can't fill a disk.
 constexpr std::int64_t largest_file = 2'000'000'000;
@@ -66,8 +65,9 @@ Shares split_for_threads(const ArchiveOptions& options, std::size_t clips) {
             options.max_memory.value_or(std::max(memory / workers, least_limit))};
 }
 
-ArchiveJob job_of(const ArchiveOptions& options) {
+ArchiveJob job_of(const ArchiveOptions& options, const video::RecorderNames& names) {
     ArchiveJob job;
+    job.names = names;
     job.in = options.in;
     job.out = options.out;
     for (const archive::OutputRow& row : archive::output_rows) {
@@ -78,7 +78,7 @@ ArchiveJob job_of(const ArchiveOptions& options) {
     job.rules.tries = options.tries;
     job.rules.settle = options.settle;
     job.rules.redraw = options.redraw;
-    job.options = options.worker_options;
+    job.settings = options.worker_settings;
     job.drawn_with = options.drawn_with;
     return job;
 }
@@ -87,7 +87,7 @@ void make_folder(const fs::path& out) {
     std::error_code error;
     fs::create_directories(out, error);
     if (error) {
-        throw Error(ErrorKind::io,
+        throw Error(code_of_system_error(error.value()),
                     fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
     }
     // Permissions do not say everything, so a file is tried. What stands in the index's place is no reason to draw
@@ -95,18 +95,18 @@ void make_folder(const fs::path& out) {
     if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
 }
 
-void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job, const video::RecorderNames& names) {
+void print_plan(const std::vector<PlannedClip>& planned, const ArchiveJob& job) {
     for (const auto& [clip, need, reason] : planned) {
         if (need == archive::Need::nothing) continue;
         const bool failed = need == archive::Need::retry || need == archive::Need::given_up;
         const auto day = job.days.find(clip.path);
         cli::print(fmt::format("{:<15} {}{}{}\n", archive::name_of(need), shown_text(archive::text_of_path(clip.path)),
                                failed ? ": " + reason : "",
-                               day == job.days.end() ? "  " + describe_name(clip.path, names) : ""));
+                               day == job.days.end() ? "  " + describe_name(clip.path, job.names) : ""));
         if (day == job.days.end()) continue;
         for (const std::string& file : day->second.files) {
             cli::print(fmt::format("{:<15}   {}  {}\n", "", shown_text(archive::text_of_path(file)),
-                                   describe_name(file, names)));
+                                   describe_name(file, job.names)));
         }
     }
 }
@@ -158,19 +158,17 @@ void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive
         all == 1 ? "1 clip was" : fmt::format("{} clips were", all), (job.in / first->path).string());
 }
 
-void warn_of_undated(const std::vector<archive::Clip>& clips, const video::RecorderNames& names, const fs::path& in,
-                     spdlog::logger& log) {
-    const auto undated = [&](const archive::Clip& clip) { return !names.read(clip.path).begin; };
+void warn_of_undated(const std::vector<archive::Clip>& clips, const ArchiveJob& job, spdlog::logger& log) {
+    const auto undated = [&](const archive::Clip& clip) { return !job.names.read(clip.path).begin; };
     const auto first = std::ranges::find_if(clips, undated);
     if (first == clips.end()) return;
     log.warn(
         "'{}': the names of {} do not tell when they were recorded, the first '{}'; each is taken to be of the day "
         "when it was last written, which need not be the day it shows; --names can tell",
-        in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
+        job.in.string(), counted(std::ranges::count_if(clips, undated), "clip"), archive::text_of_path(first->path));
 }
 
-Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, const video::RecorderNames& names,
-              ArchiveJob& job, spdlog::logger& log) {
+Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, ArchiveJob& job, spdlog::logger& log) {
     archive::Scan scan = archive::scan_archive(job.in, job.out, clips);
     Survey survey;
     survey.clips = scan.clips.size();
@@ -178,7 +176,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, co
     warn_of_wrong_clocks(scan.clips, settling, job, log);
     std::vector<PlannedClip> days;
     if (options.per != Grouping::clip) {
-        archive::CameraDays grouped = archive::group_by_day(scan.clips, names, settling);
+        archive::CameraDays grouped = archive::group_by_day(scan.clips, job.names, settling);
         for (archive::CameraDay& day : grouped.days) {
             if (!options.shard.contains(day.clip.path)) continue;
             std::string path = day.clip.path;
@@ -188,7 +186,7 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, co
         scan.problems.insert(scan.problems.end(), grouped.problems.begin(), grouped.problems.end());
         if (options.per == Grouping::day) survey.waiting = grouped.waiting;
     }
-    if (options.per != Grouping::clip) warn_of_undated(scan.clips, names, options.in, log);
+    if (options.per != Grouping::clip) warn_of_undated(scan.clips, job, log);
     for (const archive::ScanProblem& problem : scan.problems) {
         log.error("'{}': {}", (job.in / problem.path).string(), problem.reason);
     }
@@ -205,8 +203,8 @@ bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
         step();
         return true;
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
-        log.error("{}", error.what());
+        if (!is_of_one_file(error)) throw;
+        cli::log_error(log, error.code(), error.what());
         return false;
     }
 }
@@ -214,24 +212,22 @@ bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
 }  // namespace
 
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment) {
-    ArchiveJob job = job_of(options);
-    const video::RecorderNames names(options.names, options.in);
-    job.names = names;
+    ArchiveJob job = job_of(options, video::RecorderNames(options.names, options.in));
     if (options.index_only) {
         make_folder(options.out);
-        write_index(job, names, environment);
+        write_index(job, environment);
         environment.log.info("'{}' is up to date", (options.out / archive::index_name).string());
         return cli::ExitStatus::done;
     }
     const auto begin = std::chrono::steady_clock::now();
     const archive::ClipNames clips(options.match, options.exclude);
-    const Survey found = survey(options, clips, names, job, environment.log);
+    const Survey found = survey(options, clips, job, environment.log);
     if (found.clips == 0) {
         environment.log.warn("no clips below '{}' (looked for {})", job.in.string(), clips.wanted());
     }
     if (options.dry_run) {
-        print_plan(found.planned, job, names);
-        if (options.prune) prune(job, clips, names, options.shard, true, environment);
+        print_plan(found.planned, job);
+        if (options.prune) prune(job, clips, options.shard, true, environment);
         return cli::ExitStatus::done;
     }
     make_folder(options.out);
@@ -250,10 +246,9 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
         outcome = draw_clips(job, work, shares.workers, environment);
     }
     // An index is written even where nothing can be pruned.
-    const bool pruned = !options.prune || goes_well(environment.log, [&] {
-        prune(job, clips, names, options.shard, false, environment);
-    });
-    const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, names, environment); });
+    const bool pruned =
+        !options.prune || goes_well(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
+    const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, environment); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     environment.log.info("'{}': {}", options.out.string(), summary_of(found, outcome, took.count()));
     if (!pruned || !indexed) return cli::ExitStatus::io;

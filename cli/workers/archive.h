@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/exit_status.h"
 #include "cli/workers/sandbox.h"
+#include "cli/workers/worker_message.h"
 #include "core/archive/clips.h"
 
 namespace vvr::workers {
@@ -49,8 +50,8 @@ struct ArchiveOptions {
     bool no_index = false;
     bool no_pages = false;
 
-    std::vector<std::string> worker_options;  ///< of `vvr render`, passed on as they are
-    std::vector<std::string> drawn_with;      ///< those of them that choose OpenGL; `vvr doctor` has them too
+    Settings worker_settings;  ///< of `vvr render`, passed on as they are
+    Settings drawn_with;       ///< those of them that choose OpenGL; `vvr doctor` has them too
     SandboxMode sandbox = SandboxMode::automatic;
     SandboxNeeds needs;    ///< of what is passed on
     std::string settings;  ///< changes with everything that decides how pictures look

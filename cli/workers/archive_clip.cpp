@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr int killed = 128;  // and the signal's number, as a shell shows it
 
 std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
-    const std::string words = last_message(end.said);
+    const std::string words = words_of(end);
     if (end.timed_out) {
         return fmt::format("it took longer than the {} s that --timeout allows", limits.time.count());
     }
@@ -76,32 +76,16 @@ int disk_full_reason(const fs::path& folder) {
 void throw_if_system_fault(const std::string& clip, const fs::path& folder, const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
-        const std::string words = last_message(end.said);
-        throw Error(ErrorKind::limit, fmt::format("the worker for '{}' could not be started{}", clip,
-                                                  words.empty() ? "; is vvr's own file still there?" : ": " + words));
+        const std::string words = words_of(end);
+        throw Error(ErrorCode::worker_start_failed,
+                    fmt::format("the worker for '{}' could not be started{}", clip,
+                                words.empty() ? "; is vvr's own file still there?" : ": " + words));
     }
     if (end.status != static_cast<int>(cli::ExitStatus::io)) return;
     const int error = disk_full_reason(folder);
-    if (error != ENOSPC && error != EDQUOT && error != EFBIG) return;
-    throw Error(ErrorKind::io, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
-                                           folder.string(), std::generic_category().message(error)));
-}
-
-/// More than any report has. It is read whole.
-constexpr std::uintmax_t most_of_a_report = 100'000'000;
-
-/// What a worker told of its clip.
-/// \throws Error io when that can't be read; a hostile clip may have written it
-void take_report_of_worker(archive::Sidecar& sidecar, const fs::path& report) {
-    std::error_code error;
-    if (!fs::is_regular_file(fs::symlink_status(report, error))) {
-        throw Error(ErrorKind::io, fmt::format("the report '{}' is no file", report.string()));
-    }
-    if (fs::file_size(report, error) > most_of_a_report) {
-        throw Error(ErrorKind::io,
-                    fmt::format("the report '{}' has more than {} MB", report.string(), most_of_a_report / 1'000'000));
-    }
-    archive::apply_report(sidecar, report);
+    if (code_of_system_error(error) != ErrorCode::disk_full) return;
+    throw Error(ErrorCode::disk_full, fmt::format("cannot write in '{}': {}; free some space or choose another folder",
+                                                  folder.string(), std::generic_category().message(error)));
 }
 
 /// Drawn, but without some of its files.
@@ -120,6 +104,16 @@ int status_of(const WorkerResult& end) {
     return end.status == 0 || is_not_whole(end) ? static_cast<int>(cli::ExitStatus::io) : end.status;
 }
 
+/// The same as a code. What the worker tells counts where its status agrees.
+ErrorCode code_of(const WorkerResult& end) {
+    if (end.timed_out) return ErrorCode::worker_timeout;
+    if (end.wrote_too_much) return ErrorCode::worker_output_limit;
+    if (end.status > killed) return ErrorCode::worker_killed;
+    const auto told = end.told.code;
+    if (told && static_cast<int>(cli::exit_status(row_of(*told).kind)) == end.status) return *told;
+    return cli::code_of_status(end.status).value_or(ErrorCode::worker_result_invalid);
+}
+
 void remove_files(const fs::path& out, const std::string& clip, const std::vector<archive::OutputKind>& kinds,
                   const std::vector<archive::OutputKind>& kept) {
     for (const archive::OutputKind kind : kinds) {
@@ -135,33 +129,23 @@ bool could_not_draw(const WorkerResult& end) {
 }
 
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
-    std::vector<std::string> arguments{"doctor", "--no-config"};
-    arguments.insert(arguments.end(), job.drawn_with.begin(), job.drawn_with.end());
     WorkerLimits limits = job.limits;
     limits.time = std::chrono::minutes(1);
-    return std::make_unique<Worker>(arguments, job.threads, limits, -1, job.sandbox->around({}, job.out));
+    return std::make_unique<Worker>(WorkerPlan{"doctor", {}, job.drawn_with}, job.threads, limits, -1,
+                                    job.sandbox->around({}, job.out));
 }
 
-// What vvr said last, an error of several lines as one; where it said nothing, what was said at all.
-std::string last_message(const std::string& said) {
+std::string words_of(const WorkerResult& end) {
+    if (!end.told.text.empty()) return end.told.text;
+    // It may be no vvr yet, or one that a library has ended. An error of several lines is one.
     constexpr std::string_view own = "vvr: ";
-    std::size_t begin = said.starts_with(own) ? 0 : std::string::npos;
-    if (const auto later = said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
-    std::string words = begin == std::string::npos ? said : said.substr(begin + own.size());
-    std::ranges::replace_if(
-        words, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-    words.erase(words.find_last_not_of(' ') + 1);
-    constexpr std::size_t longest_reason = 600;
-    return words.substr(0, longest_reason);
+    std::size_t begin = end.said.starts_with(own) ? 0 : std::string::npos;
+    if (const auto later = end.said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
+    return one_line(begin == std::string::npos ? end.said : end.said.substr(begin + own.size()));
 }
 
-bool is_disk_full(const std::string& text) {
-    // A name in quotes may say anything; the reason comes after it.
-    const auto quote = text.rfind('\'');
-    const std::string reason = quote == std::string::npos ? text : text.substr(quote);
-    return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG}, [&](int error) {
-        return reason.find(std::generic_category().message(error)) != std::string::npos;
-    });
+bool is_of_one_file(const Error& error) {
+    return error.kind() == ErrorKind::io && error.code() != ErrorCode::disk_full;
 }
 
 ClipTask::ClipTask(const ArchiveJob& job, archive::Clip clip, std::optional<archive::Sidecar> before,
@@ -200,6 +184,16 @@ std::string ClipTask::camera() const {
     return archive::text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
 }
 
+namespace {
+
+[[noreturn]] void throw_no_folder(const fs::path& folder, const std::error_code& error) {
+    throw Error(code_of_system_error(error.value()),
+                fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in the way",
+                            folder.string(), error.message()));
+}
+
+}  // namespace
+
 std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string& path) {
     const fs::path folder = archive::sidecar_path(job.out, path).parent_path();
     const std::string name = fs::path(path).filename().string();
@@ -207,9 +201,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
-        throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in "
-                                               "the way",
-                                               folder.string(), error.message()));
+        throw_no_folder(folder, error);
     }
     std::optional<archive::LockFile> claim = archive::LockFile::try_take(folder, name);
     if (!claim) return std::nullopt;
@@ -231,43 +223,38 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     ClipTask turn(job, std::move(*clip), std::move(before), std::move(*claim));
     fs::create_directory(turn.staging(), error);
     if (error) {
-        throw Error(ErrorKind::io, fmt::format("cannot make the folder '{}': {}; choose another -o, or fix what is in "
-                                               "the way",
-                                               turn.staging().string(), error.message()));
+        throw_no_folder(turn.staging(), error);
     }
     return turn;
 }
 
 std::unique_ptr<Worker> ClipTask::start() const {
-    static constexpr std::array options{
-        std::pair{archive::OutputKind::picture, "--output="}, std::pair{archive::OutputKind::page, "--page="},
-        std::pair{archive::OutputKind::thumbnail, "--thumbnail="}, std::pair{archive::OutputKind::report, "--report="},
-        std::pair{archive::OutputKind::still, "--still="}};
-    std::vector<std::string> arguments{"render", "--no-config", "--quiet", "--plain-name",
-                                       fmt::format("--threads={}", job_->threads)};
+    static constexpr std::array outputs{
+        std::pair{archive::OutputKind::picture, "output"}, std::pair{archive::OutputKind::page, "page"},
+        std::pair{archive::OutputKind::thumbnail, "thumbnail"}, std::pair{archive::OutputKind::report, "report"},
+        std::pair{archive::OutputKind::still, "still"}};
+    WorkerPlan plan{"render", {}, {{"quiet", "true"}, {"plain-name", "true"}}};
+    const auto set = [&plan](const char* name, std::string value) {
+        if (!value.empty()) plan.settings.emplace_back(name, std::move(value));
+    };
+    set("threads", fmt::format("{}", job_->threads));
     std::vector<fs::path> read;
-    for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path}) {
-        const std::string clip = read.emplace_back(job_->in / file).string();
-        // So that no name is taken for an option or a list.
-        const bool plain = clip.front() != '-' && clip.front() != '[';
-        arguments.push_back(plain ? clip : "./" + clip);
+    for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path})
+        plan.inputs.push_back(read.emplace_back(job_->in / file).string());
+    if (day() != nullptr) {
+        set("join", "true");  // which files are of one camera was found out for all of the archive
+        set("title", archive::text_of_path(day()->camera));
     }
-    // Which files are of one camera was found out for all of the archive.
-    if (day() != nullptr) arguments.emplace_back("--join");
-    if (day() != nullptr && !day()->camera.empty())
-        arguments.push_back("--title=" + archive::text_of_path(day()->camera));
-    for (const auto& [kind, option] : options) {
-        if (std::ranges::count(job_->rules.files, kind) == 0) continue;
-        arguments.push_back(option + staged(kind).string());
+    for (const auto& [kind, name] : outputs) {
+        if (std::ranges::count(job_->rules.files, kind) > 0) set(name, staged(kind).string());
     }
     if (std::ranges::count(job_->rules.files, archive::OutputKind::page) > 0) {
-        arguments.push_back("--page-index=" + (job_->out / archive::index_name).string());
-        arguments.push_back("--page-place=" +
-                            archive::output_path(job_->out, clip_.path, archive::OutputKind::page).string());
-        if (!camera().empty()) arguments.push_back("--page-camera=" + camera());
+        set("page-index", (job_->out / archive::index_name).string());
+        set("page-place", archive::output_path(job_->out, clip_.path, archive::OutputKind::page).string());
+        set("page-camera", camera());
     }
-    arguments.insert(arguments.end(), job_->options.begin(), job_->options.end());
-    return std::make_unique<Worker>(arguments, job_->threads, job_->limits, lock_.descriptor(),
+    plan.settings.insert(plan.settings.end(), job_->settings.begin(), job_->settings.end());
+    return std::make_unique<Worker>(plan, job_->threads, job_->limits, lock_.descriptor(),
                                     job_->sandbox->around(read, folder()));
 }
 
@@ -283,19 +270,23 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     sidecar.took = std::round(end.seconds * 1000) / 1000;
     sidecar.files = job_->rules.files;
     sidecar.status = end.status;
-    if (is_not_whole(end)) sidecar.reason = last_message(end.said);
-    take_report_of_worker(sidecar, staged(archive::OutputKind::report));
+    if (is_not_whole(end)) {
+        sidecar.code = code_of(end);
+        sidecar.reason = words_of(end);
+    }
+    archive::apply_report(sidecar, staged(archive::OutputKind::report));
     for (const archive::OutputKind kind : sidecar.files) {
         std::error_code none;
         if (fs::is_regular_file(fs::symlink_status(staged(kind), none))) continue;
-        throw Error(ErrorKind::io, fmt::format("the worker said that all is done, and there is no '{}'",
-                                               archive::output_path("", clip_.path, kind).string()));
+        throw Error(ErrorCode::worker_result_invalid,
+                    fmt::format("the worker said that all is done, and there is no '{}'",
+                                archive::output_path("", clip_.path, kind).string()));
     }
     return sidecar;
 }
 
 /// What is known of a clip that could not be drawn: of its files, if there are any, what was known before.
-archive::Sidecar ClipTask::failure(int status, const std::string& reason, double seconds) const {
+archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string& reason, double seconds) const {
     archive::Sidecar sidecar;
     if (before_ && !before_->files.empty()) {
         sidecar = *before_;
@@ -326,6 +317,7 @@ archive::Sidecar ClipTask::failure(int status, const std::string& reason, double
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.tries = (again ? before_->tries : 0) + 1;
     sidecar.status = status;
+    sidecar.code = code;
     sidecar.reason = reason;
     return sidecar;
 }
@@ -333,17 +325,15 @@ archive::Sidecar ClipTask::failure(int status, const std::string& reason, double
 archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals) {
     throw_if_system_fault(clip_.path, folder(), end);
     archive::Sidecar sidecar;
-    std::string reason = failed(end) ? reason_of(end, job_->limits) : "";
-    if (reason.empty()) {
-        try {
-            sidecar = read_results(end);
-        } catch (const Error& error) {
-            reason = error.what();
-        } catch (const std::bad_alloc&) {
-            reason = "its report is too large for the memory there is";
-        }
+    try {
+        sidecar = failed(end) ? failure(status_of(end), code_of(end), reason_of(end, job_->limits), end.seconds)
+                              : read_results(end);
+    } catch (const Error& error) {
+        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid, error.what(), end.seconds);
+    } catch (const std::bad_alloc&) {
+        sidecar = failure(status_of(end), ErrorCode::worker_result_invalid,
+                          "its report is too large for the memory there is", end.seconds);
     }
-    if (!reason.empty()) sidecar = failure(status_of(end), reason, end.seconds);
     const auto held = signals.hold();
     if (sidecar.state == archive::Sidecar::State::done) {
         for (const archive::OutputKind kind : sidecar.files) {
@@ -351,9 +341,10 @@ archive::Sidecar ClipTask::finish(const WorkerResult& end, cli::Signals& signals
             std::error_code error;
             fs::rename(staged(kind), place, error);
             if (error) {
-                throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; choose another folder or fix its "
-                                                       "permissions",
-                                                       place.string(), error.message()));
+                throw Error(code_of_system_error(error.value()),
+                            fmt::format("cannot write '{}': {}; choose another folder or fix its "
+                                        "permissions",
+                                        place.string(), error.message()));
             }
         }
     }

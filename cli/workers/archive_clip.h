@@ -22,8 +22,8 @@ struct ArchiveJob {
     std::filesystem::path in;
     std::filesystem::path out;
     archive::ArchiveRules rules;
-    std::vector<std::string> options;     ///< that workers are given as they stand
-    std::vector<std::string> drawn_with;  ///< those of them that choose OpenGL
+    Settings settings;    ///< that workers are given as they stand
+    Settings drawn_with;  ///< those of them that choose OpenGL
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
     int threads = 1;                                   ///< a worker
@@ -62,7 +62,7 @@ class ClipTask {
     std::filesystem::path staged(archive::OutputKind kind) const;
     std::string file_name() const;
     archive::Sidecar read_results(const WorkerResult& end) const;
-    archive::Sidecar failure(int status, const std::string& reason, double seconds) const;
+    archive::Sidecar failure(int status, ErrorCode code, const std::string& reason, double seconds) const;
     const archive::CameraDay* day() const;
     std::string camera() const;
 
@@ -79,10 +79,10 @@ bool could_not_draw(const WorkerResult& end);
 /// A worker that reads no clip, and ends with 0 where workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
 
-/// What a worker said last, for people.
-std::string last_message(const std::string& said);
+/// What a worker told of its run, for people; where it told nothing, what it said last.
+std::string words_of(const WorkerResult& end);
 
-/// Whether an error is that of a full disk, by its text.
-bool is_disk_full(const std::string& text);
+/// Whether an error is about one file, so that others may still fare well: io, but no full disk.
+bool is_of_one_file(const Error& error);
 
 }  // namespace vvr::workers

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/log.h"
 #include "cli/workers/worker.h"
 #include "core/archive/index.h"
 #include "core/archive/output_files.h"
@@ -29,27 +30,32 @@ class Account {
   public:
     Account(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
 
-    void add(const archive::Sidecar& sidecar) {
+    /// \param warnings what the worker has said of the clip
+    void add(const archive::Sidecar& sidecar, const std::vector<std::string>& warnings) {
         const std::string name = archive::text_of_path(sidecar.clip.path);
         if (sidecar.state == archive::Sidecar::State::failed) {
-            fail(sidecar.clip.path, fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
-                                                sidecar.shows ? "; the picture that is there stays" : ""));
+            fail(sidecar.clip.path, sidecar.code.value_or(ErrorCode::bug),
+                 fmt::format("status {}: {}{}", sidecar.status, sidecar.reason,
+                             sidecar.shows ? "; the picture that is there stays" : ""));
             return;
         }
         ++outcome_.drawn;
         const std::string events = sidecar.events ? counted(*sidecar.events, "event") + ", " : "";
         log_.info("{} {}: {}{:.1f} s", next(), name, events, sidecar.took);
         if (sidecar.status == 0) {
+            // What is not right in a day's clips is in its reason.
             if (!sidecar.reason.empty()) log_.warn("{}: {}", name, sidecar.reason);
+            for (const std::string& warning : sidecar.reason.empty() ? warnings : std::vector<std::string>())
+                log_.info("{}: {}", name, warning);
             return;
         }
         ++outcome_.not_whole;
-        log_.error("{}: {}", name, sidecar.reason);
+        cli::log_error(log_, sidecar.code.value_or(ErrorCode::partial), fmt::format("{}: {}", name, sidecar.reason));
     }
 
-    void fail(const std::string& clip, const std::string& reason) {
+    void fail(const std::string& clip, ErrorCode code, const std::string& reason) {
         ++outcome_.failed;
-        log_.error("{} {} failed, {}", next(), archive::text_of_path(clip), reason);
+        cli::log_error(log_, code, fmt::format("{} {} failed, {}", next(), archive::text_of_path(clip), reason));
     }
 
     void pass_over(const std::string& clip) {
@@ -75,8 +81,8 @@ std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& cli
         if (!turn) account.pass_over(clip);
         return turn;
     } catch (const Error& error) {
-        if (is_disk_full(error.what())) throw;
-        account.fail(clip, error.what());
+        if (error.code() == ErrorCode::disk_full) throw;
+        account.fail(clip, error.code(), error.what());
         return std::nullopt;
     }
 }
@@ -88,8 +94,8 @@ std::optional<archive::Sidecar> finish_task(ClipTask& turn, const std::string& c
     try {
         return turn.finish(end, signals);
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
-        account.fail(clip, error.what());
+        if (!is_of_one_file(error)) throw;
+        account.fail(clip, error.code(), error.what());
         return std::nullopt;
     }
 }
@@ -204,9 +210,9 @@ class Drawing {
     void take_test(const WorkerResult& end) {
         const std::vector<Drawn> unsure = std::exchange(unsure_, {});
         if (end.status != 0) {
-            const std::string words = last_message(end.said);
-            throw Error(ErrorKind::backend, fmt::format("no clip could be drawn, so this run ends here: {}",
-                                                        words.empty() ? "OpenGL doesn't start" : words));
+            const std::string words = words_of(end);
+            throw Error(ErrorCode::opengl_unavailable, fmt::format("no clip could be drawn, so this run ends here: {}",
+                                                                   words.empty() ? "OpenGL doesn't start" : words));
         }
         can_draw_ = true;
         for (const Drawn& drawn : unsure) finish(drawn);
@@ -214,7 +220,7 @@ class Drawing {
 
     void finish(const Drawn& drawn) {
         const auto sidecar = finish_task(*drawn.turn, drawn.clip, drawn.end, account_, environment_.signals);
-        if (sidecar) account_.add(*sidecar);
+        if (sidecar) account_.add(*sidecar, drawn.end.told.warnings);
     }
 
     const ArchiveJob& job_;
@@ -234,7 +240,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
     return drawing.wait_for_all();
 }
 
-void write_index(const ArchiveJob& job, const video::RecorderNames& names, const cli::Environment& environment) {
+void write_index(const ArchiveJob& job, const cli::Environment& environment) {
     // Of two runs that end together, the later one has to read what the other wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
     const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
@@ -245,33 +251,34 @@ void write_index(const ArchiveJob& job, const video::RecorderNames& names, const
                              (job.out / problem.path).string(), problem.reason);
     }
     archive::tidy(job.out, outputs);
-    const archive::DayFiles days = archive::make_day_files(outputs.sidecars, names);
+    const archive::DayFiles days = archive::make_day_files(outputs.sidecars, job.names);
     for (const auto& [name, text] : days) {
         try {
             put_file(job.out / name, text, environment.signals);
         } catch (const Error& error) {
-            if (error.kind() != ErrorKind::io || is_disk_full(error.what())) throw;
-            environment.log.error("{}", error.what());  // the index is of use without the events of a day
+            if (!is_of_one_file(error)) throw;
+            cli::log_error(environment.log, error.code(),
+                           error.what());  // the index is of use without the events of a day
         }
     }
     put_file(job.out / archive::index_name,
-             archive::make_index(outputs.sidecars, names, gone_of(job.in, outputs.sidecars)), environment.signals);
+             archive::make_index(outputs.sidecars, job.names, gone_of(job.in, outputs.sidecars)), environment.signals);
     remove_other_days(job.out, days);
 }
 
-std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const video::RecorderNames& names,
-                  const archive::Shard& shard, bool dry_run, const cli::Environment& environment) {
+std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
+                  const cli::Environment& environment) {
     std::vector<archive::Sidecar> sidecars = archive::list_outputs(job.out, job.in).sidecars;
     std::erase_if(sidecars, [&](const archive::Sidecar& sidecar) { return !shard.contains(sidecar.clip.path); });
     if (sidecars.empty()) return 0;
-    const archive::Present present = archive::find_present(job.in, job.out, clips, names);
+    const archive::Present present = archive::find_present(job.in, job.out, clips, job.names);
     archive::check_can_prune(job.in, present);
     std::set<std::string> away;
     std::size_t unknown = 0;
     std::size_t removed = 0;
     for (const archive::Sidecar& sidecar : sidecars) {
         // Just before its files go: a disk may have been unmounted since the last one.
-        const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, names);
+        const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, job.names);
         if (verdict.fate == archive::SourceState::away) away.insert(verdict.folder);
         if (verdict.fate == archive::SourceState::unknown) ++unknown;
         if (verdict.fate != archive::SourceState::gone) continue;
@@ -291,7 +298,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             environment.log.info("{}: the clip has gone, and its picture with it", name);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::io) throw;
-            environment.log.error("{}", error.what());
+            cli::log_error(environment.log, error.code(), error.what());
         }
     }
     for (const std::string& folder : away) {

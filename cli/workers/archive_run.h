@@ -35,7 +35,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
                           const cli::Environment& environment);
 
 /// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
-void write_index(const ArchiveJob& job, const video::RecorderNames& names, const cli::Environment& environment);
+void write_index(const ArchiveJob& job, const cli::Environment& environment);
 
 /// What is to become of each day of a camera, the newest first.
 std::vector<PlannedClip> plan_days(const ArchiveJob& job);
@@ -44,7 +44,7 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 /// \param clips of the run: what it leaves out of them is there all the same
 /// \returns how many there were
 /// \throws Error io when nobody can know what has gone
-std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const video::RecorderNames& names,
-                  const archive::Shard& shard, bool dry_run, const cli::Environment& environment);
+std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
+                  const cli::Environment& environment);
 
 }  // namespace vvr::workers

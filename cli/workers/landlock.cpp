@@ -86,8 +86,8 @@ constexpr std::array uses{
 };
 
 [[noreturn]] void refuse(const char* what, int error) {
-    throw Error(ErrorKind::limit, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off", what,
-                                              std::generic_category().message(error)));
+    throw Error(ErrorCode::sandbox_unavailable, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
+                                                            what, std::generic_category().message(error)));
 }
 
 }  // namespace

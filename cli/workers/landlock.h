@@ -28,7 +28,7 @@ Landlock find_landlock();
 class LandlockRules {
   public:
     /// \param abi that of find_landlock, at least 1
-    /// \throws Error limit when the kernel has no room for it
+    /// \throws Error backend when the kernel has no room for it
     explicit LandlockRules(int abi);
     ~LandlockRules();
     LandlockRules(const LandlockRules&) = delete;

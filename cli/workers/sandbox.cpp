@@ -164,7 +164,7 @@ Sandbox::Sandbox(SandboxMode mode, const SandboxNeeds& needs)
     landlock_ = find_landlock();
     no_filter_ = call_filter_error();
     if (mode == SandboxMode::required && (landlock_.abi == 0 || no_filter_ != 0)) {
-        throw Error(ErrorKind::backend,
+        throw Error(ErrorCode::sandbox_unavailable,
                     fmt::format("workers can't be shut in, and --sandbox required asks for it: {}; use a kernel that "
                                 "has it (Linux 5.13 or later, and in a container one that lets it through), or "
                                 "--sandbox auto",

@@ -66,7 +66,7 @@ class Confinement {
 /// machine.
 class Sandbox {
   public:
-    /// \throws Error backend when it is required and the kernel has not all of it; limit when it can't be made
+    /// \throws Error backend when it is required and the kernel has not all of it, or it can't be made
     Sandbox(SandboxMode mode, const SandboxNeeds& needs);
 
     /// Whether all that was asked for is in force.

@@ -288,8 +288,8 @@ namespace vvr::workers {
 namespace {
 
 [[noreturn]] void refuse(std::string_view what, int error) {
-    throw Error(ErrorKind::limit, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off", what,
-                                              std::generic_category().message(error)));
+    throw Error(ErrorCode::sandbox_unavailable, fmt::format("cannot make a worker's sandbox: {}: {}; try --sandbox off",
+                                                            what, std::generic_category().message(error)));
 }
 
 /// libseccomp answers with an error below 0.

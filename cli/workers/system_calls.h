@@ -15,7 +15,7 @@ int call_filter_error();
 class CallFilter {
   public:
     /// \param gpu with the ioctls of a graphics card's devices
-    /// \throws Error limit when it can't be made
+    /// \throws Error backend when it can't be made
     explicit CallFilter(bool gpu);
 
     /// Holds for the calling thread and for what it starts from now on. Allocates nothing, so it may stand between fork

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,49 +25,17 @@
 
 #include <fmt/format.h>
 
-#include "cli/workers/system_calls.h"
 #include "core/base/error.h"
 
 namespace vvr::workers {
 
 namespace {
 
-constexpr std::string_view open_mark = ":open";
-constexpr std::string_view shut_mark = ":shut";
-constexpr int not_begun = 127;
-
-}  // namespace
-
-std::string worker_value(int ready, bool confined) {
-    return fmt::format("{}{}", ready, confined ? shut_mark : open_mark);
-}
-
-void begin_worker() {
-    const char* const variable = std::getenv(worker_variable.data());
-    if (variable == nullptr) return;
-    const std::string value = variable;
-    ::unsetenv(worker_variable.data());
-    int ready = -1;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), ready);
-    const std::string_view mark(end, static_cast<std::size_t>(value.data() + value.size() - end));
-    if (error != std::errc() || ready <= STDERR_FILENO || (mark != open_mark && mark != shut_mark)) return;
-    if (mark == shut_mark && !block_startup_calls()) {
-        constexpr std::string_view words = "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
-        [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, words.data(), words.size());
-        ::_exit(not_begun);
-    }
-    [[maybe_unused]] const ssize_t told = ::write(ready, "", 1);
-    ::close(ready);
-}
-
-namespace {
-
 constexpr std::size_t most_said = 4096;  // the end is what counts: errors come last
-constexpr std::string_view no_walls = "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
 
 [[noreturn]] void refuse(const char* what, int error) {
-    throw Error(ErrorKind::limit, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
-                                              std::generic_category().message(error)));
+    throw Error(ErrorCode::worker_start_failed, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
+                                                            std::generic_category().message(error)));
 }
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
@@ -102,6 +70,7 @@ class Descriptor {
     }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
 
     int get() const { return file_; }
     int release() { return std::exchange(file_, -1); }
@@ -126,12 +95,27 @@ struct Pipe {
     Descriptor in;
 };
 
+/// A file in memory that holds a plan, to be read from its beginning. A pipe would hold the plan of a short day alone.
+Descriptor file_of(const WorkerPlan& plan) {
+    const std::string bytes = encode(plan);
+    Descriptor file(::memfd_create("vvr-plan", MFD_CLOEXEC));
+    if (file.get() < 0) refuse("memfd_create", errno);
+    for (std::string_view left = bytes; !left.empty();) {
+        const ssize_t written = ::write(file.get(), left.data(), left.size());
+        if (written < 0) refuse("write", errno);
+        left.remove_prefix(static_cast<std::size_t>(written));
+    }
+    ::lseek(file.get(), 0, SEEK_SET);
+    return file;
+}
+
 /// What happens between fork and exec: only calls that may stand there in a program with threads.
 struct ChildSetup {
     pid_t parent;
+    int plan;
     int output;
     int nothing;
-    int ready;
+    int message;
     int inherited;
     const WorkerLimits& limits;
     const Confinement& confinement;
@@ -149,11 +133,11 @@ struct ChildSetup {
     [[noreturn]] void run() const {
         ::setpgid(0, 0);
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (::getppid() != parent) ::_exit(127);
-        ::dup2(nothing, STDIN_FILENO);
+        if (::getppid() != parent) ::_exit(not_begun_status);
+        ::dup2(plan, STDIN_FILENO);
         ::dup2(nothing, STDOUT_FILENO);
         ::dup2(output, STDERR_FILENO);
-        ::fcntl(ready, F_SETFD, 0);
+        ::fcntl(message, F_SETFD, 0);
         if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
         // What is allocated counts, not address space: drivers reserve much more of that than they use.
         if (limits.memory > 0) allow_at_most(RLIMIT_DATA, limits.memory);
@@ -164,42 +148,39 @@ struct ChildSetup {
         ::sigprocmask(SIG_SETMASK, &open, nullptr);
         // Now, and not in the worker: libraries start threads before main, and Landlock holds for the one that asks.
         if (!confinement.enter()) {
-            [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, no_walls.data(), no_walls.size());
-            ::_exit(127);
+            [[maybe_unused]] const ssize_t told =
+                ::write(STDERR_FILENO, no_sandbox_text.data(), no_sandbox_text.size());
+            ::_exit(not_begun_status);
         }
         ::execve("/proc/self/exe", arguments, environment);
-        ::_exit(127);
+        ::_exit(not_begun_status);
     }
 };
 
 }  // namespace
 
-Worker::Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
+Worker::Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, int inherited,
                const Confinement& confinement)
     : limits_(limits) {
-    std::vector<std::string> texts{"vvr"};
-    texts.insert(texts.end(), arguments.begin(), arguments.end());
+    // The plan is all that counts: this is what `ps` shows.
+    std::vector<std::string> texts{"vvr", plan.command};
+    if (!plan.inputs.empty()) texts.push_back(plan.inputs.front());
     Pipe said;
-    Pipe ready;
+    Pipe told;
+    const Descriptor plan_file = file_of(plan);
     std::vector<std::string> variables =
-        environment_for(threads, worker_value(ready.in.get(), confinement.filters_calls()));
+        environment_for(threads, worker_value(told.in.get(), confinement.filters_calls()));
     const std::vector<char*> argument_pointers = pointers_to(texts);
     const std::vector<char*> variable_pointers = pointers_to(variables);
     const Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
-    const ChildSetup birth{::getpid(),
-                           said.in.get(),
-                           nothing.get(),
-                           ready.in.get(),
-                           inherited,
-                           limits,
-                           confinement,
-                           argument_pointers.data(),
-                           variable_pointers.data()};
+    const ChildSetup birth{
+        ::getpid(),  plan_file.get(),          said.in.get(),           nothing.get(), told.in.get(), inherited, limits,
+        confinement, argument_pointers.data(), variable_pointers.data()};
     process_ = ::fork();
     if (process_ == 0) birth.run();
     if (process_ < 0) refuse("fork", errno);
     output_ = said.out.release();
-    ready_ = ready.out.release();
+    told_ = told.out.release();
     ::setpgid(process_, process_);  // as the child does: whoever comes first
 }
 
@@ -209,7 +190,7 @@ Worker::~Worker() {
         reap(true);
     }
     ::close(output_);
-    ::close(ready_);
+    ::close(told_);
 }
 
 /// Without a sandbox it may have left its group.
@@ -258,6 +239,19 @@ void Worker::read_output() {
     }
 }
 
+/// A byte when it has begun, and its message when it has ended.
+void Worker::read_message() {
+    std::string text(1 + longest_message, 0);
+    std::size_t filled = 0;
+    ssize_t count = 0;
+    do {
+        count = ::read(told_, text.data() + filled, text.size() - filled);
+        filled += count > 0 ? static_cast<std::size_t>(count) : 0;
+    } while (count > 0);
+    end_.began = filled > 0;
+    if (filled > 1) end_.told = decode_message(std::string_view(text).substr(1, filled - 1));
+}
+
 void Worker::reap(bool wait) {
     int status = 0;
     pid_t ended = 0;
@@ -265,8 +259,7 @@ void Worker::reap(bool wait) {
     while (ended < 0 && errno == EINTR);
     if (ended != process_) return;
     ended_ = true;
-    char mark = 0;
-    end_.began = ::read(ready_, &mark, 1) == 1;
+    read_message();
     end_.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
 }
@@ -282,8 +275,9 @@ constexpr auto patience = 800ms;  // with workers that are asked to end
 WorkerPool::WorkerPool(int most, cli::Signals& signals)
     : most_(most), signals_(signals), wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
     if (wake_ < 0) {
-        throw Error(ErrorKind::limit, fmt::format("cannot wait for workers: {}; allow the program more open files",
-                                                  std::generic_category().message(errno)));
+        throw Error(ErrorCode::worker_start_failed,
+                    fmt::format("cannot wait for workers: {}; allow the program more open files",
+                                std::generic_category().message(errno)));
     }
     signals_.set_exit_hook([this] {
         ending_ = true;

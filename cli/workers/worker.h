@@ -7,27 +7,15 @@
 #include <list>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <sys/types.h>
 
 #include "cli/signals.h"
 #include "cli/workers/sandbox.h"
+#include "cli/workers/worker_message.h"
 
 namespace vvr::workers {
-
-/// The environment variable by which a worker is told that it is one.
-inline constexpr std::string_view worker_variable = "VVR_WORKER";
-
-/// What that variable says.
-/// \param ready a descriptor that the worker inherits, to say that it has begun
-/// \param confined whether a CallFilter is around it
-std::string worker_value(int ready, bool confined);
-
-/// In a worker: gives up what it needed to begin, and tells its parent that it has begun. So whatever comes later, a
-/// worker that never began is known from one that a clip has ended. Elsewhere: nothing.
-void begin_worker();
 
 /// What a worker may take. 0 = as much as it likes.
 struct WorkerLimits {
@@ -43,18 +31,19 @@ struct WorkerResult {
     bool began = false;           ///< it was a worker: nothing that comes after that undoes it
     bool timed_out = false;       ///< and was killed for it
     bool wrote_too_much = false;  ///< and was killed for it
-    std::string said;             ///< the end of what it wrote to stderr
+    WorkerMessage told;           ///< what it says of its run; empty where it did not get so far
+    std::string said;             ///< the end of what it wrote to stderr, for people
     double seconds = 0;
 };
 
-/// A child that runs this very program with other arguments, in a process group of its own. It ends when this process
+/// A child that runs this very program with a plan, in a process group of its own. It ends when this process
 /// does, however that comes about.
 class Worker {
   public:
-    /// \param threads for libraries that can't be told on the command line
+    /// \param threads for libraries that can't be told by a setting
     /// \param inherited a descriptor that it keeps open as long as it lives; -1 = none
     /// \throws Error limit when the system can't start a process
-    Worker(const std::vector<std::string>& arguments, int threads, const WorkerLimits& limits, int inherited,
+    Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, int inherited,
            const Confinement& confinement);
     ~Worker();
     Worker(const Worker&) = delete;
@@ -77,13 +66,14 @@ class Worker {
 
     void kill() const;
     void read_output();
+    void read_message();
     void reap(bool wait);
     void enforce_limits();
     std::int64_t written() const;
 
     pid_t process_ = -1;
     int output_ = -1;
-    int ready_ = -1;
+    int told_ = -1;
     bool ended_ = false;
     Clock::time_point began_ = Clock::now();
     WorkerLimits limits_;

@@ -34,13 +34,14 @@ fs::path file_for(const fs::path& folder, const std::string& name) {
     std::error_code none;
     const fs::file_status there = fs::symlink_status(path, none);
     if (fs::exists(there) && !fs::is_regular_file(there)) {
-        throw Error(ErrorKind::io, fmt::format("cannot lock '{}': it is {}; remove it", path.string(),
-                                               fs::is_symlink(there) ? "a link" : "not a regular file"));
+        throw Error(ErrorCode::not_a_file, fmt::format("cannot lock '{}': it is {}; remove it", path.string(),
+                                                       fs::is_symlink(there) ? "a link" : "not a regular file"));
     }
-    const bool full = error == ENOSPC || error == EDQUOT;
-    const char* next = full ? "free some space or choose another folder"
-                            : "choose a folder that can be written to, on a file system with locks";
-    throw Error(ErrorKind::io,
+    const ErrorCode code = code_of_system_error(error);
+    const char* next = code == ErrorCode::disk_full
+                           ? "free some space or choose another folder"
+                           : "choose a folder that can be written to, on a file system with locks";
+    throw Error(code,
                 fmt::format("cannot lock '{}': {}; {}", path.string(), std::generic_category().message(error), next));
 }
 
@@ -106,9 +107,10 @@ LockFile LockFile::wait_for(const fs::path& folder, const std::string& name, std
     for (;;) {
         if (auto claim = take(path, name)) return std::move(*claim);
         if (std::chrono::steady_clock::now() >= end) {
-            throw Error(ErrorKind::io, fmt::format("cannot lock '{}' for '{}': another program has had it for {} s; "
-                                                   "look what holds it with: fuser '{}'",
-                                                   path.string(), name, patience.count() / 1000, path.string()));
+            throw Error(ErrorCode::file_locked,
+                        fmt::format("cannot lock '{}' for '{}': another program has had it for {} s; "
+                                    "look what holds it with: fuser '{}'",
+                                    path.string(), name, patience.count() / 1000, path.string()));
         }
         std::this_thread::sleep_for(pause);
     }

@@ -97,13 +97,13 @@ class Walk {
         struct stat status {};
         if (::stat(out.c_str(), &status) == 0) seen_.emplace(status.st_dev, status.st_ino);
         if (::stat(in.c_str(), &status) == 0 && !S_ISDIR(status.st_mode)) {
-            throw Error(ErrorKind::io,
+            throw Error(ErrorCode::not_a_folder,
                         fmt::format("'{}' is a file, and an archive is a folder of clips; draw one clip with: vvr "
                                     "render '{}' -o picture.png",
                                     in.string(), in.string()));
         }
         if (::stat(in.c_str(), &status) != 0) {
-            throw Error(ErrorKind::io,
+            throw Error(code_of_system_error(errno),
                         fmt::format("cannot read the archive '{}': {}; check the name, and that its disk "
                                     "is mounted",
                                     in.string(), reason_of(errno)));
@@ -116,7 +116,7 @@ class Walk {
             if (::stat(above.c_str(), &folder) == 0) above_.emplace(folder.st_dev, folder.st_ino);
         }
         if (!seen_.emplace(status.st_dev, status.st_ino).second) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::options_conflict,
                         fmt::format("'{}' holds the clips and is to hold their pictures too; give -o a folder of its "
                                     "own, such as '{}'",
                                     in.string(), (in / "pictures").lexically_normal().string()));
@@ -126,8 +126,9 @@ class Walk {
     Scan run() {
         list("");
         if (!scan_.problems.empty() && scan_.problems.back().path.empty()) {
-            throw Error(ErrorKind::io, fmt::format("cannot read the archive '{}': {}; check its permissions",
-                                                   in_.string(), scan_.problems.back().reason));
+            throw Error(ErrorCode::permission_denied,
+                        fmt::format("cannot read the archive '{}': {}; check its permissions", in_.string(),
+                                    scan_.problems.back().reason));
         }
         for (; !folders_.empty() || !links_.empty();) {
             std::deque<std::string>& from = folders_.empty() ? links_ : folders_;
@@ -277,16 +278,16 @@ std::int64_t begin_of(const Clip& clip, const video::RecorderNames& names) {
     return can_be_time(begin) ? begin : written;
 }
 
-std::string date_of(std::int64_t utc) {
-    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc + local_offset(utc))));
-}
-
 /// Names come from anywhere: one that leads out of the folder, or is hidden there, is none for a folder.
 bool can_be_folder(const std::string& path) {
     return is_plain_path(path) && !path.starts_with('.') && path.find("/.") == std::string::npos;
 }
 
 }  // namespace
+
+std::string date_of(std::int64_t utc) {
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc + local_offset(utc))));
+}
 
 CameraDays group_by_day(const std::vector<Clip>& clips, const video::RecorderNames& names, const Settling& settling) {
     CameraDays grouped;

@@ -85,6 +85,10 @@ struct Shard {
     bool contains(std::string_view clip) const;
 };
 
+/// The day on the wall's calendar: "2026-11-21", in this machine's time zone.
+/// \param utc seconds since 1970
+std::string date_of(std::int64_t utc);
+
 /// All clips that a camera began on a day.
 struct CameraDay {
     std::string camera;              ///< empty = nobody knows

@@ -60,19 +60,11 @@ int files_of(const Sidecar& sidecar) {
 /// A clip's place in the index.
 struct Place {
     std::string camera;
-    std::int64_t begin = 0;  ///< seconds since 1970
-    ClockSource begin_source = ClockSource::none;
+    Begin begin;
 };
 
-/// What `begin_of` goes by.
-ClockSource source_of_begin(const Sidecar& sidecar, const video::RecorderNames& names) {
-    if (!sidecar.day && names.read(sidecar.clip.path).begin) return ClockSource::file_name;
-    return sidecar.recorded ? sidecar.recorded_by : ClockSource::modified;
-}
-
 Place place_of(const Sidecar& sidecar, const video::RecorderNames& names) {
-    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names),
-            source_of_begin(sidecar, names)};
+    return {sidecar.day ? sidecar.day->camera : names.camera_of(sidecar.clip.path), begin_of(sidecar, names)};
 }
 
 /// What the index tells of the events of a kind: seconds, or how many there are; 0 = nothing.
@@ -139,12 +131,12 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
     const auto camera = std::ranges::lower_bound(cameras, place.camera) - cameras.begin();
     Json row{camera,
              page::url_of_path(sidecar.clip.path),
-             place.begin,
+             place.begin.utc,
              std::round(sidecar.seconds * 10) / 10,
              sidecar.events ? Json(*sidecar.events) : Json(),
              files_of(sidecar) | (gone ? gone_bit : 0) | (sidecar.damaged > 0 ? damaged_bit : 0) |
-                 (place.begin_source == ClockSource::container ? container_bit : 0) |
-                 (place.begin_source == ClockSource::modified ? modified_bit : 0),
+                 (place.begin.source == ClockSource::container ? container_bit : 0) |
+                 (place.begin.source == ClockSource::modified ? modified_bit : 0),
              tallies_of(sidecar)};
     if (sidecar.state == Sidecar::State::failed) {
         row.push_back(sidecar.status);
@@ -161,7 +153,7 @@ Json row_of(const Sidecar& sidecar, const Place& place, const std::vector<std::s
 Json zone_of(const std::vector<Place>& places) {
     constexpr std::int64_t years = 3 * 366 * std::int64_t{86'400};
     std::set<std::int64_t> begins;
-    for (const Place& place : places) begins.insert(place.begin);
+    for (const Place& place : places) begins.insert(place.begin.utc);
     Json zone = Json::array();
     const auto add = [&](const ZoneChange& change) {
         zone.push_back({change.from, change.offset, zone_text(change.from)});
@@ -178,28 +170,22 @@ Json zone_of(const std::vector<Place>& places) {
 constexpr std::string_view day_file_begin = "index.";
 constexpr std::string_view day_file_end = ".js";
 
-/// The day on the wall's calendar: "2026-11-21".
-std::string day_of(std::int64_t utc) {
-    const std::chrono::sys_seconds wall{std::chrono::seconds(utc + local_offset(utc))};
-    const std::chrono::year_month_day date{std::chrono::floor<std::chrono::days>(wall)};
-    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                       static_cast<unsigned>(date.day()));
-}
-
 }  // namespace
 
-std::int64_t begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
+Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names) {
     // When its file was last written. What a later try has seen of the clip, its files don't show.
     const std::int64_t end = shown_by(sidecar).clip.modified / 1'000'000'000;
     const std::int64_t written = std::clamp<std::int64_t>(end - std::llround(sidecar.seconds), 0, last_time - 1);
     const auto named = sidecar.day ? std::nullopt : names.read(sidecar.clip.path).begin;
     if (named) {
-        if (const std::int64_t begin = video::utc_of(*named, written); can_be_time(begin)) return begin;
+        if (const std::int64_t begin = video::utc_of(*named, written); can_be_time(begin)) {
+            return {begin, ClockSource::file_name};
+        }
     }
     if (sidecar.recorded) {
-        if (const auto seconds = seconds_of(*sidecar.recorded)) return *seconds;
+        if (const auto seconds = seconds_of(*sidecar.recorded)) return {*seconds, sidecar.recorded_by};
     }
-    return written;
+    return {written, ClockSource::modified};
 }
 
 DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::RecorderNames& names) {
@@ -213,7 +199,7 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars, const video::Recor
         if (sidecar.found.empty() || (sidecar.day && one_by_one.contains(sidecar.day->camera))) continue;
         Json events = Json::array();
         for (const FoundEvent& event : sidecar.found) events.push_back(json_of(event));
-        Json& day = days[day_of(begin_of(sidecar, names))];
+        Json& day = days[date_of(begin_of(sidecar, names).utc)];
         day.push_back({page::url_of_path(sidecar.clip.path), std::move(events)});
     }
     DayFiles files;
@@ -256,7 +242,7 @@ std::string make_index(const std::vector<Sidecar>& sidecars, const video::Record
     }
     std::set<std::string> days;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!sidecars[i].found.empty()) days.insert(day_of(places[i].begin));
+        if (!sidecars[i].found.empty()) days.insert(date_of(places[i].begin.utc));
     }
     json["days"] = days;
     const std::string style = std::string(shared_files::theme_css) + std::string(index_files::index_css);

@@ -29,8 +29,13 @@ DayFiles make_day_files(const std::vector<Sidecar>& sidecars,
 /// Whether a file has the name of a day's.
 bool is_day_file(std::string_view name);
 
-/// When a clip begins, in seconds since 1970 (UTC): as its name says, else its container, else its length before its
-/// file was last written.
-std::int64_t begin_of(const Sidecar& sidecar, const video::RecorderNames& names = video::RecorderNames());
+/// When a clip begins, and what tells that.
+struct Begin {
+    std::int64_t utc = 0;  ///< seconds since 1970
+    ClockSource source = ClockSource::none;
+};
+
+/// As a clip's name says, else its container, else its length before its file was last written.
+Begin begin_of(const Sidecar& sidecar, const video::RecorderNames& names = video::RecorderNames());
 
 }  // namespace vvr::archive

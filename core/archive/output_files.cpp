@@ -104,7 +104,7 @@ std::optional<std::string_view> irregular_file_at(const fs::path& path) {
 
 void check_own_place(const fs::path& file) {
     if (const auto what = irregular_file_at(file)) {
-        throw Error(ErrorKind::io, fmt::format("cannot write '{}': it is {}; remove it", file.string(), *what));
+        throw Error(ErrorCode::not_a_file, fmt::format("cannot write '{}': it is {}; remove it", file.string(), *what));
     }
 }
 
@@ -115,9 +115,10 @@ void check_own_folder(const fs::path& out, const fs::path& folder) {
         place /= name;
         const auto what = irregular_file_at(place);
         if (!what || *what == "a folder") continue;
-        throw Error(ErrorKind::io, fmt::format("cannot write into '{}': it is {}, and no folder of this archive; "
-                                               "remove it",
-                                               place.string(), *what));
+        throw Error(ErrorCode::not_a_folder,
+                    fmt::format("cannot write into '{}': it is {}, and no folder of this archive; "
+                                "remove it",
+                                place.string(), *what));
     }
 }
 

@@ -92,8 +92,9 @@ Outputs list_outputs(const fs::path& out, const fs::path& in) {
         }
     }
     if (error) {
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; check the name and its permissions", out.string(),
-                                               error.message()));
+        throw Error(
+            code_of_system_error(error.value()),
+            fmt::format("cannot read '{}': {}; check the name and its permissions", out.string(), error.message()));
     }
     std::ranges::sort(outputs.problems, {}, &ScanProblem::path);
     std::ranges::sort(outputs.sidecars, {}, [](const Sidecar& sidecar) { return sidecar.clip.path; });
@@ -106,8 +107,9 @@ fs::path staging_of(const fs::path& out, const std::string& clip) {
 }
 
 void remove_staging(const fs::path& staging) {
+    // One that is empty goes even where nothing can be opened any more, as what it holds can't be listed then.
     std::error_code none;
-    fs::remove_all(staging, none);
+    if (!fs::remove(staging, none)) fs::remove_all(staging, none);
 }
 
 std::vector<std::string> written_names(const std::string& file_name) {
@@ -165,14 +167,15 @@ SourceStatus source_state_of(const fs::path& in, const Sidecar& sidecar, const P
 void check_can_prune(const fs::path& in, const Present& present) {
     const auto unread = std::ranges::find(present.scan.problems, true, &ScanProblem::unread);
     if (unread != present.scan.problems.end()) {
-        throw Error(ErrorKind::io, fmt::format("'{}' can't be read: {}; so nothing is pruned, as nobody knows what is "
+        throw Error(ErrorCode::io, fmt::format("'{}' can't be read: {}; so nothing is pruned, as nobody knows what is "
                                                "left",
                                                (in / unread->path).string(), unread->reason));
     }
     if (present.scan.clips.empty()) {
-        throw Error(ErrorKind::io, fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
-                                               "and they are gone for good, remove the pictures yourself",
-                                               in.string()));
+        throw Error(ErrorCode::archive_empty,
+                    fmt::format("no clip is left in '{}', so nothing is pruned; if its disk is mounted "
+                                "and they are gone for good, remove the pictures yourself",
+                                in.string()));
     }
 }
 

@@ -28,7 +28,8 @@ constexpr std::size_t before_path = 3;
 
 events::EventKind kind_of(const std::string& name) {
     const auto row = std::ranges::find(events::event_kinds, name, &events::EventKindRow::name);
-    if (row == events::event_kinds.end()) throw Error(ErrorKind::io, fmt::format("'{}' is no kind of event", name));
+    if (row == events::event_kinds.end())
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}' is no kind of event", name));
     return row->kind;
 }
 
@@ -48,17 +49,13 @@ int whole(const Json& json) {
     return whole(json.get<double>());
 }
 
-int tenths_of(double seconds) {
-    return static_cast<int>(std::lround(std::clamp(seconds * 10, -1e8, 1e8)));
-}
-
 FoundEvent event_of(const Json& event, double width, double height) {
     FoundEvent found;
     found.kind = kind_of(event.at("kind").get<std::string>());
     found.number = whole(event.at("number"));
     double still = 0;
     for (const Json& stay : event.at("stays")) still += stay.at("seconds").get<double>();
-    found.still = tenths_of(still);
+    found.still = whole(still * 10);
     std::vector<events::Waypoint> way;
     for (const Json& point : event.at("path")) {
         const Json& place = point.at("place");
@@ -213,6 +210,9 @@ std::optional<Sidecar> sidecar_of(const std::string& text) {
     sidecar.state = json.at("state") == "done" ? Sidecar::State::done : Sidecar::State::failed;
     sidecar.tries = static_cast<int>(whole_number(json.at("tries"), most_tries));
     sidecar.status = static_cast<int>(whole_number(json.at("status"), highest_status));
+    if (const Json code = json.value("code", Json()); code.is_string()) {
+        sidecar.code = find_error_code(code.get<std::string>());
+    }
     sidecar.reason = optional_of<std::string>(json.at("reason")).value_or("");
     sidecar.took = number(json.at("took_seconds"), longest_try);
     sidecar.files = kinds_of(json.at("files"), sidecar.clip.path);
@@ -278,6 +278,7 @@ std::string format_sidecar(const Sidecar& sidecar) {
               {"state", done ? "done" : "failed"},
               {"tries", sidecar.tries},
               {"status", sidecar.status},
+              {"code", sidecar.code ? Json(row_of(*sidecar.code).name) : Json()},
               {"reason", sidecar.reason.empty() ? Json() : Json(sidecar.reason)},
               {"took_seconds", sidecar.took}};
     if (sidecar.day) {
@@ -356,7 +357,7 @@ std::string problems_of(const Json& problems) {
 
 void apply_report(Sidecar& sidecar, const fs::path& report) {
     const auto refuse = [&](const std::string& why) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::worker_result_invalid,
                     fmt::format("cannot read the report '{}' that vvr render wrote: {}", report.string(), why));
     };
     try {
@@ -400,8 +401,9 @@ void remove_outputs(const fs::path& out, const Sidecar& sidecar) {
         std::error_code error;
         fs::remove(file, error);
         if (error) {
-            throw Error(ErrorKind::io, fmt::format("cannot remove '{}': {}; fix the permissions of its folder",
-                                                   file.string(), error.message()));
+            throw Error(code_of_system_error(error.value()),
+                        fmt::format("cannot remove '{}': {}; fix the permissions of its folder", file.string(),
+                                    error.message()));
         }
     }
 }

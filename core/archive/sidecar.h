@@ -11,6 +11,7 @@
 
 #include "core/archive/clips.h"
 #include "core/archive/output_files.h"
+#include "core/base/error.h"
 #include "core/base/wall_clock.h"
 #include "core/events/event_kind.h"
 #include "core/events/path.h"
@@ -50,8 +51,9 @@ struct Sidecar {
     std::string version;   ///< of the vvr that made them
     State state = State::done;
     int tries = 1;
-    int status = 0;      ///< exit status of the last try
-    std::string reason;  ///< why it failed; of one that is done, what is not right
+    int status = 0;                 ///< exit status of the last try
+    std::optional<ErrorCode> code;  ///< of what `reason` tells; older sidecars have none
+    std::string reason;             ///< why it failed; of one that is done, what is not right
     std::vector<OutputKind> files;
     double took = 0;  ///< seconds that the last try took
 

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -19,7 +20,92 @@ enum class ErrorKind {
     limit,      ///< out of memory, or over a stated limit
     partial,    ///< some of several inputs failed
     differs,    ///< a picture differs from its reference
+    bug,        ///< an error that should have been foreseen
 };
+
+/// What went wrong, for programs: a caller may act on it, and texts may change. Each has a row of error_rows().
+enum class ErrorCode {
+    usage,
+    command_unknown,
+    option_unknown,
+    option_value,
+    option_value_out_of_range,
+    choice_unknown,
+    options_conflict,
+    option_needs_another,
+    config_invalid,
+    input_missing,
+    input_unsuitable,
+    output_missing,
+    output_format_unknown,
+    output_replaces_input,
+    name_pattern_invalid,
+    span_empty,
+    event_unknown,
+    time_of_day_unknown,
+    recording_mixed,
+    extraction_unsuitable,
+    io,
+    file_not_found,
+    permission_denied,
+    disk_full,
+    not_a_file,
+    not_a_folder,
+    folder_not_empty,
+    too_many_open_files,
+    file_locked,
+    file_invalid,
+    stream_unreachable,
+    stream_timeout,
+    archive_empty,
+    worker_result_invalid,
+    not_video,
+    file_empty,
+    no_video_stream,
+    no_frame,
+    codec_unsupported,
+    playlist,
+    copy_impossible,
+    backend,
+    opengl_unavailable,
+    opengl_lost,
+    sandbox_unavailable,
+    limit,
+    out_of_memory,
+    memory_too_small,
+    file_too_large,
+    picture_too_large,
+    worker_start_failed,
+    worker_timeout,
+    worker_output_limit,
+    worker_killed,
+    partial,
+    picture_differs,
+    reference_missing,
+    bug,
+};
+
+/// What there is to know of a code. docs/reliability.md has the table for people.
+struct ErrorRow {
+    ErrorCode code;
+    const char* name;  ///< stable, for logs, sidecars and other programs: "file-not-found"
+    ErrorKind kind;
+    std::string_view meaning;
+};
+
+/// All codes, in the order of ErrorCode.
+std::span<const ErrorRow> error_rows();
+
+const ErrorRow& row_of(ErrorCode code);
+
+/// The code of that name; nothing where there is none.
+std::optional<ErrorCode> find_error_code(std::string_view name);
+
+/// What a kind has for all that has no code of its own.
+ErrorCode general_code(ErrorKind kind);
+
+/// What an error of the system is, as in errno.
+ErrorCode code_of_system_error(int error);
 
 /// The names of the settings (core/base/setting.h) that a text is about.
 class RelatedSettings {
@@ -41,14 +127,17 @@ class RelatedSettings {
 /// given.
 class Error : public std::runtime_error {
   public:
+    Error(ErrorCode code, const std::string& text, RelatedSettings about = {})
+        : std::runtime_error(text), code_(code), about_(about) {}
     Error(ErrorKind kind, const std::string& text, RelatedSettings about = {})
-        : std::runtime_error(text), kind_(kind), about_(about) {}
+        : Error(general_code(kind), text, about) {}
 
-    ErrorKind kind() const { return kind_; }
+    ErrorCode code() const { return code_; }
+    ErrorKind kind() const { return row_of(code_).kind; }
     const RelatedSettings& about() const { return about_; }
 
   private:
-    ErrorKind kind_;
+    ErrorCode code_;
     RelatedSettings about_;
 };
 

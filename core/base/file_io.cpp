@@ -65,14 +65,19 @@ bool is_descriptor_path(const std::string& path) {
     return path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
 }
 
+[[noreturn]] void refuse(const std::string& path, const char* what, int error) {
+    throw Error(code_of_system_error(error), fmt::format("{}: can't be {}: {}", path, what, std::strerror(error)));
+}
+
 [[noreturn]] void refuse_strange(const std::string& path) {
-    throw Error(ErrorKind::io, fmt::format("'{}' is no file but a device or a pipe; give a file", path));
+    throw Error(ErrorCode::not_a_file, fmt::format("'{}' is no file but a device or a pipe; give a file", path));
 }
 
 [[noreturn]] void refuse_length(const std::string& path, std::uintmax_t most) {
-    throw Error(ErrorKind::limit, fmt::format("'{}' is longer than such a file can be: at most {} MB are read; check "
-                                              "what it is",
-                                              path, most >> 20U));
+    throw Error(ErrorCode::file_too_large,
+                fmt::format("'{}' is longer than such a file can be: at most {} MB are read; check "
+                            "what it is",
+                            path, most >> 20U));
 }
 
 }  // namespace
@@ -92,12 +97,8 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
     check_is_file(path);
     const Opened file(path);
     struct stat status {};
-    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) {
-        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(errno)));
-    }
-    if (S_ISDIR(status.st_mode)) {
-        throw Error(ErrorKind::io, fmt::format("{}: can't be opened: {}", path, std::strerror(EISDIR)));
-    }
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, "opened", errno);
+    if (S_ISDIR(status.st_mode)) refuse(path, "opened", EISDIR);
     const bool piped = S_ISFIFO(status.st_mode) && is_descriptor_path(path);
     if (!S_ISREG(status.st_mode) && !piped) refuse_strange(path);
     if (piped) ::fcntl(file.get(), F_SETFL, 0);  // wait for the writer
@@ -110,7 +111,7 @@ std::string read_file(const std::string& path, std::uintmax_t most) {
         bytes.resize(filled + room);
         const ssize_t got = ::read(file.get(), bytes.data() + filled, room);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw Error(ErrorKind::io, fmt::format("{}: can't be read: {}", path, std::strerror(errno)));
+        if (got < 0) refuse(path, "read", errno);
         filled += static_cast<std::size_t>(got);
         if (filled > most) refuse_length(path, most);
         if (got == 0) {
@@ -129,7 +130,9 @@ void write_standard_output(std::span<const std::byte> bytes) {
         } else if (errno == EPIPE) {
             return;
         } else if (errno != EINTR) {
-            throw Error(ErrorKind::io, "cannot write to stdout: " + std::generic_category().message(errno));
+            const int error = errno;
+            throw Error(code_of_system_error(error),
+                        "cannot write to stdout: " + std::generic_category().message(error));
         }
     }
 }

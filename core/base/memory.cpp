@@ -1,8 +1,9 @@
 #include "core/base/memory.h"
 
 #include <new>
-#include <string_view>
+#include <stdexcept>
 #include <system_error>
+#include <typeinfo>
 
 #include <malloc.h>
 #include <sys/mman.h>
@@ -41,8 +42,8 @@ bool is_out_of_memory(const std::exception& error) {
         return system->code() == std::errc::resource_unavailable_try_again ||
                system->code() == std::errc::not_enough_memory;
     }
-    // TBB has no exception type for failing to start a thread.
-    return std::string_view(error.what()).starts_with("pthread_create has failed");
+    // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their own.
+    return typeid(error) == typeid(std::runtime_error);
 }
 
 }  // namespace vvr

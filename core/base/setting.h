@@ -33,7 +33,7 @@ void check(const Setting& setting, Number found) {
     const auto value = static_cast<double>(found);
     if (value >= setting.range.low && value <= setting.range.high) return;
     throw Error(
-        ErrorKind::usage,
+        ErrorCode::option_value_out_of_range,
         fmt::format("{}: {} is not between {} and {}", setting.name, found, setting.range.low, setting.range.high),
         {setting.name});
 }

@@ -118,7 +118,7 @@ std::string read_polygons(std::string_view setting, const std::string& file) {
     try {
         return read_polygons(file);
     } catch (const Error& error) {
-        throw Error(error.kind(), fmt::format("{}: {}", setting, error.what()), {setting});
+        throw Error(error.code(), fmt::format("{}: {}", setting, error.what()), {setting});
     }
 }
 

@@ -139,10 +139,10 @@ class TemporaryFile {
     }
 
     [[noreturn]] static void throw_error(const char* what, const fs::path& path, int error) {
-        const bool full = error == ENOSPC || error == EFBIG || error == EDQUOT;
-        throw Error(ErrorKind::io, fmt::format("cannot {} '{}': {}; {}", what, path.string(), reason(error),
-                                               full ? "free some space or choose another folder"
-                                                    : "choose another folder or fix its permissions"));
+        const ErrorCode code = code_of_system_error(error);
+        throw Error(code, fmt::format("cannot {} '{}': {}; {}", what, path.string(), reason(error),
+                                      code == ErrorCode::disk_full ? "free some space or choose another folder"
+                                                                   : "choose another folder or fix its permissions"));
     }
 
     fs::path path_;
@@ -172,26 +172,28 @@ void check_file_path(const fs::path& path) {
     std::error_code error;
     const fs::file_status place = fs::status(folder, error);
     if (place.type() == fs::file_type::not_found) {
-        throw Error(ErrorKind::io,
+        throw Error(ErrorCode::file_not_found,
                     fmt::format("cannot write '{}': there is no folder '{}'; make it with: mkdir -p '{}'",
                                 path.string(), folder.string(), folder.string()));
     }
     if (error) {
-        throw Error(ErrorKind::io,
+        throw Error(code_of_system_error(error.value()),
                     fmt::format("cannot write '{}': folder '{}': {}", path.string(), folder.string(), error.message()));
     }
     if (place.type() != fs::file_type::directory) {
-        throw Error(ErrorKind::io, fmt::format("cannot write '{}': '{}' is not a folder; choose another one",
-                                               path.string(), folder.string()));
+        throw Error(ErrorCode::not_a_folder, fmt::format("cannot write '{}': '{}' is not a folder; choose another one",
+                                                         path.string(), folder.string()));
     }
     const fs::file_status there = fs::status(target, error);
     if (fs::exists(there) && !fs::is_regular_file(there)) {
-        throw Error(ErrorKind::io, fmt::format("cannot write '{}': it is {}; give the name of a file", path.string(),
-                                               fs::is_directory(there) ? "a folder" : "not a regular file"));
+        throw Error(ErrorCode::not_a_file,
+                    fmt::format("cannot write '{}': it is {}; give the name of a file", path.string(),
+                                fs::is_directory(there) ? "a folder" : "not a regular file"));
     }
     if (fs::exists(there) && ::access(target.c_str(), W_OK) != 0) {
-        throw Error(ErrorKind::io, fmt::format("cannot write '{}': {}; remove it, or choose another name",
-                                               path.string(), reason(errno)));
+        const int why = errno;
+        throw Error(code_of_system_error(why), fmt::format("cannot write '{}': {}; remove it, or choose another name",
+                                                           path.string(), reason(why)));
     }
     // Permissions do not say everything: a server or a full disk may still refuse. So try.
     const TemporaryFile probe(target);

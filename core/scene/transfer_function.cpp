@@ -101,7 +101,7 @@ std::string read_text(const std::filesystem::path& path) {
     try {
         return read_file(path.string(), most_bytes::text);
     } catch (const Error& error) {
-        throw Error(error.kind(), fmt::format("cannot read transfer function '{}': {}", path.string(), error.what()));
+        throw Error(error.code(), fmt::format("cannot read transfer function '{}': {}", path.string(), error.what()));
     }
 }
 

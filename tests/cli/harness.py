@@ -38,10 +38,11 @@ class Result:
     out: str
     err: str
 
-    def expect(self, status, *texts, out=""):
-        """The exit status, parts of what stderr says, and all that stdout says (None: anything)."""
+    def expect(self, status, *texts, code=None, out=""):
+        """The exit status, the error's code, parts of what stderr says, and all that stdout says (None: anything)."""
         __tracebackhide__ = True
         check(self.status == status, f"{self}\nexpected status {status}")
+        check(code is None or f"[{code}]\n" in self.err, f"{self}\nexpected the code {code}")
         for text in texts:
             check(text in self.err, f"{self}\nexpected on stderr: {text}")
         check(out is None or self.out == out, f"{self}\nexpected on stdout: {out!r}")

@@ -218,7 +218,7 @@ def test_archive_tries_again(t):
     clips(t, "a.avi")
     t.write("in/bad.avi", "no video")
     age(t, "in/bad.avi")
-    archive(t, "--quiet").expect(6, "bad.avi failed, status 3: 'in/bad.avi' is not a video")
+    archive(t, "--quiet").expect(6, "bad.avi failed, status 3: 'in/bad.avi'", code="not-video")
     for tries in (2, 3):
         check(archive(t, "--dry-run").out.startswith("failed, again   bad.avi: 'in/bad.avi' is not"), "dry run")
         archive(t).expect(6, "1/1 bad.avi failed", "1 done before")
@@ -237,7 +237,7 @@ def test_archive_tries_again(t):
     before = sidecar(t, "a.avi")
     t.write("in/a.avi", "no video")
     age(t, "in/a.avi")
-    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi' is not a video", "; the picture that is there stays")
+    archive(t).expect(6, "a.avi failed, status 3: 'in/a.avi'", "; the picture that is there stays", code="not-video")
     check([name for name in outputs(t) if name.startswith("a.")] == sorted(f"a.avi{ending}" for ending in ENDINGS), str(outputs(t)))
     after = sidecar(t, "a.avi")
     check((after["state"], after["frames"], after["files"]) == ("failed", before["frames"], before["files"]), f"{after}")
@@ -288,7 +288,7 @@ def test_archive_goes_on_past_what_it_cannot_read(t):
     t.path("in/gone.avi").unlink()
     clips(t, "cam/d.avi")
     t.write("out/cam", "in the way")
-    archive(t, "--no-index").expect(6, "cam/d.avi failed, cannot make the folder 'out/cam'")
+    archive(t, "--no-index").expect(6, "cam/d.avi failed, ", "'out/cam'", code="not-a-folder")
 
 
 def test_archive_refuses_what_cannot_be(t):
@@ -296,12 +296,12 @@ def test_archive_refuses_what_cannot_be(t):
     t.vvr("archive", "in").expect(1, "no output: say where the pictures go with -o DIR")
     t.vvr("archive", "-o", "out").expect(1, "no INPUT: give the folder that holds the clips")
     t.vvr("archive", "in", "in", "-o", "out").expect(1, "one argument too many")
-    t.vvr("archive", "in", "-o", "in").expect(1, "give -o a folder of its own, such as 'in/pictures'")
-    t.vvr("archive", "none", "-o", "out").expect(2, "cannot read the archive 'none': No such file", "is mounted")
-    t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "'in/a.avi' is a file, and an archive is a folder of clips; draw one clip with: vvr render 'in/a.avi' -o picture.png")
+    t.vvr("archive", "in", "-o", "in").expect(1, "such as 'in/pictures'", code="options-conflict")
+    t.vvr("archive", "none", "-o", "out").expect(2, "'none'", "is mounted", code="file-not-found")
+    t.vvr("archive", "in/a.avi", "-o", "out").expect(2, "vvr render 'in/a.avi' -o picture.png", code="not-a-folder")
     t.write("file", "")
-    t.vvr("archive", "in", "-o", "file").expect(2, "cannot make the folder 'file'")
-    t.vvr("archive", "in", "-o", "file/out").expect(2, "cannot make the folder 'file/out'")
+    t.vvr("archive", "in", "-o", "file").expect(2, "'file'", code="not-a-folder")
+    t.vvr("archive", "in", "-o", "file/out").expect(2, "'file/out'", code="not-a-folder")
     t.vvr("archive", "in", "-o", "/proc/out").expect(2, "cannot make the folder '/proc/out'")
     t.vvr("archive", "in", "-o", "out", "--shard", "3/2").expect(1, "--shard: '3/2' is not a share such as 2/8, the second of eight")
     t.vvr("archive", "in", "-o", "out", "--settle", "soon").expect(1, "--settle: 'soon' is not a length of time like 90s, 1h30m, 00:01:30 or 2d")
@@ -337,7 +337,7 @@ def test_archive_knows_the_names_of_recorders(t):
 def test_archive_without_opengl_blames_no_clip(t):
     clips(t, "a.avi", "b.avi")
     result = t.vvr("archive", "in", "-o", "out", "--size", "160x100", "--backend", "egl", "--device", "200")
-    result.expect(4, "no clip could be drawn, so this run ends here:")
+    result.expect(4, "no clip could be drawn, so this run ends here:", code="opengl-unavailable")
     check(all(known["tries"] == 0 for known in sidecars(t).values()), "the clips are blamed")
     archive(t).expect(0, "2 clips drawn")
 
@@ -348,10 +348,20 @@ def test_archive_limits_its_workers(t):
     t.ffmpeg("-stream_loop", "50", "-i", "part.avi", "-c", "copy", "in/long.avi")
     age(t, "in/long.avi")
     archive(t, "--timeout", "6s", "--field-size", "source", "--flow", "horn-schunck").expect(
-        6, "long.avi failed, status 5: it took longer than the 6 s that --timeout allows", "a.avi: ")
+        6, "long.avi failed, status 5: ", "a.avi: ", code="worker-timeout")
+    check(sidecar(t, "long.avi")["code"] == "worker-timeout", str(sidecar(t, "long.avi")))
     check([name for name in outputs(t) if name.startswith("long")] == ["long.avi.json"], str(outputs(t)))
     t.path("in/long.avi").unlink()
     t.vvr("archive", "in", "-o", "little", *QUICK, "--max-memory", "200M", "--size", "4000x4000").expect(6, "a.avi failed, status ", "--max-memory")
+
+
+def test_an_archive_says_what_its_workers_warn_of(t):
+    t.path("in").mkdir()
+    t.clip("long.avi", seconds=3)
+    t.write("in/cut.avi", t.path("long.avi").read_bytes()[:-6000])
+    age(t)
+    archive(t).expect(0, "cut.avi: 'in/cut.avi': 1 damaged packet")
+    check(archive(t, "--quiet").err == "", "a warning of what is done before")
 
 
 def of_shard(t, number, count):
@@ -398,7 +408,7 @@ def test_archive_prunes(t):
     check("a.avi" in text and "b.avi" not in text, "the index is old")
     t.path("in/a.avi").unlink()
     t.path("in/cam/2026-11-22/c.avi").unlink()
-    archive(t, "--prune").expect(2, "no clip is left in 'in', so nothing is pruned")
+    archive(t, "--prune").expect(2, code="archive-empty")
     check("a.avi.png" in outputs(t), "an empty disk took the pictures with it")
 
 
@@ -435,7 +445,7 @@ def test_archive_takes_no_other_file_for_a_lock(t):
     check([t.path(name).read_text() for name in victims] == ["mine"] * 5 + [""], "files of others were written")
     t.path("out/index.html").unlink()
     t.path(f"out/{lock_name('index.html')}").symlink_to("../victim/new")
-    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link; remove it")
+    t.vvr("archive", "-o", "out", "--index-only").expect(2, "it is a link", code="not-a-file")
 
 
 def test_archive_tidies_only_what_is_the_clips(t):
@@ -593,7 +603,7 @@ def test_archive_on_a_full_disk(t):
     if t.run(["unshare", "-rm", "true"]).status != 0:
         return
     result = t.run([*small, t.vvr_path, "archive", "in", "-o", "out", *QUICK])
-    result.expect(2, "No space left on device; free some space or choose another folder", out=None)
+    result.expect(2, "free some space or choose another folder", code="disk-full", out=None)
     check(".vvr-" not in result.out, f"left behind: {result}")
 
 
@@ -800,7 +810,7 @@ def test_archive_keeps_a_day_whose_redraw_fails(t):
     whole_before = {name: t.path(f"out/{name}").read_bytes() for name in outputs(t) if name.startswith(day) and not name == f"{day}.json"}
     t.clip("in/2026-11-21/08/gate/10.00.avi", seconds=200, size="384x288")
     os.utime(t.path("in/2026-11-21/08/gate/10.00.avi"), (time.time() - 7200, time.time() - 7200))
-    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: it took longer than the 1 s that --timeout allows; the picture that is there stays")
+    archive(t, *slow, "--timeout", "1s").expect(6, f"{day} failed, status 5: ", "; the picture that is there stays", code="worker-timeout")
     after = sidecar(t, day)
     check(whole_before == {name: t.path(f"out/{name}").read_bytes() for name in whole_before}, f"{outputs(t)}")
     check((after["state"], after["tries"], after["frames"], after["day"]["clips"]) == ("failed", 1, before["frames"], 3), f"{after}")

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shlex
 import sys
 
 import pytest
@@ -11,7 +12,8 @@ from harness import check
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts" / "manual"))
 from command_help import parse, read_commands  # noqa: E402
 
-COMMANDS = ["render", "watch", "extract", "seeds", "inspect", "cut", "archive", "compare", "info", "config", "doctor"]
+TABLE = pathlib.Path(__file__).resolve().parents[2] / "cli" / "commands" / "command.h"
+COMMANDS = re.findall(r'CommandRow\{"(\w+)"', TABLE.read_text(encoding="utf-8"))
 
 
 def help_of(t, command, columns="100"):
@@ -19,7 +21,7 @@ def help_of(t, command, columns="100"):
 
 
 def test_help_lists_every_command(t):
-    check([command.name for command in read_commands(t.vvr_path)] == COMMANDS, "COMMANDS of this file is old")
+    check([command.name for command in read_commands(t.vvr_path)] == COMMANDS, "the help has other commands than the table")
 
 
 def test_help_is_as_wide_as_the_terminal(t):
@@ -46,20 +48,24 @@ def sample(option):
     }[option.unit]
 
 
-# What a command needs to get as far as its input, which is not there.
-NEEDS = {
-    "render": ["-o", "out.png"], "watch": ["-o", "out.png"], "extract": ["-o", "out"], "seeds": ["-o", "out"],
-    "inspect": ["-o", "out.png", "--frame", "1s"], "cut": ["-o", "out.mkv", "--event", "1"], "info": [], "archive": ["-o", "out"],
-}
 TOGETHER = {  # options that are for other outputs, or go with others
     "--plain-name": [], "--animate": ["-o", "out.mp4", "--show", "volume,tracelines"], "--slide": ["-o", "out.mp4"], "--page-camera": ["--page", "page.html"], "--bless": ["--golden", "golden.png"],
-    "--from": None, "--to": None,  # in place of --event
+    "--index-only": ["-o", "out"], "--from": None, "--to": None,  # in place of --event
     "--filter": ["--color", "transfer"], "--color": ["--flow", "dis"], "--reference": [],
 }
 
 
-@pytest.mark.parametrize("command", NEEDS)
+def what_it_needs(t, command):
+    """What gets a command as far as its input, as its first example has it: all behind the input. None: it takes none."""
+    words = next(shlex.split(line) for line, _ in parse(command, help_of(t, command)).examples if line.startswith(f"vvr {command}"))
+    return words[3:] if len(words) > 2 else None
+
+
+@pytest.mark.parametrize("command", COMMANDS)
 def test_help_lists_only_what_the_command_accepts(t, command):
+    example = what_it_needs(t, command)
+    if example is None:
+        return
     t.clip()
     missing = "missing" if command == "archive" else "missing.avi"
     # What render has in the same words is looked at there.
@@ -72,7 +78,7 @@ def test_help_lists_only_what_the_command_accepts(t, command):
             continue
         for value in sample(option):
             given = [f"--{option.name}"] if value is None else [f"--{option.name}={value}"]
-            needs = [] if "-o" in beside else NEEDS[command]  # a run has one -o
+            needs = [] if "-o" in beside else example  # a run has one -o
             done = t.vvr(command, missing, *needs, *beside, *given)
             # --index-only reads no clips.
             accepted = done.status == 0 or (done.status == 2 and "missing" in done.err)

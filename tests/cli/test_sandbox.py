@@ -111,18 +111,20 @@ def test_a_worker_that_asks_for_what_nothing_needs_is_ended(t, walls):
 @pytest.mark.parametrize("mode", ["auto", "off"])
 def test_no_worker_ends_the_run(t, mode):
     """Whatever one says, leaves or does that a clip has taken over: the others are drawn, and each try is counted."""
-    said = {"exit-127": (127, "cannot execute"), "exit-2": (2, "No space left on device"), "exit-4": (4, "no OpenGL"),
-            "exit-5": (5, "out of memory"), "done": (2, "is no file"), "broken": (2, "cannot read the report"),
-            "sparse": (2, "has more than 100 MB"), "closed": (3, "said nothing"), "flood": (3, "xxx"),
-            "greedy": (5, "it wrote more than the 4000 MB that a worker may write")}
+    said = {"exit-127": (127, "worker-result-invalid", "cannot execute"), "exit-2": (2, "io", "No space left on device"),
+            "exit-4": (4, "backend", "no OpenGL"), "exit-5": (5, "limit", "out of memory"), "liar": (2, "disk-full", "No space left"),
+            "vague": (3, "not-video", "said nothing"), "deep": (3, "not-video", "said nothing"),
+            "done": (2, "worker-result-invalid", "cannot read the report"), "broken": (2, "worker-result-invalid", "cannot read the report"),
+            "sparse": (2, "worker-result-invalid", "at most 100000000 are possible"), "closed": (3, "not-video", "said nothing"),
+            "flood": (3, "not-video", "xxx"), "greedy": (5, "worker-output-limit", "more than the 4000 MB that a worker may write")}
     clips(t, "good.avi", *[f"{deed}.avi" for deed in said])
     os.utime(t.path("in/good.avi"), (1, 1))  # so that it comes last
     for tries in (1, 2):
         done = archive(t, "--sandbox", mode, env=hijacked()).expect(6, f"{len(said)} failed")
-        for deed, (status, words) in said.items():
+        for deed, (status, code, words) in said.items():
             known = sidecar(t, f"{deed}.avi")
-            check((known["state"], known["status"], known["tries"]) == ("failed", status, tries), f"{deed}: {known}\n{done}")
-            check(words in known["reason"] or words in done.err, f"{deed}: {known}")
+            check((known["state"], known["status"], known["code"], known["tries"]) == ("failed", status, code, tries), f"{deed}: {known}\n{done}")
+            check(words in known["reason"] and f"{known['reason']} [{code}]\n" in done.err, f"{deed}: {known}\n{done}")
         check(sidecar(t, "good.avi")["state"] == "done", str(done))
     check("good.avi" in t.path("out/index.html").read_text(), "no index")
 
@@ -223,7 +225,7 @@ def test_a_sandbox_that_is_required_and_not_there(t, feature, said):
     if feature == "seccomp" and landlock() == 0:
         pytest.skip("this kernel has no Landlock, which is what is missing first")
     without(feature, t, "--sandbox", "required").expect(
-        4, "workers can't be shut in, and --sandbox required asks for it: " + said, "use a kernel that has it", "or --sandbox auto")
+        4, said, "or --sandbox auto", code="sandbox-unavailable")
     check(outputs(t) == [], f"{outputs(t)}")
 
 

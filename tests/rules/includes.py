@@ -44,7 +44,12 @@ class House:
         self.includes = list(self._includes())
 
     def _read(self, file):
+        found = {}  # by the variable of a file(GLOB ...)
         for name, arguments in commands(file):
+            if name == "file" and arguments[0] == "GLOB":
+                found["${" + arguments[1] + "}"] = [source.name for source in sorted(file.parent.glob(arguments[-1]))]
+                continue
+            arguments = list(itertools.chain(*(found.get(word, [word]) for word in arguments)))
             if name == "vvr_room":
                 rooms = itertools.takewhile(lambda word: word != "LIBRARIES", self._after(arguments, "ROOMS"))
                 self._declare(file.parent, f"vvr_{arguments[0]}", arguments, [f"vvr_{room}" for room in rooms])

@@ -10,6 +10,8 @@ The table of event kinds is in core/events/event_kind.h. Elsewhere
 The table of picture formats is in core/image/picture_file.cpp. No other file of core, gl, cli or the tests has all its extensions
 in one line.
 
+The table of error codes is in core/base/error.cpp: docs/reliability.md has a row for each, in its order.
+
 In docs/developing.md, each section "Add …" says in its heading how many files there are, and so does the row of the table of
 checklists. It has a line of a list for each, which begins with the file's path. The file is there; of one with <name> in its
 path, the folder is.
@@ -23,6 +25,9 @@ import sys
 KINDS = "core/events/event_kind.h"
 FORMATS = "core/image/picture_file.cpp"
 SCHEMA = "docs/report.schema.json"
+CODES = "core/base/error.cpp"
+STATUSES = "cli/exit_status.h"
+LISTED_CODES = "docs/reliability.md"
 CHECKLISTS = "docs/developing.md"
 DECIDES = ("core/events/conclude.cpp",)
 
@@ -77,6 +82,18 @@ def lists_of_formats(root):
                 yield f"{file}:{number} lists the picture formats; the table is in {FORMATS}"
 
 
+def list_of_codes(root):
+    statuses = dict(re.findall(r"(\w+) = (\d+)", (root / STATUSES).read_text(encoding="utf-8")))
+    rows = re.findall(r'ErrorRow\{ErrorCode::\w+,\s*"([^"]+)",\s*ErrorKind::(\w+),\s*"([^"]+)"\}', (root / CODES).read_text(encoding="utf-8"))
+    wanted = [(name, statuses[kind], meaning) for name, kind, meaning in rows]
+    listed = re.findall(r"^\| `([^`]+)` \| (\d+) \| (.+) \|$", (root / LISTED_CODES).read_text(encoding="utf-8"), re.MULTILINE)
+    for name, status, meaning in wanted:
+        if (name, status, meaning) not in listed:
+            yield f"{LISTED_CODES}: there is no | `{name}` | {status} | {meaning} | of {CODES}"
+    if not rows or (len(listed) == len(wanted) and listed != wanted) or len(listed) > len(wanted):
+        yield f"{LISTED_CODES} lists other codes of errors than {CODES}, or in another order"
+
+
 def checklists(root):
     text = (root / CHECKLISTS).read_text(encoding="utf-8")
     counts = dict(re.findall(r"^\| (.+?) \| (\d+) \|$", text, re.MULTILINE))
@@ -93,7 +110,7 @@ def checklists(root):
 
 
 def complaints(root):
-    return [*lists_of_kinds(root), *schema_of_kinds(root), *lists_of_formats(root), *checklists(root)]
+    return [*lists_of_kinds(root), *schema_of_kinds(root), *lists_of_formats(root), *list_of_codes(root), *checklists(root)]
 
 
 if __name__ == "__main__":

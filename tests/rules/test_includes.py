@@ -14,7 +14,7 @@ HOUSE = {
     "core/video/frame.cpp": '#include "core/base/version.h"\n',
     "core/video/later.h": "#include <string>\n",
     "core/video/later.cpp": '#include "core/video/late.h"\n',
-    "core/fields/CMakeLists.txt": "vvr_room(fields flow.cpp ROOMS video)\n",
+    "core/fields/CMakeLists.txt": "file(GLOB sources CONFIGURE_DEPENDS *.cpp)\nvvr_room(fields ${sources} ROOMS video)\n",
     "core/fields/flow.cpp": '#include "core/video/frame.h"\n#include "core/base/version.h"\n',
     "gl/CMakeLists.txt": "add_library(vvr_gl STATIC)\ntarget_link_libraries(vvr_gl PUBLIC vvr_base)\ntarget_sources(vvr_gl PRIVATE context.cpp)\n",
     "gl/context.cpp": '#include "shaders.h"\n',

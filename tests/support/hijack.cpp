@@ -321,6 +321,12 @@ void end_with(int status, const char* words) {
     _exit(status);
 }
 
+/// To the parent, in the place of what vvr would tell.
+void tell(int status, const char* message) {
+    if (write(std::atoi(place("HIJACK_PARENT").c_str()), message, std::strlen(message)) < 0) status = 99;
+    _exit(status);
+}
+
 void leave_report(const char* text, off_t size) {
     const int file = open(report.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
     if (write(file, text, std::strlen(text)) < 0 || (size > 0 && ftruncate(file, size) != 0)) _exit(99);
@@ -365,6 +371,9 @@ constexpr std::array deeds{
     Deed{"exit-2", [] { end_with(2, "vvr: cannot write: No space left on device; free some space\n"); }},
     Deed{"exit-4", [] { end_with(4, "vvr: no OpenGL\n"); }},
     Deed{"exit-5", [] { end_with(5, "vvr: out of memory\n"); }},
+    Deed{"liar", [] { tell(2, R"({"code": "disk-full", "text": "No space\nleft", "warnings": 7})"); }},
+    Deed{"vague", [] { tell(3, R"({"code": "not-a-code", "text": ["x"], "warnings": [{}]})"); }},
+    Deed{"deep", [] { tell(3, std::string(50'000, '[').c_str()); }},
     Deed{"done", [] { _exit(0); }},
     Deed{"broken", [] { leave_report("{ \"frames\": ", 0); }},
     Deed{"sparse", [] { leave_report("{", 1'900'000'000); }},
@@ -376,12 +385,35 @@ constexpr std::array deeds{
 
 bool is_worker = false;
 
+/// The file that the plan of a worker, on its stdin, names for the report. The plan is CBOR: each text comes after its
+/// length.
+std::string planned_report() {
+    std::string plan(1 << 20, 0);
+    const ssize_t count = pread(STDIN_FILENO, plan.data(), plan.size(), 0);
+    plan.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+    constexpr std::string_view name = "\x66report";
+    std::size_t at = plan.find(name);
+    if (at == std::string::npos) return "";
+    at += name.size();
+    const auto byte = [&plan](std::size_t place) {
+        return static_cast<std::size_t>(static_cast<unsigned char>(plan[place]));
+    };
+    constexpr std::size_t text = 0x60;
+    switch (const std::size_t head = byte(at)) {
+        case 0x78:
+            return plan.substr(at + 2, byte(at + 1));
+        case 0x79:
+            return plan.substr(at + 3, byte(at + 1) * 256 + byte(at + 2));
+        default:
+            return plan.substr(at + 1, head - text);
+    }
+}
+
 [[gnu::constructor]] void look(int argc, char** argv) {
     is_worker = argc > 1 && std::strcmp(argv[1], "render") == 0;
-    constexpr std::string_view option = "--report=";
-    for (int i = 1; i < argc; ++i) {
-        if (std::string_view(argv[i]).starts_with(option)) setenv("HIJACK_REPORT", argv[i] + option.size(), 1);
-    }
+    if (!is_worker) return;
+    setenv("HIJACK_REPORT", planned_report().c_str(), 1);
+    setenv("HIJACK_PARENT", place("VVR_WORKER").c_str(), 1);
 }
 
 /// Once per process, with the clip that is about to be opened.

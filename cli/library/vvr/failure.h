@@ -19,7 +19,8 @@ enum class FailureKind {
 /// the next step.
 class [[gnu::visibility("default")]] Failure : public std::runtime_error {
   public:
-    Failure(FailureKind kind, const std::string& text);
+    /// \param code a text that stays where it is
+    Failure(FailureKind kind, const char* code, const std::string& text);
     Failure(const Failure&) = default;
     Failure& operator=(const Failure&) = default;
     ~Failure() override;
@@ -28,8 +29,15 @@ class [[gnu::visibility("default")]] Failure : public std::runtime_error {
         return kind_;
     }
 
+    /// What went wrong, more closely than its kind: "file-not-found". docs/reliability.md lists the codes; there may be
+    /// more of them in later versions.
+    const char* code() const noexcept {
+        return code_;
+    }
+
   private:
     FailureKind kind_;
+    const char* code_;
 };
 
 }  // namespace vvr

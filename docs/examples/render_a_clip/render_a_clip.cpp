@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
         vvr::write_image(argv[2], done.image);
         std::cout << done.frames << " frames in " << argv[2] << '\n';
     } catch (const vvr::Failure& failure) {
-        std::cerr << failure.what() << '\n';
+        std::cerr << failure.what() << " [" << failure.code() << "]\n";
         return 2 + static_cast<int>(failure.kind());
     }
 }

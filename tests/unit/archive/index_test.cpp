@@ -31,9 +31,9 @@ TEST_F(Archive, TakesCameraAndTimeFromNamesFirst) {
     ::tzset();
     archive::Sidecar sidecar = done("2026-11-21/07/gate/00.07.mp4");
     sidecar.recorded = "2020-01-01 00:00:00";
-    EXPECT_EQ(archive::begin_of(sidecar), 1795244407) << "Frigate's are in UTC";
+    EXPECT_EQ(archive::begin_of(sidecar).utc, 1795244407) << "Frigate's are in UTC";
     const std::vector<std::string> local{"%Y-%m-%d/%H/{camera}/%M.%S"};
-    EXPECT_EQ(archive::begin_of(sidecar, video::RecorderNames(local)), 1795244407 - 3600);
+    EXPECT_EQ(archive::begin_of(sidecar, video::RecorderNames(local)).utc, 1795244407 - 3600);
     const std::string text = archive::make_index({sidecar, done("2026-03-29/00/hall/59.00.mp4")});
     EXPECT_NE(text.find(R"("cameras":["gate","hall"])"), std::string::npos);
     EXPECT_NE(text.find(R"("zone":[[1774745940,3600,"CET, UTC+1"],[1774746000,7200,"CEST, UTC+2"],)"
@@ -47,14 +47,16 @@ TEST_F(Archive, IsIndexedByItsSidecars) {
     archive::Sidecar sidecar = done("cam/a</script>\"\xFF.avi");
     sidecar.recorded = "2026-11-21 08:00:07";
     sidecar.seconds = 12.5;
-    EXPECT_EQ(archive::begin_of(sidecar), 1795248007);
+    EXPECT_EQ(archive::begin_of(sidecar).utc, 1795248007);
+    EXPECT_EQ(archive::begin_of(sidecar).source, ClockSource::container);
     sidecar.recorded = "soon";
-    EXPECT_EQ(archive::begin_of(sidecar), 0) << "no time before 1970";
+    EXPECT_EQ(archive::begin_of(sidecar).utc, 0) << "no time before 1970";
     const std::vector<std::string> absurd_times{"2026-11-21 4294967295:00:00", "2026-11-21 25:00:00",
                                                 "9999-11-21 08:00:07", "-026-11-21 08:00:07"};
     for (const std::string& absurd : absurd_times) {
         sidecar.recorded = absurd;
-        EXPECT_EQ(archive::begin_of(sidecar), 0) << absurd;
+        EXPECT_EQ(archive::begin_of(sidecar).utc, 0) << absurd;
+        EXPECT_EQ(archive::begin_of(sidecar).source, ClockSource::modified) << absurd;
     }
     archive::Sidecar failed = done("b.avi", {});
     failed.state = archive::Sidecar::State::failed;

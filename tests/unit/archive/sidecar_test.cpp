@@ -33,8 +33,10 @@ TEST_F(Archive, ReadsWhatItWroteOfAClip) {
 
     sidecar.state = archive::Sidecar::State::failed;
     sidecar.reason = "no \"video\" \xFF";
+    sidecar.code = ErrorCode::no_video_stream;
     sidecar.tries = 2;
     archive::write_sidecar(out(), sidecar);
+    EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->code, ErrorCode::no_video_stream);
     EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->tries, 2);
     EXPECT_EQ(archive::read_sidecar(out(), sidecar.clip.path)->state, archive::Sidecar::State::failed);
 }

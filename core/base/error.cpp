@@ -1,0 +1,153 @@
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <utility>
+
+namespace vvr {
+
+namespace {
+
+constexpr std::array rows{
+    ErrorRow{ErrorCode::usage, "usage", ErrorKind::usage,
+             "the command line, or what was passed to the library, asks for what cannot be done"},
+    ErrorRow{ErrorCode::command_unknown, "command-unknown", ErrorKind::usage, "there is no command of that name"},
+    ErrorRow{ErrorCode::option_unknown, "option-unknown", ErrorKind::usage, "no option or setting has that name"},
+    ErrorRow{ErrorCode::option_value, "option-value", ErrorKind::usage,
+             "a value is not written as its setting takes it"},
+    ErrorRow{ErrorCode::option_value_out_of_range, "option-value-out-of-range", ErrorKind::usage,
+             "a number is outside of what its setting takes"},
+    ErrorRow{ErrorCode::choice_unknown, "choice-unknown", ErrorKind::usage,
+             "a name is not one of those that its setting takes"},
+    ErrorRow{ErrorCode::options_conflict, "options-conflict", ErrorKind::usage,
+             "two settings, or a setting and the kind of output, exclude each other"},
+    ErrorRow{ErrorCode::option_needs_another, "option-needs-another", ErrorKind::usage,
+             "a setting has no effect without another one that was not given"},
+    ErrorRow{ErrorCode::config_invalid, "config-invalid", ErrorKind::usage,
+             "a config file has a section or a name that no command has"},
+    ErrorRow{ErrorCode::input_missing, "input-missing", ErrorKind::usage, "no input was named"},
+    ErrorRow{ErrorCode::input_unsuitable, "input-unsuitable", ErrorKind::usage,
+             "this command does not take such an input, or not so many"},
+    ErrorRow{ErrorCode::output_missing, "output-missing", ErrorKind::usage, "no output was named"},
+    ErrorRow{ErrorCode::output_format_unknown, "output-format-unknown", ErrorKind::usage,
+             "the extension of an output is none that can be written"},
+    ErrorRow{ErrorCode::output_replaces_input, "output-replaces-input", ErrorKind::usage,
+             "an output would replace a file that is read"},
+    ErrorRow{ErrorCode::name_pattern_invalid, "name-pattern-invalid", ErrorKind::usage,
+             "a pattern of file names is not written as patterns are"},
+    ErrorRow{ErrorCode::span_empty, "span-empty", ErrorKind::usage, "there is no frame between the start and the end"},
+    ErrorRow{ErrorCode::event_unknown, "event-unknown", ErrorKind::usage, "the clip has no event of that number"},
+    ErrorRow{ErrorCode::time_of_day_unknown, "time-of-day-unknown", ErrorKind::usage,
+             "nothing tells when the clip was recorded"},
+    ErrorRow{ErrorCode::recording_mixed, "recording-mixed", ErrorKind::usage, "files do not belong to one recording"},
+    ErrorRow{ErrorCode::extraction_unsuitable, "extraction-unsuitable", ErrorKind::usage,
+             "extracted data lack what the settings need, or are of different runs"},
+    ErrorRow{ErrorCode::io, "io", ErrorKind::io,
+             "a file cannot be read or written, for another reason than those below"},
+    ErrorRow{ErrorCode::file_not_found, "file-not-found", ErrorKind::io, "a file or folder is not there"},
+    ErrorRow{ErrorCode::permission_denied, "permission-denied", ErrorKind::io,
+             "a file or folder may not be used, or is read-only"},
+    ErrorRow{ErrorCode::disk_full, "disk-full", ErrorKind::io,
+             "no space is left, or a quota or the largest size of a file is reached"},
+    ErrorRow{ErrorCode::not_a_file, "not-a-file", ErrorKind::io,
+             "something else is where a file should be: a folder, a link, a device or a pipe"},
+    ErrorRow{ErrorCode::not_a_folder, "not-a-folder", ErrorKind::io, "something else is where a folder should be"},
+    ErrorRow{ErrorCode::folder_not_empty, "folder-not-empty", ErrorKind::io,
+             "a folder holds other files than those that belong there"},
+    ErrorRow{ErrorCode::too_many_open_files, "too-many-open-files", ErrorKind::io,
+             "the limit of open files is reached"},
+    ErrorRow{ErrorCode::file_locked, "file-locked", ErrorKind::io, "another program holds the lock of a file"},
+    ErrorRow{ErrorCode::file_invalid, "file-invalid", ErrorKind::io,
+             "a list, a data file or a report does not have its format"},
+    ErrorRow{ErrorCode::stream_unreachable, "stream-unreachable", ErrorKind::io,
+             "an address does not answer, or leads elsewhere"},
+    ErrorRow{ErrorCode::stream_timeout, "stream-timeout", ErrorKind::io, "nothing came from a stream in time"},
+    ErrorRow{ErrorCode::archive_empty, "archive-empty", ErrorKind::io,
+             "no clip is left in an archive, so its pictures are not removed"},
+    ErrorRow{ErrorCode::worker_result_invalid, "worker-result-invalid", ErrorKind::io,
+             "a worker of an archive ended as no vvr does, left no files, or a report that cannot be read"},
+    ErrorRow{ErrorCode::not_video, "not-video", ErrorKind::not_video, "the input is not a video that can be decoded"},
+    ErrorRow{ErrorCode::file_empty, "file-empty", ErrorKind::not_video, "the input has no bytes"},
+    ErrorRow{ErrorCode::no_video_stream, "no-video-stream", ErrorKind::not_video,
+             "the input is a media file without video"},
+    ErrorRow{ErrorCode::no_frame, "no-frame", ErrorKind::not_video, "the input has video, but no frame of it decodes"},
+    ErrorRow{ErrorCode::codec_unsupported, "codec-unsupported", ErrorKind::not_video,
+             "this FFmpeg has no decoder for the video"},
+    ErrorRow{ErrorCode::playlist, "playlist", ErrorKind::not_video, "the input is a list of other files, not a video"},
+    ErrorRow{ErrorCode::copy_impossible, "copy-impossible", ErrorKind::not_video,
+             "the video cannot be cut without encoding it again"},
+    ErrorRow{ErrorCode::backend, "backend", ErrorKind::backend, "OpenGL failed, for another reason than those below"},
+    ErrorRow{ErrorCode::opengl_unavailable, "opengl-unavailable", ErrorKind::backend,
+             "no OpenGL context can be had from the backend"},
+    ErrorRow{ErrorCode::opengl_lost, "opengl-lost", ErrorKind::backend, "the GPU or its driver was reset"},
+    ErrorRow{ErrorCode::sandbox_unavailable, "sandbox-unavailable", ErrorKind::backend,
+             "the kernel lacks the sandbox that is required"},
+    ErrorRow{ErrorCode::limit, "limit", ErrorKind::limit, "a limit is reached, for another reason than those below"},
+    ErrorRow{ErrorCode::out_of_memory, "out-of-memory", ErrorKind::limit, "memory, or a thread, could not be had"},
+    ErrorRow{ErrorCode::memory_too_small, "memory-too-small", ErrorKind::limit,
+             "the run would need more memory than the machine has"},
+    ErrorRow{ErrorCode::file_too_large, "file-too-large", ErrorKind::limit, "a file is larger than such a file may be"},
+    ErrorRow{ErrorCode::picture_too_large, "picture-too-large", ErrorKind::limit,
+             "a picture, a field or a texture has more pixels than possible"},
+    ErrorRow{ErrorCode::worker_start_failed, "worker-start-failed", ErrorKind::limit,
+             "a worker of an archive could not be started"},
+    ErrorRow{ErrorCode::worker_timeout, "worker-timeout", ErrorKind::limit, "a worker of an archive took too long"},
+    ErrorRow{ErrorCode::worker_output_limit, "worker-output-limit", ErrorKind::limit,
+             "a worker of an archive wrote too much"},
+    ErrorRow{ErrorCode::worker_killed, "worker-killed", ErrorKind::limit, "a signal ended a worker of an archive"},
+    ErrorRow{ErrorCode::partial, "partial", ErrorKind::partial, "some of several inputs failed"},
+    ErrorRow{ErrorCode::picture_differs, "picture-differs", ErrorKind::differs, "a picture differs from its reference"},
+    ErrorRow{ErrorCode::reference_missing, "reference-missing", ErrorKind::differs,
+             "there is no picture to compare with"},
+    ErrorRow{ErrorCode::bug, "bug", ErrorKind::bug, "an error that vvr should have foreseen"},
+};
+
+constexpr bool is_in_order() {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (static_cast<std::size_t>(rows[i].code) != i) return false;
+    }
+    return static_cast<std::size_t>(ErrorCode::bug) + 1 == rows.size();
+}
+static_assert(is_in_order(), "a code's row is found by its number");
+
+constexpr std::array system_errors{
+    std::pair{ENOENT, ErrorCode::file_not_found},
+    std::pair{EACCES, ErrorCode::permission_denied},
+    std::pair{EPERM, ErrorCode::permission_denied},
+    std::pair{EROFS, ErrorCode::permission_denied},
+    std::pair{ENOSPC, ErrorCode::disk_full},
+    std::pair{EDQUOT, ErrorCode::disk_full},
+    std::pair{EFBIG, ErrorCode::disk_full},
+    std::pair{EISDIR, ErrorCode::not_a_file},
+    std::pair{ENOTDIR, ErrorCode::not_a_folder},
+    std::pair{EMFILE, ErrorCode::too_many_open_files},
+    std::pair{ENFILE, ErrorCode::too_many_open_files},
+};
+
+}  // namespace
+
+std::span<const ErrorRow> error_rows() {
+    return rows;
+}
+
+const ErrorRow& row_of(ErrorCode code) {
+    return rows.at(static_cast<std::size_t>(code));
+}
+
+std::optional<ErrorCode> find_error_code(std::string_view name) {
+    const auto* const row = std::ranges::find(rows, name, &ErrorRow::name);
+    return row == rows.end() ? std::nullopt : std::optional(row->code);
+}
+
+ErrorCode general_code(ErrorKind kind) {
+    return std::ranges::find(rows, kind, &ErrorRow::kind)->code;  // it is the first of its kind
+}
+
+ErrorCode code_of_system_error(int error) {
+    const auto* const known = std::ranges::find(system_errors, error, [](const auto& row) { return row.first; });
+    return known == system_errors.end() ? ErrorCode::io : known->second;
+}
+
+}  // namespace vvr
