@@ -21,8 +21,7 @@ bricks::Volume left_bag_volume(const std::string& filter, double scale) {
     fields::ClipFields fields(generator::open_scene(generator::make_left_bag(scene), in_colour), options);
     const app::RenderJob job = paper_job({}, 1, {app::Part::volume, app::Part::arrows, app::Part::tracelines});
     const fields::FieldNeeds needs = app::needs_of(job, fields, scene.frames);
-    bricks::Volume volume(fields.field_size(), scene.frames, 1, needs.every);
-    volume.keep_flow();
+    bricks::Volume volume(fields.field_size(), {.capacity = scene.frames, .step = 1, .seed_interval = needs.every, .keep_flow = true});
     fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) { volume.add(field); });
     return volume;
 }

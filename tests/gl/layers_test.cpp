@@ -251,7 +251,7 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
 }
 
 TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
-    bricks::Volume volume({2, 2}, 4);
+    bricks::Volume volume({2, 2}, {4});
     for (int i = 0; i < 7; ++i) {
         fields::Field field;
         field.index = 100 + i;

@@ -111,7 +111,7 @@ TEST(Lettering, TakesNothingThatMeetsAnotherOrLeaves) {
 
 /// A volume of `frames` frames, 25 a second.
 bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, 800, std::max(1, frames / 800 + 1));
+    bricks::Volume volume({32, 24}, {800, std::max(1, frames / 800 + 1)});
     for (int i = 0; i < frames; ++i) {
         fields::Field field;
         field.index = i;
@@ -123,7 +123,7 @@ bricks::Volume clip_of(int frames) {
 }
 
 bricks::Volume clip_with_gap() {
-    bricks::Volume volume({32, 24}, 800);
+    bricks::Volume volume({32, 24}, {800});
     for (int i = 0; i < 100; ++i) {
         fields::Field field;
         field.index = i;
@@ -140,8 +140,7 @@ bricks::Volume clip_with_gap() {
 
 /// Three minutes of motion, each after an hour of nothing, a frame per second.
 bricks::Volume day_with_pauses(std::int64_t capacity) {
-    bricks::Volume volume({32, 24}, capacity);
-    volume.use_nonuniform_layers();
+    bricks::Volume volume({32, 24}, {.capacity = capacity, .nonuniform = true});
     for (int i = 0; i < 3 * 3780; ++i) {
         fields::Field field;
         field.index = i;
@@ -264,7 +263,7 @@ TEST(Gaps, AreWhereNoFrameCame) {
     EXPECT_TRUE(labels::time_gaps(clip_of(100)).empty());
 
     // Layers that hold a frame are none of a gap.
-    bricks::Volume joined({32, 24}, 50);
+    bricks::Volume joined({32, 24}, {50});
     for (int i = 0; i < 100; ++i) {
         fields::Field field;
         field.index = i;

@@ -12,7 +12,7 @@ namespace {
 
 /// Ten seconds.
 bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, frames);
+    bricks::Volume volume({32, 24}, {frames});
     for (int i = 0; i < frames; ++i) {
         fields::Field field;
         field.index = i;
