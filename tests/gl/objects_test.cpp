@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/render_clip.h"
-#include "cli/app/render_series.h"
 #include "core/scene/theme.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
