@@ -16,14 +16,14 @@ namespace vvr::gl {
 enum class VolumeColour {
     transfer,  ///< transfer function of the scalar
     own,       ///< each voxel has its own
-    object,    ///< each voxel has an identity, and that a look
-    time,      ///< looks in the order of time
+    object,    ///< each voxel has an identity, which has a place in the palette
+    time,      ///< a palette in the order of time
 };
 
 struct VolumeColourRow {
     VolumeColour colour;
     std::string_view shader;  ///< file in glsl/ that defines optical_at(place), scalar_of(voxel) and number_at(place)
-    bool uses_palette;        ///< the shader reads those of VolumeSlicer::set_looks
+    bool uses_palette;        ///< the shader reads those of VolumeSlicer::set_palette
 };
 
 /// The first row is the default.

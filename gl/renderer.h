@@ -32,7 +32,7 @@ class Renderer {
     void set_transfer(const scene::TransferFunction& transfer) { slicer_.set_transfer(transfer); }
 
     /// As VolumeSlicer::set_palette.
-    void set_palette(std::span<const glm::vec4> looks) { slicer_.set_palette(looks); }
+    void set_palette(std::span<const glm::vec4> palette) { slicer_.set_palette(palette); }
 
     /// Replaces the geometry drawn with the bricks.
     void set_scene(scene::Scene scene);

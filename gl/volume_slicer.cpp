@@ -80,7 +80,7 @@ std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dve
 
 namespace {
 
-constexpr int looks_unit = 3;  // after those of a brick, the transfer function and the pixel data behind
+constexpr int palette_unit = 3;  // after those of a brick, the transfer function and the pixel data behind
 
 }  // namespace
 
@@ -121,13 +121,13 @@ void VolumeSlicer::set_transfer(const scene::TransferFunction& transfer) {
     check_gl(*gl_, "uploading the transfer function");
 }
 
-void VolumeSlicer::set_palette(std::span<const glm::vec4> looks) {
+void VolumeSlicer::set_palette(std::span<const glm::vec4> palette) {
     gl_->BindTexture(GL_TEXTURE_2D, palette_texture_.id());
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(looks.size()), 1, 0, GL_RGBA, GL_FLOAT,
-                    looks.data());
-    check_gl(*gl_, "uploading the looks of objects");
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(palette.size()), 1, 0, GL_RGBA, GL_FLOAT,
+                    palette.data());
+    check_gl(*gl_, "uploading the palette of objects");
 }
 
 void VolumeSlicer::draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
@@ -183,8 +183,8 @@ void VolumeSlicer::use(const Program& program, const space::Camera& camera, cons
     program.set("brick", 0);
     program.set("transfer", 1);
     if (row_of(colour_).uses_palette) {
-        program.set("looks", looks_unit);
-        gl.ActiveTexture(GL_TEXTURE0 + looks_unit);
+        program.set("palette", palette_unit);
+        gl.ActiveTexture(GL_TEXTURE0 + palette_unit);
         gl.BindTexture(GL_TEXTURE_2D, palette_texture_.id());
     }
     gl.ActiveTexture(GL_TEXTURE1);

@@ -48,9 +48,9 @@ class VolumeSlicer {
 
     void set_transfer(const scene::TransferFunction& transfer);
 
-    /// What the identities' looks are: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
-    /// sources of colour that take looks.
-    void set_palette(std::span<const glm::vec4> looks);
+    /// What the identities look like: colour, and a factor on the extinction. Or the colours of time, 256 of them. For
+    /// sources of colour that use a palette.
+    void set_palette(std::span<const glm::vec4> palette);
 
     void draw(BrickWindow& window, const space::Camera& camera, const scene::SliceStack& stack,
               const StandingFrames& standing = {});

@@ -1,5 +1,5 @@
 uniform sampler2D transfer;  // a texel each quarter of a value: colour, and extinction per unit length times log2(e)
-uniform sampler2D looks;     // a texel for each: colour, and a factor on the extinction
+uniform sampler2D palette;     // a texel for each: colour, and a factor on the extinction
 
 float scalar_of(vec4 voxel) { return voxel.a; }
 
@@ -13,7 +13,7 @@ vec3 identity_at(vec3 at) {
 vec4 optical_at(vec3 at) {
     float extinction = texelFetch(transfer, ivec2(texture(brick, at).a * 1020.0 + 0.5, 0), 0).a;
     if (extinction == 0.0) return vec4(0.0);
-    vec4 look = texelFetch(looks, ivec2(identity_at(at).r + 0.5, 0), 0);
+    vec4 look = texelFetch(palette, ivec2(identity_at(at).r + 0.5, 0), 0);
     return vec4(look.rgb, extinction * look.a);
 }
 

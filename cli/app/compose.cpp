@@ -1,357 +1,198 @@
 #include "cli/app/compose.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "cli/app/volume_paint.h"
-#include "core/base/text.h"
-#include "core/events/colouring.h"
-#include "core/fields/filter.h"
-#include "core/glance/portraits.h"
-#include "core/glance/scene_map.h"
-#include "core/glance/time_strip.h"
-#include "core/labels/sheet.h"
+#include "cli/app/letter.h"
+#include "core/glance/trails.h"
+#include "core/labels/ruler.h"
 #include "core/scene/overlay.h"
-#include "core/scene/slices.h"
 #include "core/scene/theme.h"
-#include "core/scene/transfer_function.h"
 
 namespace vvr::app {
 
 namespace {
 
-image::Rgba rgba(const glm::vec3& colour) {
-    return {colour.x, colour.y, colour.z, 1};
-}
-
-std::vector<image::Rgba> gradient(const glm::vec3& from, const glm::vec3& to) {
-    constexpr int steps = 64;
-    std::vector<image::Rgba> colours;
-    for (int i = 0; i < steps; ++i) colours.push_back(rgba(glm::mix(from, to, static_cast<float>(i) / (steps - 1))));
-    return colours;
-}
-
-/// What a thing as thick as a person's track looks like, by its value.
-std::vector<image::Rgba> transfer_gradient(const scene::TransferFunction& transfer, int low,
-                                           const glm::vec4& background) {
-    std::vector<image::Rgba> colours;
-    for (int value = low; value < 256; ++value) {
-        const glm::dvec4 at = transfer.at(value);
-        const auto opacity = static_cast<float>(1 - std::exp(-at.w * scene::opacity_unit_distance * 2));
-        const glm::vec4 colour = glm::vec4(glm::vec3(at) * opacity, opacity) + background * (1 - opacity);
-        colours.push_back({colour.x, colour.y, colour.z, colour.w});
+std::vector<bricks::Brick> cut(const Plan& plan, const Observation& seen) {
+    const bricks::Volume& volume = seen.volume;
+    const BrickOptions& bricks = plan.job.bricks;
+    if (plan.products.series) return bricks::cut_by(volume.layers(), plan.window.brick_layers);
+    if (!bricks.length) return bricks::cut_into(volume.layers(), bricks.window);
+    double brick_frames = bricks.length->value;
+    if (volume.is_nonuniform() && bricks.length->unit == Time::Unit::frames) {
+        return bricks::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
     }
-    return colours;
-}
-
-int first_visible(const scene::TransferFunction& transfer) {
-    int value = 0;
-    while (value < 255 && !transfer.visible({0, static_cast<std::uint8_t>(value)})) ++value;
-    return value;
-}
-
-std::vector<image::Rgba> colours_of_objects(const scene::Theme& theme) {
-    std::vector<image::Rgba> colours;
-    for (const glm::vec3& colour : theme.objects) colours.push_back(rgba(colour));
-    return colours;
-}
-
-/// Each band in its colour, and what that means.
-std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& transfer) {
-    constexpr std::array<std::pair<fields::Band, std::string_view>, 3> bands{
-        {{fields::Band::newly_covered, "newly covered"},
-         {fields::Band::still_covered, "still covered"},
-         {fields::Band::uncovered, "uncovered"}}};
-    std::vector<labels::LegendEntry> entries;
-    for (const auto& [band, name] : bands) {
-        const glm::dvec4 at = transfer.at(static_cast<int>(band));
-        if (at.w > 0) entries.push_back({{rgba(glm::vec3(at))}, std::string(name), std::string(name)});
-    }
-    return entries;
-}
-
-/// The colours of a volume that are not the transfer function's, and what they mean.
-std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
-    const ColourRow& row = find_colour(job.look.colour);
-    if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
-    if (row.drawn == gl::VolumeColour::time) {
-        std::vector<image::Rgba> colours;
-        for (const glm::vec4& colour : scene::time_colours()) colours.push_back(rgba(glm::vec3(colour)));
-        return {{std::move(colours), "time, from the first moment to the last", "time"}};
-    }
-    if (row.name == "direction") {
-        constexpr int spokes = 48;
-        std::vector<image::Rgba> colours;
-        for (int i = 0; i < spokes; ++i) {
-            const double angle = 2 * std::numbers::pi * i / spokes;
-            colours.push_back(rgba(scene::direction_colour({std::cos(angle), -std::sin(angle)})));
+    if (bricks.length->unit == Time::Unit::seconds) {
+        // Where layers are of unequal length, only the clock says how long a brick is.
+        if (volume.is_nonuniform()) {
+            return bricks::cut_by_clock(volume, bricks.length->value, plan.clock ? plan.clock->at(0) : 0);
         }
-        return {{std::move(colours), "which way it moves in the view of the camera", "direction", true},
-                {{rgba(job.look.theme.unowned)}, "at rest", "at rest"}};
+        const double seconds = seen.end().seconds - seen.begin.seconds;
+        if (seconds <= 0) return bricks::cut_into(volume.layers(), bricks.window);
+        brick_frames *= static_cast<double>(volume.frames() - 1) / seconds;
     }
-    if (row.needs_flow) {
-        return {
-            {gradient(job.look.theme.slow, job.look.theme.fast), "how fast it moves: slow to fast", "slow to fast"}};
-    }
-    const scene::TransferFunction transfer = second_transfer_of(job);
-    const fields::FilterRow& second = fields::find_filter(row.filter);
-    if (second.traits.values == fields::Values::band) return legend_of_bands(transfer);
-    std::vector<image::Rgba> colours;
-    for (int value = second.traits.values == fields::Values::sign ? 1 : 0; value < 256; ++value) {
-        colours.push_back(rgba(glm::vec3(transfer.at(value))));
-    }
-    return {{std::move(colours), fmt::format("colour: {}, little to much", second.help), std::string(second.name)}};
+    const double layers = std::round(brick_frames / static_cast<double>(volume.step()));
+    return bricks::cut_by(volume.layers(), std::max<std::int64_t>(1, static_cast<std::int64_t>(layers)));
 }
 
-std::vector<labels::LegendEntry> legend_of(const RenderJob& job) {
-    std::vector<labels::LegendEntry> entries;
-    const fields::FilterRow& filter = fields::find_filter(job.fields.filter);
-    const bool by_transfer = job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::transfer;
-    if (by_transfer && filter.traits.values == fields::Values::band)
-        entries = legend_of_bands(drawn_transfer_of(job.look));
-    if (by_transfer && filter.traits.values == fields::Values::sign) {
-        entries.push_back({transfer_gradient(drawn_transfer_of(job.look), 1, background_of(job.look)),
-                           "darker to brighter than the empty scene", "darker to brighter"});
+bool nothing_visible(const bricks::Volume& volume, const scene::TransferFunction& transfer) {
+    for (std::int64_t i = 0; i < volume.layers(); ++i) {
+        if (transfer.visible({0, volume.layer(i).scalar.greatest()})) return false;
     }
-    if (by_transfer && filter.traits.values == fields::Values::strength) {
-        const scene::TransferFunction transfer = transfer_of(job.look);
-        const int low = first_visible(transfer);
-        entries.push_back({transfer_gradient(drawn_transfer_of(job.look), low, background_of(job.look)),
-                           fmt::format("{}: little to much", filter.help), std::string(filter.name)});
+    return true;
+}
+
+glance::Objects objects_of(const Plan& plan, const Observation& seen) {
+    glance::Objects objects;
+    objects.clock = plan.clock;
+    if (!seen.events) return objects;
+    objects.events = seen.events->events;
+    objects.numbers = seen.events->numbers;
+    for (const int colour : seen.events->colours)
+        objects.colours.push_back(plan.job.look.theme.objects[static_cast<std::size_t>(colour)]);
+    return objects;
+}
+
+/// The times that the ruler marks.
+std::vector<labels::TimeTick> ticks_of(const Plan& plan, const Framing& framing, const bricks::Volume& volume) {
+    if (!plan.shows(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
+    const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
+    if (volume.is_nonuniform()) return labels::spread_ticks(volume, most, plan.clock);
+    return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, plan.clock);
+}
+
+/// The layer at whose beginning a key frame stands: there a piece of the volume ends, so that one of them hides the
+/// other.
+std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume) {
+    return key.number / volume.step();
+}
+
+/// How the volume becomes textures. Pieces of a series are numbered from the clip's first on, so only what is new is
+/// uploaded.
+void cut_into_pieces(const Plan& plan, const Observation& seen, Composition& composed) {
+    std::vector<std::int64_t> layers;
+    for (const KeyFrame& key : seen.keyframes) layers.push_back(layer_of(key, seen.volume));
+    if (plan.shows(Part::volume))
+        composed.pieces = bricks::cut_into_sub_bricks(bricks::cut_at(composed.bricks, layers));
+    composed.layers = seen.volume.layers();
+    auto most = static_cast<int>(composed.pieces.size());
+    if (plan.products.series) {
+        const std::int64_t of_brick = plan.window.pieces_of_brick();
+        composed.first_piece = seen.first_brick * of_brick;
+        composed.layers = plan.window.layers();
+        most = plan.window.bricks * static_cast<int>(of_brick);
     }
-    if (job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::object) {
-        entries.push_back(
-            {colours_of_objects(job.look.theme), "a colour for each object, striped where it stood", "objects"});
-        entries.push_back({{rgba(job.look.theme.unowned)}, "other changes", "other"});
+    composed.textures = textures_of(plan.products, most);
+}
+
+void add(const std::vector<scene::LineSegment>& lines, scene::Scene& scene) {
+    scene.lines.insert(scene.lines.end(), lines.begin(), lines.end());
+}
+
+void add_flow(const Plan& plan, const Observation& seen, const Composition& composed, scene::Scene& scene) {
+    const bricks::Volume& volume = seen.volume;
+    const space::Layout& layout = *plan.layout;
+    const std::vector<bricks::FrameSeed> seeds =
+        bricks::used_seeds(volume, composed.bricks, seen.first_brick, plan.job.seed_flags);
+    if (plan.shows(Part::arrows)) scene.arrows = scene::arrows(volume, seeds, layout, plan.glyphs);
+    if (plan.shows(Part::directions)) {
+        const double length = 1.5 * plan.glyphs.cap;
+        const std::vector<scene::Glyph> along = glance::direction_arrows(composed.objects, volume, layout, length);
+        scene.arrows.insert(scene.arrows.end(), along.begin(), along.end());
     }
-    const bool of_another = job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::time;
-    if (job.look.show.has(Part::volume) && of_another) entries = legend_of_colour(job);
-    const gl::GlyphStyle style = glyph_style_of(job);
-    const auto flow = [&](const std::string& what) {
-        return labels::LegendEntry{gradient(style.slow_colour, style.fast_colour),
-                                   fmt::format("{}: slow to fast", what), "slow to fast"};
+    if (plan.shows(Part::tracelines)) scene.tracelines = scene::tracelines(volume, seeds, layout, plan.job.look.traces);
+}
+
+void add_lines(const Plan& plan, const Observation& seen, const Composition& composed, scene::Scene& scene) {
+    const bricks::Volume& volume = seen.volume;
+    const space::Layout& layout = *plan.layout;
+    const scene::Theme& theme = plan.job.look.theme;
+    const labels::TimeEdge& edge = composed.framing.edge;
+    const glm::vec4 colour(theme.lines, 1);
+    if (plan.shows(Part::outline)) add(scene::volume_outline(layout, colour), scene);
+    add(labels::ruler_marks(volume, layout, edge, composed.ticks, colour), scene);
+    if (plan.shows(Part::ribs)) {
+        // Pale, not transparent: lines hide what is behind them, so that these are in the volume and not before it.
+        const glm::vec4 pale = glm::mix(colour, plan.picture.background, 0.55F);
+        for (const labels::TimeTick& tick : composed.ticks)
+            add(scene::cross_section(layout, volume.t_of_seconds(tick.seconds), pale), scene);
+        add(labels::ruler_marks(volume, layout, {1 - edge.x, edge.y}, composed.ticks, colour), scene);
+    }
+    if (plan.shows(Part::ruler)) {
+        add(labels::break_marks(labels::time_breaks(volume, breaks_shown), layout, edge, colour), scene);
+        add(labels::gap_marks(labels::time_gaps(volume), layout, edge, glm::vec4(theme.fast, 1)), scene);
+    }
+    if (!plan.shows(Part::bricks)) return;
+    for (const bricks::Brick& brick : composed.bricks) {
+        const double t = static_cast<double>(brick.first) / static_cast<double>(composed.layers);
+        if (t > 0) add(scene::cross_section(layout, t, glm::vec4(theme.lines, 0.5)), scene);
+    }
+}
+
+/// The frames that stand in the volume.
+std::vector<scene::StandingFrame> standing_frames(const Observation& seen) {
+    constexpr float at_the_ends = 0.5F;
+    constexpr float between = 0.3F;  // they hide what is behind them
+    const bricks::Volume& volume = seen.volume;
+    std::vector<scene::StandingFrame> frames;
+    const auto stand = [&frames](double t, const video::Frame& frame, std::int64_t number, float opacity) {
+        Plane<Bgr> picture = video::picture_of(frame);
+        if (!picture.empty()) frames.push_back({t, std::move(picture), opacity, static_cast<double>(number)});
     };
-    const bool coloured_directions =
-        job.look.show.has(Part::directions) && job.picture.colour != gl::VolumeColour::object;
-    if (job.look.show.has(Part::arrows) || coloured_directions) {
-        entries.push_back(flow("which way it went"));
-    } else if (job.look.show.has(Part::tracelines)) {
-        entries.push_back(flow("paths of the flow"));
+    stand(0, *seen.first, 0, at_the_ends);
+    for (const KeyFrame& key : seen.keyframes) {
+        // At the volume's beginning its first frame stands.
+        if (key.number > 0) stand(volume.t_of_layer(layer_of(key, volume)), *key.frame, key.number, between);
     }
-    return entries;
-}
-
-std::string span_of(const Caption& caption, const bricks::Volume& volume) {
-    std::string text = fmt::format("{}, {}", counted(caption.frames, "frame"),
-                                   labels::format_interval_and_zone(caption.begin, caption.end, caption.clock));
-    double idle = 0;
-    for (const bricks::CompressedIdle& stretch : bricks::compressed_stretches(volume)) idle += stretch.seconds;
-    if (idle > 0) text += fmt::format(", {} without motion drawn short", labels::format_duration(idle));
-    return text;
-}
-
-/// A gap may be one of signal, or lie between the parts that were asked for.
-std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
-    std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
-    if (span.parts.empty()) return gaps;
-    constexpr double little = 1;  // seconds
-    for (labels::TimeGap& gap : gaps) {
-        double asked = 0;
-        for (const video::FrameSpan::Part& part : span.parts) {
-            asked += std::max(0.0, std::min(part.end, gap.end) - std::max(part.begin, gap.begin));
-        }
-        const bool left_out = gap.end - gap.begin - asked > little;
-        if (left_out) gap.reason = asked > little ? "left out, no signal" : "left out";
-    }
-    return gaps;
-}
-
-/// In the middle of the volume: an empty picture would look like a mistake.
-void label_stillness(const Framing& framing, const image::Rgba& colour, labels::Lettering& lettering) {
-    const PixelBox& box = framing.sheet.volume;
-    lettering.add(labels::make_centred_label("nothing moves", framing.sheet.text * 2, (box.left + box.right) / 2.0,
-                                             (box.top + box.bottom) / 2.0, colour),
-                  framing.sheet.between, 0);
-}
-
-// Only the default layout is an arc.
-constexpr std::string_view along_arc = " along the arc,";
-const std::array<std::string, 3> explanations{
-    "Time runs along the arc, from left to right. Each cut through it is the camera's view at that moment. "
-    "A number and its colour are the same object everywhere.",
-    "Time runs along the arc, from left to right; each cut through it is the view at that moment.",
-    "Time runs along the arc, from left to right."};
-
-/// \param squeezed whether time is given room where something moves
-void label_explanation(const std::string& layout, bool squeezed, const labels::Sheet& sheet, const image::Rgba& colour,
-                       labels::Lettering& lettering) {
-    std::array<std::string, 3> texts = explanations;
-    if (squeezed) {
-        constexpr std::string_view direction = "from left to right";
-        for (std::string& text : texts) {
-            text.replace(text.find(direction), direction.size(), "from left to right, with room where something moves");
-        }
-    }
-    if (layout != space::layouts().front().name) {
-        for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
-    }
-    labels::add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
-                                sheet.explanation.inflated(0, sheet.small / 4), colour, lettering);
-}
-
-/// A frame at the end of the volume, with what it is and when above it.
-void label_end(const std::string& what, const Plane<Bgr>& picture, double seconds, const PixelBox& box, bool right,
-               const Caption& caption, const labels::Sheet& sheet, const image::Rgba& colour, const image::Rgba& border,
-               labels::Lettering& lettering) {
-    if (picture.empty() || box.empty()) return;
-    lettering.pictures.push_back({box.inflated(-1, -1), picture, border, 1});
-    const std::string text = fmt::format("{}, {}", what, labels::format_moment(seconds, caption.clock));
-    labels::Label label = labels::make_label(text, sheet.small, box.left, box.top - sheet.small / 2, colour);
-    if (right)
-        label = labels::make_label(text, sheet.small, box.right - label.box.width(), box.top - sheet.small / 2, colour);
-    lettering.labels.push_back(label);
-}
-
-/// Portraits, map, strip and frames beside the volume.
-void label_glance(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
-                  const space::Layout& layout, const Framing& framing, const Glance& glance,
-                  labels::Lettering& lettering) {
-    const Parts& show = job.look.show;
-    const labels::Sheet& sheet = framing.sheet;
-    const image::Rgba ink = rgba(job.look.theme.ink);
-    const image::Rgba pale = rgba(job.look.theme.pale_ink);
-    const image::Rgba lines = rgba(job.look.theme.lines);
-    if (show.has(Part::explanation))
-        label_explanation(job.layout, !bricks::compressed_stretches(volume).empty(), sheet, pale, lettering);
-    if (show.has(Part::ends)) {
-        label_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
-                  lettering);
-        label_end("last frame", glance.last, caption.end, sheet.last, true, caption, sheet, pale, lines, lettering);
-    }
-    const glance::Trails trails(volume, layout, framing.camera, sheet.picture);
-    if (show.has(Part::map) && !glance.scene.empty()) {
-        const double aspect = static_cast<double>(glance.field.width) / glance.field.height;
-        const PixelBox box = glance::map_box(layout, framing.camera, sheet.picture, sheet.map_area, aspect);
-        glance::draw_map(glance.objects, glance.scene, glance.field, box, sheet.small,
-                         image::Rgba(background_of(job.look)), lettering);
-    }
-    if (show.has(Part::portraits) && glance.crops != nullptr) {
-        glance::label_portraits(glance.objects, *glance.crops, trails, sheet, ink, pale, lettering);
-    }
-    if (show.has(Part::numbers)) {
-        glance::label_numbers(glance.objects, trails, sheet, lettering);
-        glance::label_stays(glance.objects, trails, sheet, image::Rgba(background_of(job.look)), lettering);
-    }
-    if (show.has(Part::strip)) {
-        glance::label_strip(glance.objects, caption.begin, caption.end, caption.still, sheet,
-                            {ink, pale, lines, image::Rgba(background_of(job.look))}, lettering);
-    }
-}
-
-/// An event with that part of its path that lies in a stretch of time.
-events::Event part_of(events::Event event, double begin, double end) {
-    const auto outside = [&](const events::PathPoint& point) {
-        return point.at.seconds < begin || point.at.seconds > end;
-    };
-    std::erase_if(event.path, outside);
-    return event;
+    stand(volume.t_end(), *seen.last, volume.frames() - 1, at_the_ends);
+    return frames;
 }
 
 }  // namespace
 
-glance::Objects shown_objects(const LookOptions& look, std::span<const events::Event> events, double begin, double end,
-                              const WallClock& clock) {
-    glance::Objects objects;
-    objects.clock = clock;
-    const std::vector<int> colours = events::colours_of(events);
-    std::map<std::size_t, std::size_t> places;  // of those that are shown
-    for (std::size_t k = 0; k < events.size(); ++k) {
-        if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
-        places[k] = objects.events.size();
-        objects.events.push_back(part_of(events[k], begin, end));
-        objects.numbers.push_back(k + 1);
-        objects.colours.push_back(look.theme.objects[static_cast<std::size_t>(colours[k])]);
+scene::Scene scene_of(const Plan& plan, const Observation& seen, const Composition& composed) {
+    scene::Scene scene;
+    const scene::Theme& theme = plan.job.look.theme;
+    add_flow(plan, seen, composed, scene);
+    add_lines(plan, seen, composed, scene);
+    if (plan.shows(Part::floor)) {
+        scene.floor = seen.volume.keeps_owners() ? scene::floor_shadow(seen.volume, theme, seen.identify)
+                                                 : scene::floor_shadow(seen.volume, theme.shadow);
     }
-    for (events::Event& event : objects.events) {
-        for (std::optional<std::size_t>* const other : {&event.from, &event.into, &event.by}) {
-            const auto place = *other ? places.find(**other) : places.end();
-            *other = place == places.end() ? std::nullopt : std::optional(place->second);
-        }
-    }
-    return objects;
+    if (plan.shows(Part::frames)) scene.frames = standing_frames(seen);
+    return scene;
 }
 
-Framing frame_volume(const RenderJob& job, const space::Layout& layout, double aspect) {
-    Framing framing;
-    const bool ruler = job.look.show.has(Part::ruler);
-    const Parts& show = job.look.show;
-    framing.sheet = labels::arrange_sheet(job.picture.size,
-                                          {.title = show.has(Part::title),
-                                           .ruler = ruler,
-                                           .legend = show.has(Part::legend),
-                                           .explanation = show.has(Part::explanation),
-                                           .portraits = show.has(Part::portraits),
-                                           .ends = show.has(Part::ends),
-                                           .strip = show.has(Part::strip)},
-                                          aspect);
-    const PixelBox& part = framing.sheet.volume;
-    std::vector<glm::dvec3> points = scene::outline_points(layout);
-    if (job.look.show.any(&PartRow::around_volume)) points = scene::corners(scene::layout_bounds(layout));
-    space::View view = job.picture.view;
-    if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
-    space::Camera camera = space::fit_camera(view, points, part.size());
-    framing.edge = labels::outer_edge(layout, camera, part.size());
-    if (ruler) {
-        const std::vector<glm::dvec3> reach = labels::ruler_reach(layout, framing.edge);
-        points.insert(points.end(), reach.begin(), reach.end());
-        camera = space::fit_camera(view, points, part.size());
-    }
-    framing.camera = camera.within(part, job.picture.size);
-    return framing;
+std::vector<glm::vec4> palette_of(const Plan& plan) {
+    if (plan.colours_objects()) return scene::object_palette(plan.job.look.theme);
+    return plan.colour->drawn == gl::VolumeColour::time ? scene::time_colours() : std::vector<glm::vec4>{};
 }
 
-std::vector<labels::TimeTick> ticks_of(const RenderJob& job, const Framing& framing, const bricks::Volume& volume,
-                                       const WallClock& clock) {
-    if (!job.look.show.has(Part::ruler) || framing.sheet.text == 0 || volume.layers() == 0) return {};
-    const int most = std::clamp(framing.sheet.picture.width / (8 * framing.sheet.text), 3, 11);
-    if (volume.is_nonuniform()) return labels::spread_ticks(volume, most, clock);
-    return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, clock);
-}
-
-labels::Lettering letter(const RenderJob& job, const Caption& caption, const bricks::Volume& volume,
-                         const space::Layout& layout, const Framing& framing,
-                         const std::vector<labels::TimeTick>& ticks, const Glance& glance) {
-    labels::Lettering lettering;
-    lettering.font_missing = framing.sheet.text > 0 && !image::measure_text("0", framing.sheet.text);
-    const image::Rgba ink = rgba(job.look.theme.ink);
-    const image::Rgba pale = rgba(job.look.theme.pale_ink);
-    const labels::Sheet& sheet = framing.sheet;
-    const std::vector<labels::LegendEntry> legend =
-        job.look.show.has(Part::legend) ? legend_of(job) : std::vector<labels::LegendEntry>{};
-    const bool in_one_band = !legend.empty() && sheet.legend == sheet.title;
-    const int right = sheet.title.right - (in_one_band ? labels::brief_width(legend, sheet) : 0);
-    labels::label_title(caption.title, span_of(caption, volume), right, sheet, ink, pale, lettering);
-    labels::label_legend(legend, sheet, pale, lettering);
-    const bool ruler = job.look.show.has(Part::ruler) && framing.sheet.text > 0;
-    if (ruler) {
-        labels::label_gaps(explained_gaps(job.fields.span, volume), layout, framing.edge, framing.camera, framing.sheet,
-                           rgba(job.look.theme.fast), lettering);
+Composition compose(const Plan& plan, const Observation& seen) {
+    Composition composed;
+    composed.framing = plan.framing();
+    composed.bricks = cut(plan, seen);
+    composed.squeezed = bricks::compressed_stretches(seen.volume);
+    composed.still = nothing_visible(seen.volume, plan.transfer);
+    composed.objects = objects_of(plan, seen);
+    composed.ticks = ticks_of(plan, composed.framing, seen.volume);
+    cut_into_pieces(plan, seen, composed);
+    composed.palette = palette_of(plan);
+    // Where there is no object, what changed is all that there is to be seen.
+    if (plan.colours_objects() && !plan.products.series && composed.objects.events.empty())
+        composed.palette.front().a = 1;
+    composed.scene = scene_of(plan, seen, composed);
+    composed.frames_missing = plan.products.series && plan.shows(Part::frames) && seen.volume.missing() == 0 &&
+                              composed.scene.frames.size() < 2;
+    composed.boxes = plan.shows(Part::boxes);
+    if (plan.shows(Part::slices)) {
+        const std::optional<space::View>& view = plan.job.look.slice_view;
+        composed.slices = view ? space::fit_camera(*view, scene::outline_points(*plan.layout), plan.picture.size)
+                               : composed.framing.camera;
     }
-    // Before the ticks: who reads a clock should know first where it leaps.
-    if (ruler) {
-        labels::label_breaks(labels::time_breaks(volume, breaks_shown), layout, framing.edge, framing.camera,
-                             framing.sheet, pale, lettering);
-    }
-    labels::label_ruler(volume, layout, framing.edge, ticks, framing.camera, framing.sheet, ink, lettering);
-    if (caption.still && framing.sheet.text > 0) label_stillness(framing, pale, lettering);
-    if (framing.sheet.text > 0) label_glance(job, caption, volume, layout, framing, glance, lettering);
-    return lettering;
+    composed.lettering = letter(plan, seen, composed);
+    return composed;
 }
 
 }  // namespace vvr::app

@@ -11,7 +11,7 @@
 
 #include "cli/app/footage.h"
 #include "cli/app/input.h"
-#include "cli/app/render_clip.h"
+#include "cli/app/observe.h"
 #include "cli/app/write_piece.h"
 #include "core/base/error.h"
 #include "core/fields/filter.h"
@@ -77,8 +77,10 @@ Selection find_event(const CutJob& job, const Footage& footage, Observer& observ
     const OpenedFields fields = open_fields(job.search);
     RenderJob search = job.search;
     search.look.show = {};
+    const Plan plan = make_plan(std::move(search), fields.facts(), Purpose::search);
     std::vector<EventTimes> events;
-    for (const events::Event& event : find_events(search, *fields.source, observer)) {
+    const Observation seen = observe(plan, *fields.source, observer);
+    for (const events::Event& event : seen.events->events) {
         events.push_back({event.first.seconds, event.last.seconds});
     }
     const video::FrameSpan span = span_of(choose_event(job, events, footage.recording.name), job.margin);

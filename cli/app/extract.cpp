@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "cli/app/input.h"
-#include "cli/app/record.h"
 #include "cli/app/settings.h"
+#include "cli/app/used_settings.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/field_source.h"
@@ -73,11 +73,7 @@ void extract(ExtractJob job, Observer& observer) {
             folder->add(*frame, field);
             observer.frames(++frames, expected);
         });
-    if (!folder) {
-        throw Error(ErrorKind::not_video,
-                    fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
-                                clip->info().name));
-    }
+    require_frames(summary.frames, clip->info());
     store::Manifest manifest;
     manifest.clip = clip->info();
     manifest.clip.title = title_of("", clip->info());

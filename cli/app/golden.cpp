@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/app/record.h"
+#include "cli/app/used_settings.h"
 #include "core/base/error.h"
 #include "core/image/atomic_file.h"
 #include "core/image/comparison.h"

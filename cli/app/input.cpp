@@ -9,8 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/record.h"
+#include "cli/app/colour.h"
 #include "cli/app/settings.h"
+#include "cli/app/used_settings.h"
 #include "core/base/choice.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -97,12 +98,13 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
 }
 
 OpenedFields open_extracted(const RenderJob& job) {
-    if (!job.fields.second.empty()) {
+    const std::string& second = find_colour(job.look.colour).filter;
+    if (!second.empty()) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
                         "colour",
-                        job.fields.second, job.input.names.front()),
+                        second, job.input.names.front()),
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
@@ -123,7 +125,7 @@ OpenedFields open_any(const RenderJob& job) {
     if (std::ranges::all_of(job.input.names, store::is_data_folder)) return open_extracted(job);
     OpenedFields opened;
     auto clip = open_clip(job.input, wants_colour(job), job.fields.threads, opened.warnings);
-    fields::FieldOptions fields = job.fields;
+    fields::FieldOptions fields = field_options_of(job);
     fields.span = resolve_span(fields.span, job.look.start_time, clip->info(), opened.day_times);
     opened.span = fields.span;
     opened.source = std::make_unique<fields::ClipFields>(std::move(clip), std::move(fields));
@@ -131,6 +133,30 @@ OpenedFields open_any(const RenderJob& job) {
 }
 
 }  // namespace
+
+ClipFacts OpenedFields::facts() const {
+    return {source->info(), source->field_size(), source->expected_frames(), extracted, warnings, span};
+}
+
+void require_frames(std::int64_t frames, const video::VideoInfo& info) {
+    if (frames > 0) return;
+    throw Error(ErrorKind::not_video,
+                fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", info.name));
+}
+
+fields::FieldOptions field_options_of(const RenderJob& job) {
+    fields::FieldOptions options = job.fields;
+    options.second = find_colour(job.look.colour).filter;
+    return options;
+}
+
+bool wants_colour(const RenderJob& job) {
+    const ColourRow& colour = find_colour(job.look.colour);
+    // Objects are found by colour too, not only if the picture happens to show some.
+    return fields::find_filter(job.fields.filter).traits.colour || fields::needs_reference(field_options_of(job)) ||
+           job.look.show.any(&PartRow::needs_pictures) || colour.needs_pictures ||
+           (!colour.filter.empty() && fields::find_filter(colour.filter).traits.colour);
+}
 
 void require_input(const InputOptions& options) {
     if (options.names.empty()) {
@@ -196,8 +222,8 @@ void check_has_end(const video::VideoInfo& info, Observer& observer) {
 
 OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
-    const std::string filter = with_extracted(job, opened.extracted).fields.filter;
-    opened.source = with_listed_seeds(std::move(opened.source), job, filter);
+    const std::string filter = image::value_of(opened.extracted, setting::filter.name);
+    opened.source = with_listed_seeds(std::move(opened.source), job, filter.empty() ? job.fields.filter : filter);
     return opened;
 }
 

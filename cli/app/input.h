@@ -26,6 +26,16 @@ void report_warnings(const std::vector<std::string>& warnings, const std::vector
 /// \throws Error partial when some files of a recording were left out whole: all else is done by then
 void require_whole(const video::VideoInfo& info);
 
+/// What is known of a clip, or of its extracted fields, before the first frame is read.
+struct ClipFacts {
+    video::VideoInfo info{};
+    Size field_size{};
+    std::int64_t expected_frames = 0;     ///< 0 = unknown
+    image::Metadata extracted{};          ///< as in OpenedFields
+    std::vector<std::string> warnings{};  ///< as in OpenedFields
+    video::FrameSpan span{};              ///< as in OpenedFields
+};
+
 /// The fields that a job works on.
 struct OpenedFields {
     std::unique_ptr<fields::FieldSource> source;
@@ -33,7 +43,19 @@ struct OpenedFields {
     std::vector<std::string> warnings{};  ///< of the input, a sentence each
     video::FrameSpan span{};              ///< in seconds of the clip
     std::string day_times{};              ///< which times of day these are, for people; empty = nobody knows
+
+    ClipFacts facts() const;
 };
+
+/// A clip that was opened had a frame, so it has changed since if it gives none.
+/// \throws Error not_video
+void require_frames(std::int64_t frames, const video::VideoInfo& info);
+
+/// What is computed of each frame.
+fields::FieldOptions field_options_of(const RenderJob& job);
+
+/// The fields need the frames in colour, or the picture shows them.
+bool wants_colour(const RenderJob& job);
 
 /// The one clip of an input.
 /// \throws Error usage unless there is exactly one

@@ -31,21 +31,11 @@
 
 namespace vvr::app {
 
+namespace {
+
 /// The frame of that number, or the one shown at that time. Counts the frames that decode, from the first on, whatever
 /// the container says. Leaves the clip at its first frame.
 /// \throws Error usage that says how long the clip is, where it ends before
-Moment find_frame(video::FrameSource& clip, const Time& time);
-
-/// The picture of one frame's fields, and whether its captions found a font.
-struct Inspection {
-    image::Picture picture;
-    bool captions = true;
-};
-
-/// Fig. 4: the difference object, the flow as green lines and the seeds, side by side over the dimmed frame.
-/// \param frame in colour
-Inspection inspect(const video::Frame& frame, const fields::Field& field);
-
 Moment find_frame(video::FrameSource& clip, const Time& time) {
     const bool by_number = time.unit == Time::Unit::frames;
     Moment found;
@@ -68,8 +58,6 @@ Moment find_frame(video::FrameSource& clip, const Time& time) {
                             counted(found.frame + 1, "frame"), found.seconds),
                 {"frame"});
 }
-
-namespace {
 
 constexpr int whole_width = 1280;
 constexpr int gap = 14;
@@ -169,8 +157,14 @@ void clear_margins(image::Picture& picture) {
     }
 }
 
-}  // namespace
+/// The picture of one frame's fields, and whether its captions found a font.
+struct Inspection {
+    image::Picture picture;
+    bool captions = true;
+};
 
+/// Fig. 4: the difference object, the flow as green lines and the seeds, side by side over the dimmed frame.
+/// \param frame in colour
 Inspection inspect(const video::Frame& frame, const fields::Field& field) {
     const Size size = field.scalar.size();
     const double scale = static_cast<double>(panel_width) / size.width;
@@ -208,8 +202,6 @@ Inspection inspect(const video::Frame& frame, const fields::Field& field) {
     }
     return result;
 }
-
-namespace {
 
 /// The frame in the size and the colours of the clip.
 Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {

@@ -5,19 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/colour.h"
 #include "cli/app/settings.h"
 #include "core/base/error.h"
-#include "core/base/file_io.h"
 #include "core/base/file_name.h"
 #include "core/fields/field_source.h"
-#include "core/fields/filter.h"
-#include "core/fields/flow.h"
-#include "core/fields/reference.h"
 #include "core/image/film.h"
-#include "core/image/picture_file.h"
 #include "core/image/text.h"
-#include "core/scene/transfer_function.h"
 
 namespace vvr::app {
 
@@ -91,126 +84,10 @@ void validate(const RenderJob& job) {
     if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
     fields::validate(job.fields);
     validate(job.bricks, job.look);
-    if (products_of(job).series) validate_series(job);
+    if (is_series(job.output)) validate_series(job);
     validate(job.picture);
     validate(job.shape);
     if (!job.look.font.empty()) image::check_font(job.look.font);
-}
-
-Products products_of(const RenderJob& job) {
-    const OutputOptions& output = job.output;
-    const bool page = !page_of(output).empty();
-    Products products;
-    products.pictures = pictures_of(output);
-    products.series = is_series(output);
-    products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
-                                   !image::is_animation(output.path) && image::holds_pixel_data(output.path));
-    // Only what a filter that marks objects shows has events.
-    products.events = (page || !output.report.empty()) && fields::find_filter(job.fields.filter).traits.shows_object;
-    products.portraits = page && products.events;
-    return products;
-}
-
-RenderJob with_extracted(RenderJob job, const image::Metadata& extracted) {
-    for (const auto& [name, value] : extracted) {
-        if (name == setting::filter.name) job.fields.filter = value;
-        image::put(job.settings, name, value);
-    }
-    return job;
-}
-
-RenderJob with_possible_parts(RenderJob job) {
-    Parts& show = job.look.show;
-    // Who names seeds wants to see them.
-    if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
-    if (fields::find_filter(job.fields.filter).traits.shows_object) return job;
-    if (show.has(Part::directions)) show.add(Part::arrows);
-    for (const PartRow& row : parts()) {
-        if (row.needs_events) show.remove(row.part);
-    }
-    return job;
-}
-
-RenderJob with_fields_of_colour(RenderJob job) {
-    job.fields.second = find_colour(job.look.colour).filter;
-    return job;
-}
-
-RenderJob with_transfer(RenderJob job) {
-    const std::string_view own = fields::find_filter(job.fields.filter).transfer;
-    if (!job.look.transfer && !own.empty()) job.look.transfer = scene::find_transfer(std::string(own));
-    return job;
-}
-
-RenderJob with_colour(RenderJob job) {
-    const bool marks_objects = fields::find_filter(job.fields.filter).traits.shows_object;
-    const LookOptions& look = job.look;
-    const ColourRow& asked = find_colour(look.colour);
-    if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
-        throw Error(
-            ErrorKind::usage,
-            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
-                        job.fields.filter),
-            {setting::colour.name, setting::filter.name});
-    }
-    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
-    const bool objects = tells_objects && marks_objects && !look.transfer;
-    const bool second_flow = !asked.filter.empty() && fields::find_filter(asked.filter).traits.flow;
-    if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
-                                asked.name, job.fields.flow.method),
-                    {setting::colour.name, setting::flow.name});
-    }
-    if (&asked == &colour_rows().front()) job.look.colour = objects ? "object" : "transfer";
-    job.picture.colour = find_colour(job.look.colour).drawn;
-    image::put(job.settings, setting::colour.name, job.look.colour);
-    return job;
-}
-
-bool finds_objects(const RenderJob& job, const Products& products) {
-    return products.events || job.picture.colour == gl::VolumeColour::object ||
-           job.look.show.any(&PartRow::needs_events);
-}
-
-bool wants_colour(const RenderJob& job) {
-    // Objects are found by colour too, not only if the picture happens to show some.
-    return fields::find_filter(job.fields.filter).traits.colour || fields::needs_reference(job.fields) ||
-           job.look.show.any(&PartRow::needs_pictures) || find_colour(job.look.colour).needs_pictures ||
-           (!job.fields.second.empty() && fields::find_filter(job.fields.second).traits.colour);
-}
-
-scene::TransferFunction transfer_of(const LookOptions& look) {
-    return look.transfer ? *look.transfer : scene::find_transfer(std::string(look.theme.transfer));
-}
-
-scene::TransferFunction drawn_transfer_of(const LookOptions& look) {
-    return transfer_of(look).scaled(look.opacity);
-}
-
-glm::vec4 background_of(const LookOptions& look) {
-    return look.background.value_or(glm::vec4(look.theme.background, 1));
-}
-
-scene::GlyphOptions glyph_options_of(const LookOptions& look) {
-    scene::GlyphOptions options;
-    options.time_velocity = look.traces.time_velocity;
-    options.frames *= look.glyph_scale;
-    options.cap = look.glyph_cap * look.glyph_scale;
-    return options;
-}
-
-gl::GlyphStyle glyph_style_of(const RenderJob& job) {
-    gl::GlyphStyle style = job.picture.glyphs;
-    style.slow_colour = job.look.theme.slow;
-    style.fast_colour = job.look.theme.fast;
-    style.thickness *= static_cast<float>(job.look.glyph_scale);
-    // Between objects in colours an arrow says which way, and its colour nothing.
-    if (job.picture.colour == gl::VolumeColour::object) {
-        style.slow_colour = style.fast_colour = job.look.theme.ink;
-        style.thickness *= 1.3F;
-    }
-    return style;
 }
 
 WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
@@ -246,12 +123,6 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     throw Error(ErrorKind::usage,
                 fmt::format("start-time {}: {}", row.word, fmt::format(fmt::runtime(row.missing), info.name)),
                 {setting::start_time.name});
-}
-
-events::EventOptions event_options(const RenderJob& job) {
-    events::EventOptions options;
-    options.scene_is_learnt = fields::find_reference(job.fields.reference) != nullptr;
-    return options;
 }
 
 }  // namespace vvr::app

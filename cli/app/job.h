@@ -10,7 +10,6 @@
 
 #include "cli/app/part.h"
 #include "core/events/event.h"
-#include "core/events/event_options.h"
 #include "core/fields/options.h"
 #include "core/image/comparison.h"
 #include "core/image/name_pattern.h"
@@ -44,8 +43,7 @@ struct TimeScaleRow {
 };
 
 inline constexpr std::array time_scales{
-    TimeScaleRow{TimeScale::automatic, "auto",
-                 "busy for more than two minutes of which nothing moves for most, else even"},
+    TimeScaleRow{TimeScale::automatic, "auto", "busy where the header says more than two minutes, else even"},
     TimeScaleRow{TimeScale::even, "even", "all time has the same room"},
     TimeScaleRow{TimeScale::busy, "busy", "room goes where something moves; the ruler marks where time is squeezed"},
 };
@@ -179,53 +177,6 @@ void validate(const space::LayoutOptions& shape);
 
 /// \throws Error usage for what only one picture of a whole clip can have
 void validate_series(const RenderJob& job);
-
-/// What a run has to make, beside files: `products_of` for a RenderJob's output.
-struct Products {
-    int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe
-    bool series = false;      ///< a picture for each brick, while the window moves over the clip
-    bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
-    bool events = false;      ///< a report or a page tells of them
-    bool portraits = false;   ///< a page shows a still of each event
-};
-
-Products products_of(const RenderJob& job);
-
-/// What counts as an event in the fields of a job.
-events::EventOptions event_options(const RenderJob& job);
-
-/// The same job for fields that were extracted, which have a filter of their own.
-/// \param extracted the settings of the extraction; empty = none
-RenderJob with_extracted(RenderJob job, const image::Metadata& extracted);
-
-/// The same job without the parts that need objects where the filter marks none; arrows of the flow then tell what
-/// arrows along trails would.
-RenderJob with_possible_parts(RenderJob job);
-/// The same job, in whose fields is what its colours need.
-/// \throws Error usage for a colour that is in no table
-RenderJob with_fields_of_colour(RenderJob job);
-
-/// The same job with the transfer function that its filter's values are seen with, where none was asked for.
-RenderJob with_transfer(RenderJob job);
-
-/// The same job with the colour in which its volume is drawn. Where none was asked for, objects have their own if there
-/// is a part that tells of them, the filter marks objects, and no transfer function was asked for.
-/// \throws Error usage where objects are to have colours, and the filter marks none; where colours need flow, and there
-///         is none
-RenderJob with_colour(RenderJob job);
-
-/// Whether the run follows objects.
-bool finds_objects(const RenderJob& job, const Products& products);
-
-/// The fields need the frames in colour, or the picture shows them.
-bool wants_colour(const RenderJob& job);
-
-// What the look makes of the picture.
-scene::TransferFunction transfer_of(const LookOptions& look);
-scene::TransferFunction drawn_transfer_of(const LookOptions& look);  ///< with the opacity
-glm::vec4 background_of(const LookOptions& look);
-scene::GlyphOptions glyph_options_of(const LookOptions& look);
-gl::GlyphStyle glyph_style_of(const RenderJob& job);
 
 /// The clock that a clip's ruler shows.
 /// \throws Error usage where what is to say when it was recorded does not

@@ -51,10 +51,10 @@ bricks::Identify objects_of(std::span<const events::Event> events, const bricks:
         if (!is_in(object.seen)) return bricks::Identity{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;
-        const scene::ObjectState posture = !stays ? scene::ObjectState::moving
-                                           : dark ? scene::ObjectState::marked
-                                                  : scene::ObjectState::still;
-        return bricks::Identity{scene::palette_index(object.colour, posture), object.number};
+        const scene::ObjectState state = !stays ? scene::ObjectState::moving
+                                         : dark ? scene::ObjectState::marked
+                                                : scene::ObjectState::still;
+        return bricks::Identity{scene::palette_index(object.colour, state), object.number};
     };
 }
 

@@ -1,23 +1,119 @@
 #include "cli/app/plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/app/settings.h"
 #include "core/base/error.h"
+#include "core/base/file_io.h"
 #include "core/base/memory.h"
+#include "core/bricks/brick.h"
+#include "core/fields/flow.h"
+#include "core/image/film.h"
+#include "core/image/picture_file.h"
 
 namespace vvr::app {
 
 namespace {
 
+// ---- What one setting decides of another
+
+void take_extracted(const image::Metadata& extracted, RenderJob& job) {
+    for (const auto& [name, value] : extracted) {
+        if (name == setting::filter.name) job.fields.filter = value;
+        image::put(job.settings, name, value);
+    }
+}
+
+/// Parts that need objects go where the filter marks none; arrows of the flow then tell what arrows along trails would.
+void drop_impossible_parts(const RenderJob& job, bool marks_objects, Parts& show) {
+    // Who names seeds wants to see them.
+    if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
+    if (marks_objects) return;
+    if (show.has(Part::directions)) show.add(Part::arrows);
+    for (const PartRow& row : parts()) {
+        if (row.needs_events) show.remove(row.part);
+    }
+}
+
+/// The colour of the volume. Where none was asked for, objects have their own if there is a part that tells of them,
+/// the filter marks objects, and no transfer function was asked for.
+const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
+    const LookOptions& look = job.look;
+    const ColourRow& asked = find_colour(look.colour);
+    if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
+                        job.fields.filter),
+            {setting::colour.name, setting::filter.name});
+    }
+    const bool second_flow = !asked.filter.empty() && fields::find_filter(asked.filter).traits.flow;
+    if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
+                                asked.name, job.fields.flow.method),
+                    {setting::colour.name, setting::flow.name});
+    }
+    if (&asked != &colour_rows().front()) return asked;
+    const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
+    return find_colour(tells_objects && marks_objects && !look.transfer ? "object" : "transfer");
+}
+
+scene::TransferFunction transfer_or(const LookOptions& look, std::string_view otherwise) {
+    return look.transfer ? *look.transfer : scene::find_transfer(std::string(otherwise));
+}
+
+gl::GlyphStyle glyph_style_of(const RenderJob& job, bool between_objects) {
+    gl::GlyphStyle style = job.picture.glyphs;
+    style.slow_colour = job.look.theme.slow;
+    style.fast_colour = job.look.theme.fast;
+    style.thickness *= static_cast<float>(job.look.glyph_scale);
+    // Between objects in colours an arrow says which way, and its colour nothing.
+    if (between_objects) {
+        style.slow_colour = style.fast_colour = job.look.theme.ink;
+        style.thickness *= 1.3F;
+    }
+    return style;
+}
+
+Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) {
+    if (purpose == Purpose::search) return {.pictures = 0, .events = true};
+    const OutputOptions& output = job.output;
+    const bool page = !page_of(output).empty();
+    Products products;
+    products.series = purpose == Purpose::stream || is_series(output);
+    products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
+                                   !image::is_animation(output.path) && image::holds_pixel_data(output.path));
+    if (purpose == Purpose::stream) {
+        products.portraits = page;
+        return products;
+    }
+    products.pictures = std::max(pictures_of(output), purpose == Purpose::caller ? 1 : 0);
+    // Only what a filter that marks objects shows has events.
+    products.events = (page || !output.report.empty()) && marks_objects;
+    products.portraits = page && products.events;
+    return products;
+}
+
+/// Where the header promises more than two minutes, room goes where something moves, unless it was asked for otherwise.
+bool wants_room_for_motion(const BrickOptions& bricks, const ClipFacts& clip) {
+    constexpr double short_recording = 120;  // seconds
+    if (bricks.time != TimeScale::automatic) return bricks.time == TimeScale::busy;
+    return clip.info.rate > 0 && static_cast<double>(clip.expected_frames) > short_recording * clip.info.rate;
+}
+
+// ---- Layers, bricks and memory
+
 constexpr double default_seconds = 10;
 constexpr double default_frames = 100;  // where the frames per second are unknown
 
-double frames_of_brick(const BrickOptions& bricks, const fields::FieldSource& source) {
-    const video::VideoInfo& info = source.info();
+double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
+    const video::VideoInfo& info = clip.info;
     if (bricks.length && bricks.length->unit == Time::Unit::frames) return bricks.length->value;
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
@@ -28,16 +124,83 @@ double frames_of_brick(const BrickOptions& bricks, const fields::FieldSource& so
                     {setting::brick.name});
     }
     const double brick = info.rate > 0 ? default_seconds * info.rate : default_frames;
-    const auto expected = static_cast<double>(source.expected_frames());
+    const auto expected = static_cast<double>(clip.expected_frames);
     return expected > 0 ? std::min(brick, std::ceil(expected / bricks.window)) : brick;
+}
+
+/// The window of a series. A brick is as long as the options say; by default 10 s, or less if k bricks of that length
+/// are longer than the clip.
+SlidingWindow sliding_window(const BrickOptions& bricks, int keyframes, const ClipFacts& clip) {
+    SlidingWindow window;
+    window.bricks = bricks.window;
+    const double brick = std::max(1.0, std::round(frames_of_brick(bricks, clip)));
+    const auto frames = static_cast<std::int64_t>(brick) * bricks.window;
+    window.step = planned_step(bricks, frames);
+    while (frames > bricks.max_layers * window.step) window.step *= 2;
+    const double layers = std::round(brick / static_cast<double>(window.step));
+    window.brick_layers = std::max<std::int64_t>(1, static_cast<std::int64_t>(layers));
+    // They part a brick evenly.
+    for (std::int64_t j = 0; j < keyframes; ++j) window.key_layers.push_back(j * window.brick_layers / keyframes);
+    return window;
+}
+
+std::int64_t area(Size size) {
+    return std::int64_t{size.width} * size.height;
+}
+
+std::int64_t bricks_of(const BrickOptions& bricks, const Extent& extent, double rate) {
+    if (!bricks.length) return std::min<std::int64_t>(bricks.window, extent.layers);
+    const double length = bricks.length->value * (bricks.length->unit == Time::Unit::seconds ? rate : 1);
+    if (length <= 0) return std::min<std::int64_t>(bricks.window, extent.layers);
+    return static_cast<std::int64_t>(std::ceil(static_cast<double>(extent.layers * extent.step) / length));
+}
+
+std::int64_t bytes_of(const Plan& plan, const Extent& extent) {
+    constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
+    constexpr std::int64_t frames_in_flight = 16;
+    constexpr std::int64_t field_bytes = 30;  // per pixel of a frame in flight: colour, planes of floats, flow
+    constexpr std::int64_t source_bytes = 2;  // per pixel of a decoded picture
+    const std::int64_t picture_bytes = plan.products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
+    // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
+    const gl::VolumeColour colour = plan.colour->drawn;
+    const std::int64_t voxel_bytes = colour == gl::VolumeColour::own || colour == gl::VolumeColour::object ? 4 : 1;
+    const auto pieces = static_cast<int>((extent.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
+    const std::int64_t in_textures = extent.layers * textures_of(plan.products, pieces) / std::max(1, pieces);
+    // Unequal layers are half as many again while they are read.
+    const std::int64_t held = plan.nonuniform ? extent.layers * 3 / 2 : extent.layers;
+    // The flow of about a hundred frames, in half floats.
+    const std::int64_t flow_bytes = plan.job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
+    // Per pixel of the field: since when it has its value, and whose it is.
+    const std::int64_t event_bytes = plan.finds_objects ? 40 : 0;
+    const std::int64_t field = area(plan.clip.field_size);
+    return program + (event_bytes + flow_bytes + voxel_bytes * (held + in_textures)) * field +
+           frames_in_flight * (field_bytes * field + source_bytes * area(plan.clip.info.size)) +
+           picture_bytes * area(plan.picture.size);
+}
+
+Extent extent_of(const Plan& plan) {
+    const BrickOptions& bricks = plan.job.bricks;
+    Extent extent;
+    extent.frames = plan.clip.expected_frames;
+    if (plan.products.series) {
+        extent.step = plan.window.step;
+        extent.layers = plan.window.layers();
+        extent.bricks = plan.window.bricks;
+    } else {
+        extent.step = planned_step(bricks, extent.frames);
+        while (extent.frames > bricks.max_layers * extent.step) extent.step *= 2;
+        extent.layers = extent.frames > 0 ? (extent.frames + extent.step - 1) / extent.step : bricks.max_layers;
+        extent.bricks = bricks_of(bricks, extent, plan.clip.info.rate);
+    }
+    extent.bytes = bytes_of(plan, extent);
+    return extent;
 }
 
 }  // namespace
 
-bool is_short_recording(const fields::FieldSource& source) {
-    const double rate = source.info().rate;
-    const std::int64_t frames = source.expected_frames();
-    return rate > 0 && frames > 0 && static_cast<double>(frames) <= short_recording * rate;
+std::int64_t SlidingWindow::pieces_of_brick() const {
+    return std::ssize(
+        bricks::cut_into_sub_bricks(bricks::cut_at(std::array{bricks::Brick{0, brick_layers}}, key_layers)));
 }
 
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames) {
@@ -50,88 +213,53 @@ int textures_of(const Products& products, int pieces) {
     return std::max(1, drawn_again ? pieces : std::min(2, pieces));
 }
 
-SlidingWindow sliding_window(const BrickOptions& bricks, const fields::FieldSource& source) {
-    SlidingWindow window;
-    window.bricks = bricks.window;
-    const double brick = std::max(1.0, std::round(frames_of_brick(bricks, source)));
-    const auto frames = static_cast<std::int64_t>(brick) * bricks.window;
-    window.step = planned_step(bricks, frames);
-    while (frames > bricks.max_layers * window.step) window.step *= 2;
-    const double layers = std::round(brick / static_cast<double>(window.step));
-    window.brick_layers = std::max<std::int64_t>(1, static_cast<std::int64_t>(layers));
-    return window;
-}
-
-namespace {
-
-std::int64_t area(Size size) {
-    return std::int64_t{size.width} * size.height;
-}
-
-std::int64_t bricks_of(const BrickOptions& bricks, const Plan& plan, double rate) {
-    if (!bricks.length) return std::min<std::int64_t>(bricks.window, plan.layers);
-    const double length = bricks.length->value * (bricks.length->unit == Time::Unit::seconds ? rate : 1);
-    if (length <= 0) return std::min<std::int64_t>(bricks.window, plan.layers);
-    return static_cast<std::int64_t>(std::ceil(static_cast<double>(plan.layers * plan.step) / length));
-}
-
-std::int64_t bytes_of(const RenderJob& job, const Products& products, const Plan& plan,
-                      const fields::FieldSource& source) {
-    constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
-    constexpr std::int64_t frames_in_flight = 16;
-    constexpr std::int64_t field_bytes = 30;  // per pixel of a frame in flight: colour, planes of floats, flow
-    constexpr std::int64_t source_bytes = 2;  // per pixel of a decoded picture
-    const std::int64_t picture_bytes = products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
-    // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
-    const std::int64_t voxel_bytes =
-        job.picture.colour == gl::VolumeColour::own || job.picture.colour == gl::VolumeColour::object ? 4 : 1;
-    const auto pieces = static_cast<int>((plan.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
-    const std::int64_t layers_in_textures = plan.layers * textures_of(products, pieces) / std::max(1, pieces);
-    // Unequal layers are half as many again while they are read, and `auto` holds even ones beside them. Where room is
-    // given to motion, most of them hold little.
-    const bool is_even =
-        job.bricks.time == TimeScale::even || (job.bricks.time == TimeScale::automatic && is_short_recording(source));
-    const std::int64_t held_layers = products.series || is_even ? 1 : 2;
-    // The flow of about a hundred frames, in half floats.
-    const std::int64_t flow_bytes = job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
-    // Per pixel of the field: since when it has its value, and whose it is.
-    const std::int64_t event_bytes = finds_objects(job, products) ? 40 : 0;
-    return program + event_bytes * area(source.field_size()) + flow_bytes * area(source.field_size()) +
-           voxel_bytes * (held_layers * plan.layers + layers_in_textures) * area(source.field_size()) +
-           frames_in_flight * (field_bytes * area(source.field_size()) + source_bytes * area(source.info().size)) +
-           picture_bytes * area(job.picture.size);
-}
-
-}  // namespace
-
-void check_memory(const Plan& plan) {
+void check_memory(const Extent& extent) {
     const std::int64_t there = machine_memory();
-    if (there <= 0 || plan.bytes <= there) return;
+    if (there <= 0 || extent.bytes <= there) return;
     throw Error(
         ErrorKind::limit,
         fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
                     "picture, smaller fields or fewer layers",
-                    static_cast<double>(plan.bytes) / 1e9, static_cast<double>(there) / 1e9),
+                    static_cast<double>(extent.bytes) / 1e9, static_cast<double>(there) / 1e9),
         {setting::size.name, setting::field_size.name, setting::layers.name});
 }
 
-Plan make_plan(const RenderJob& job, const Products& products, const fields::FieldSource& source) {
-    const BrickOptions& bricks = job.bricks;
-    Plan plan;
-    plan.frames = source.expected_frames();
-    if (products.series) {
-        const SlidingWindow window = sliding_window(bricks, source);
-        plan.step = window.step;
-        plan.layers = window.layers();
-        plan.bricks = window.bricks;
-        plan.bytes = bytes_of(job, products, plan, source);
-        return plan;
-    }
-    plan.step = planned_step(bricks, plan.frames);
-    while (plan.frames > bricks.max_layers * plan.step) plan.step *= 2;
-    plan.layers = plan.frames > 0 ? (plan.frames + plan.step - 1) / plan.step : bricks.max_layers;
-    plan.bricks = bricks_of(bricks, plan, source.info().rate);
-    plan.bytes = bytes_of(job, products, plan, source);
+Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
+    take_extracted(clip.extracted, job);
+    if (clip.extracted.empty()) job.fields.span = clip.span;
+    const fields::FilterRow& filter = fields::find_filter(job.fields.filter);
+    const bool marks_objects = filter.traits.shows_object;
+    drop_impossible_parts(job, marks_objects, job.look.show);
+    if (!job.look.transfer && !filter.transfer.empty())
+        job.look.transfer = scene::find_transfer(std::string(filter.transfer));
+    const ColourRow& colour = choose_colour(job, marks_objects);
+    image::put(job.settings, setting::colour.name, colour.name);
+    const fields::FilterRow* const second = colour.filter.empty() ? nullptr : &fields::find_filter(colour.filter);
+    const std::string_view second_own = second == nullptr ? "" : second->transfer;
+    const scene::TransferFunction transfer = transfer_or(job.look, job.look.theme.transfer);
+    Plan plan{.filter = &filter,
+              .colour = &colour,
+              .second = second,
+              .transfer = transfer,
+              .drawn_transfer = transfer.scaled(job.look.opacity),
+              .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};
+    plan.products = products_of(job, marks_objects, purpose);
+    plan.finds_objects = plan.products.events || plan.colours_objects() || job.look.show.any(&PartRow::needs_events);
+    plan.nonuniform = !plan.products.series && wants_room_for_motion(job.bricks, clip);
+    plan.layout = space::make_layout(job.layout, space::shape_for(clip.field_size, job.shape));
+    plan.glyphs.time_velocity = job.look.traces.time_velocity;
+    plan.glyphs.frames *= job.look.glyph_scale;
+    plan.glyphs.cap = job.look.glyph_cap * job.look.glyph_scale;
+    plan.picture = job.picture;
+    plan.picture.colour = plan.colour->drawn;
+    plan.picture.background = job.look.background.value_or(glm::vec4(job.look.theme.background, 1));
+    plan.picture.glyphs = glyph_style_of(job, plan.colours_objects());
+    plan.title = title_of(job.look.title, clip.info);
+    plan.clock = clock_of(job.look.start_time, clip.info);
+    plan.job = std::move(job);
+    plan.clip = std::move(clip);
+    if (plan.products.series) plan.window = sliding_window(plan.job.bricks, plan.job.look.keyframes, plan.clip);
+    plan.extent = extent_of(plan);
     return plan;
 }
 

@@ -1,81 +1,22 @@
 #include "cli/app/render.h"
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
-#include <span>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "cli/app/golden.h"
-#include "cli/app/input.h"
-#include "cli/app/plan.h"
-#include "cli/app/record.h"
-#include "cli/app/render_series.h"
-#include "cli/app/report.h"
-#include "cli/app/write.h"
-#include "core/base/error.h"
-#include "core/base/file_io.h"
-#include "core/base/text.h"
-#include "core/image/atomic_file.h"
+#include "cli/app/render_thread.h"
+#include "cli/app/series.h"
 #include "core/image/text.h"
-#include "core/page/stills.h"
 
 namespace vvr::app {
 
 namespace {
 
-void show_warnings(const RenderJob& job, const RenderReport& report, Observer& observer) {
-    const std::string& name = report.info.name;
-    observer.debug(fmt::format("backend {}: {}", report.backend, report.renderer));
-    observer.debug(
-        fmt::format("fields {}x{}, {} arrows", report.field_size.width, report.field_size.height, report.arrows));
-    if (report.damaged > 0) {
-        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
-                                  counted(report.damaged, "damaged packet"), counted(report.frames, "frame")));
-    }
-    if (report.frames_missing) {
-        observer.warn(
-            fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
-    }
-    if (!is_series(job.output) && report.keyframes < static_cast<std::size_t>(job.look.keyframes)) {
-        observer.warn(
-            fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
-                        "is shorter",
-                        name, report.keyframes, counted(job.look.keyframes, "key frame")));
-    }
-    if (report.lettering.font_missing) {
-        observer.warn(
-            "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
-    }
-    if (report.still && report.frames < 2) {
-        observer.warn(fmt::format("'{}': there is one frame, so nothing can move, and the volume is empty", name));
-    } else if (report.still) {
-        observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
-                      {"threshold"});
-    }
-    for (const std::string& advice : report.advice) observer.warn(advice);
-    if (!report.squeezed.empty()) {
-        double idle = 0;
-        for (const bricks::CompressedIdle& stretch : report.squeezed) idle += stretch.seconds;
-        observer.info(
-            fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
-                        labels::format_duration(idle), counted(std::ssize(report.squeezed), "place")));
-    } else if (report.step > 1) {
-        observer.info(
-            fmt::format("{} share a layer, as the clip is longer than the window", counted(report.step, "frame")));
-    }
-}
-
-/// What came of the run, in a line.
-std::string outcome(const RenderJob& job, bool series, const RenderReport& report) {
-    const std::string name = job.output.path.empty() ? report.info.name : job.output.path.string();
-    const std::string frames = counted(report.frames, "frame");
-    if (series) return fmt::format("'{}': {} of {}", name, counted(report.pictures, "picture"), frames);
-    return fmt::format("'{}': {} in {} and {}", name, frames, counted(report.layers, "layer"),
-                       counted(std::ssize(report.bricks), "brick"));
-}
+// Fewer frames are read in a few seconds: reading begins before OpenGL is known to work.
+constexpr std::int64_t soon_read = 5000;
+// With more frames the renderer is made after they have been read: memory counts for more than a moment then.
+constexpr std::int64_t long_read = 100'000;
 
 /// Sees the fields on their way, to keep what a page and a still show of them.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
@@ -86,76 +27,65 @@ page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     return watcher;
 }
 
-std::span<const events::Event> events_of(const RenderReport& report) {
-    return report.events ? std::span<const events::Event>(*report.events) : std::span<const events::Event>();
-}
-
 }  // namespace
 
-RenderReport render(const RenderJob& given, Observer& observer, const DrawnSink& taken) {
-    validate(given);
-    image::choose_font(given.look.font);
-    const RenderJob asked = with_fields_of_colour(given);
-    const auto begin = std::chrono::steady_clock::now();
-    PictureOutput pictures(asked.output, observer);
-    check_golden_picture(asked.output.golden);
-    OpenedFields fields = open_fields(asked);
-    check_has_end(fields.source->info(), observer);
-    RenderJob job = with_colour(with_transfer(with_possible_parts(with_extracted(asked, fields.extracted))));
-    if (fields.extracted.empty()) job.fields.span = fields.span;
-    if (!fields.day_times.empty()) observer.info(fields.day_times);
-    Products products = products_of(job);
-    if (taken) products.pictures = std::max(products.pictures, 1);
-    const std::filesystem::path& page = page_of(job.output);
-    page::WatchedFields* const watched = watch(job.output, fields);
-    check_memory(make_plan(job, products, *fields.source));
+Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink) {
+    RunFacts run;  // its stages begin now
+    const std::int64_t expected = plan.clip.expected_frames;
+    const bool is_long = expected > long_read;
+    RenderThread thread;
+    auto opened = thread.start([&](Drawing& drawing) { open_context(plan, drawing, observer); });
+    // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
+    if (!is_long) {
+        thread.start([&](Drawing& drawing) {
+            make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);
+            warm_up(plan, drawing);
+        });
+    }
+    if (expected == 0 || expected > soon_read) opened.get();
+    Observation seen = observe(plan, source, observer);
+    run.stages.end("fields");
+    thread.run([&](Drawing& drawing) {
+        if (is_long) make_renderer(plan, gl::RenderOptions{}.tile_samples / 4, drawing);
+        run.describe(*drawing.context);
+    });
+    Composition composed = compose(plan, seen);
+    run.stages.end("scene");
+    thread.run([&](Drawing& drawing) { show(plan, composed, seen, drawing); });
+    const int pictures = plan.products.pictures;
+    for (int i = 0; i < pictures; ++i) {
+        FinishedPicture picture{i, {}, {plan, seen, composed, run}};
+        thread.run([&](Drawing& drawing) {
+            picture.picture = draw(plan, composed, seen, drawing, static_cast<double>(i) / pictures);
+            if (i + 1 == pictures) close(drawing);
+        });
+        run.stages.end("draw");
+        run.pictures = i + 1;
+        sink(std::move(picture));
+        run.stages.end("write");
+    }
+    return {std::move(seen), std::move(composed), std::move(run)};
+}
 
-    image::Picture drawn;
-    const PictureSink write = [&](const RenderReport& report, int number, image::Picture&& picture) {
-        const image::Metadata record = record_of(job, report, products.series);
-        if (taken) taken(picture, record);
-        if (!job.output.golden.path.empty()) drawn = {picture.pixels};
-        pictures.add_thumbnail(picture);
-        page::Moments moments = watched == nullptr ? page::Moments{} : watched->take();
-        if (!moments.problem.empty()) {
-            observer.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
-        }
-        pictures.add_still(page::best_still(moments.stills, events_of(report), report.field_size));
-        if (page.empty()) {
-            pictures.add(number, std::move(picture), record);
-            return;
-        }
-        if (!is_page(job.output.path)) pictures.add(number, picture, record);
-        pictures.add_page(page_text(job, report, std::move(picture), record, std::move(moments)));
-    };
-    RenderReport report = products.series ? render_series(job, products, *fields.source, observer, write)
-                                          : render_clip(job, products, *fields.source, observer, write);
-    if (report.frames == 0) {
-        throw Error(ErrorKind::not_video,
-                    fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?",
-                                fields.source->info().name));
-    }
-    report_warnings(fields.warnings, report.problems, observer);
-    report.problems.insert(report.problems.begin(), fields.warnings.begin(), fields.warnings.end());
-    show_warnings(job, report, observer);
-    pictures.close();
+RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken) {
+    validate(job);
+    image::choose_font(job.look.font);
+    const auto begin = std::chrono::steady_clock::now();
+    PictureOutput files(job.output, observer);
+    check_golden_picture(job.output.golden);
+    OpenedFields fields = open_fields(job);
+    check_has_end(fields.source->info(), observer);
+    const Plan plan = make_plan(job, fields.facts(), taken ? Purpose::caller : Purpose::files);
+    if (!fields.day_times.empty()) observer.info(fields.day_times);
+    Writer writer(files, watch(job.output, fields), taken, observer);
+    check_memory(plan.extent);
+
+    const auto run = plan.products.series ? render_series : render_clip;
+    const Outcome done =
+        run(plan, *fields.source, observer, [&writer](FinishedPicture&& picture) { writer.write(std::move(picture)); });
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    observer.info(fmt::format("{}, {:.1f} s", outcome(job, products.series, report), took.count()));
-    if (products.events && report.events) observer.info(summary_of(*report.events, report.clock));
-    if (!job.output.report.empty()) {
-        const std::string text = format_report(report, settings_and_font(job, report), took.count());
-        const auto bytes = std::as_bytes(std::span(text));
-        const auto held = observer.guard();
-        if (is_standard_output(job.output.report)) {
-            write_standard_output(bytes);
-        } else {
-            image::replace_file(job.output.report, bytes);
-        }
-    }
-    if (!job.output.golden.path.empty()) {
-        compare_with_golden(job.output.golden, drawn, record_of(job, report, products.series), observer);
-    }
-    return report;
+    writer.finish({plan, done.seen, done.composed, done.run}, took.count());
+    return {done.seen.info, done.seen.summary.frames, done.seen.summary.damaged};
 }
 
 }  // namespace vvr::app

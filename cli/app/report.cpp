@@ -10,13 +10,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/app/settings.h"
+#include "cli/app/tell.h"
+#include "cli/app/used_settings.h"
 #include "core/base/digest.h"
 #include "core/base/json_text.h"
-#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/events/event.h"
+#include "core/image/text.h"
 #include "core/labels/time_ticks.h"
-#include "core/store/manifest.h"
 
 namespace vvr::app {
 
@@ -181,130 +183,116 @@ std::int64_t peak_memory() {
     return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-double length_of(const events::Event& event) {
-    return event.last.seconds - event.first.seconds;
-}
-
 /// When the clip began (UTC), and what tells that: its name, whether the picture shows it or not, else what the user
 /// chose.
-std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const RenderReport& report) {
-    const video::VideoInfo& info = report.info;
+std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::VideoInfo& info, const WallClock& clock) {
     if (recording_time_is_known(info)) return {info.began, info.began_source};
-    const WallClock& clock = report.clock;
     if (clock && clock->utc_offset) return {clock->begin - *clock->utc_offset, clock->source};
     return {std::nullopt, ClockSource::none};
 }
 
+/// The settings that were used, and the font of the text where there is text: the machine's, if nobody named one.
+image::Metadata settings_and_font(const Drawn& drawn) {
+    image::Metadata settings = used_settings(drawn.plan.job.settings);
+    const labels::Lettering& lettering = drawn.composed.lettering;
+    const bool text = !lettering.labels.empty() || !lettering.badges.empty();
+    if (text) image::put(settings, setting::font.name, image::font_name());
+    return settings;
+}
+
+Json json_of_clip(const video::VideoInfo& info, const WallClock& clock) {
+    const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
+    const auto [recorded, recorded_by] = recorded_at(info, clock);
+    Json json{{"name", info.name},
+              {"container", info.container},
+              {"codec", info.codec},
+              {"width", info.size.width},
+              {"height", info.size.height},
+              {"rate", known(info.rate)},
+              {"recorded", recorded ? Json(labels::format_clock(*recorded)) : Json()},
+              {"recorded_by", recorded ? Json(row_of(recorded_by).name) : Json()},
+              {"written", info.created ? Json(labels::format_clock(*info.created)) : Json()}};
+    add_digest(json, info.segments.empty() ? info.name : std::string());
+    return json;
+}
+
+Json json_of(const WallClock& clock, double first, double last) {
+    if (!clock) return {};
+    return {{"first", clock->iso(first)},
+            {"last", clock->iso(last)},
+            {"zone", clock->zone.empty() ? Json() : Json(clock->zone)},
+            {"source", row_of(clock->source).name}};
+}
+
 }  // namespace
 
-std::string format_report(const RenderReport& report, const image::Metadata& settings, double seconds) {
-    const video::VideoInfo& info = report.info;
-    const auto known = [](auto value) { return value > 0 ? Json(value) : Json(); };
-    const auto [recorded, recorded_by] = recorded_at(report);
+std::string format_report(const Drawn& drawn, double seconds) {
+    const auto& [plan, seen, composed, run] = drawn;
+    const video::VideoInfo& info = seen.info;
+    const double first = seen.begin.seconds;
+    const double last = seen.end().seconds;
+    const Size field = plan.clip.field_size;
     Json json{
         {"report", format_version},
         {"vvr", version()},
-        {"input",
-         {{"name", info.name},
-          {"container", info.container},
-          {"codec", info.codec},
-          {"width", info.size.width},
-          {"height", info.size.height},
-          {"rate", known(info.rate)},
-          {"recorded", recorded ? Json(labels::format_clock(*recorded)) : Json()},
-          {"recorded_by", recorded ? Json(row_of(recorded_by).name) : Json()},
-          {"written", info.created ? Json(labels::format_clock(*info.created)) : Json()}}},
-        {"frames", {{"used", report.frames}, {"damaged", report.damaged}}},
-        {"span",
-         {{"first", rounded(report.first_pts)},
-          {"last", rounded(report.last_pts)},
-          {"seconds", rounded(report.last_pts - report.first_pts)}}},
-        {"field", {{"width", report.field_size.width}, {"height", report.field_size.height}}},
+        {"input", json_of_clip(info, plan.clock)},
+        {"frames", {{"used", seen.summary.frames}, {"damaged", seen.summary.damaged}}},
+        {"span", {{"first", rounded(first)}, {"last", rounded(last)}, {"seconds", rounded(last - first)}}},
+        {"field", {{"width", field.width}, {"height", field.height}}},
         {"volume",
-         {{"layers", report.layers},
-          {"frames_per_layer", report.step},
-          {"bricks", report.bricks.size()},
-          {"arrows", report.arrows},
-          {"still", report.still},
-          {"squeezed", json_of(report.squeezed)}}},
+         {{"layers", seen.volume.layers()},
+          {"frames_per_layer", seen.volume.step()},
+          {"bricks", composed.bricks.size()},
+          {"arrows", composed.scene.arrows.size()},
+          {"still", composed.still},
+          {"squeezed", json_of(composed.squeezed)}}},
     };
-    add_digest(json["input"], info.segments.empty() ? info.name : std::string());
-    json["clock"] = Json();
-    if (report.clock) {
-        const std::string& zone = report.clock->zone;
-        json["clock"] = {{"first", report.clock->iso(report.first_pts)},
-                         {"last", report.clock->iso(report.last_pts)},
-                         {"zone", zone.empty() ? Json() : Json(zone)},
-                         {"source", row_of(report.clock->source).name}};
-    }
+    json["clock"] = json_of(plan.clock, first, last);
     json["segments"] = Json();
     if (!info.segments.empty()) {
         json["segments"] = Json::array();
         for (const video::SegmentPlace& segment : info.segments) json["segments"].push_back(json_of(segment));
     }
-    json["problems"] = report.problems;
+    json["problems"] = plan.clip.warnings;
+    for (const std::string& problem : seen.summary.problems) json["problems"].push_back(problem);
     json["left_out"] = {
         {"files", info.left_out.files}, {"frames", info.left_out.frames}, {"seconds", rounded(info.left_out.seconds)}};
     json["settings"] = Json::object();
-    for (const auto& [name, value] : settings) json["settings"][name] = value;
-    json["renderer"] = {{"name", report.renderer}, {"version", report.gl_version}, {"backend", report.backend}};
+    for (const auto& [name, value] : settings_and_font(drawn)) json["settings"][name] = value;
+    json["renderer"] = {{"name", run.renderer}, {"version", run.gl_version}, {"backend", run.backend}};
     json["labels"] = Json::array();
-    for (const labels::Label& label : report.lettering.labels) json["labels"].push_back(json_of(label));
+    for (const labels::Label& label : composed.lettering.labels) json["labels"].push_back(json_of(label));
     json["seconds"] = Json::object();
-    for (const auto& [stage, took] : report.stages.seconds()) json["seconds"][stage] = rounded(took);
+    for (const auto& [stage, took] : run.stages.seconds()) json["seconds"][stage] = rounded(took);
     json["seconds"]["total"] = rounded(seconds);
     json["peak_memory_bytes"] = peak_memory();
-    json["advice"] = report.advice;
+    json["advice"] = advice_on(plan, seen);
     json["events"] = Json();
-    if (report.events) {
+    if (seen.events) {
         json["events"] = Json::array();
-        const Scale scale(report.field_size, info.size);
-        for (std::size_t k = 0; k < report.events->size(); ++k) {
-            json["events"].push_back(json_of((*report.events)[k], k, scale, {info.segments, report.clock}));
-        }
+        const Scale scale(field, info.size);
+        for (std::size_t k = 0; k < seen.events->events.size(); ++k)
+            json["events"].push_back(json_of(seen.events->events[k], k, scale, {info.segments, plan.clock}));
     }
     return json_text(json, 2) + "\n";
 }
 
-std::string summary_of(const std::vector<events::Event>& events, const WallClock& clock) {
-    if (events.empty()) return "no events";
-    const auto longest = std::ranges::max_element(events, {}, length_of);
-    const double first = longest->first.seconds;
-    const double last = longest->last.seconds;
-    std::string text = fmt::format(
-        "{}; the longest from {}", counted(std::ssize(events), "event"),
-        clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
-    const double still = events::stationary_seconds(*longest);
-    if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
-    return text;
-}
-
-namespace {
-
-/// Where the events are mostly pieces of one part of the scene.
-std::optional<std::string> advice_on_clutter(const RenderJob& job, const RenderReport& report) {
-    // Who names a region knows the option; what was extracted takes none.
-    if (!report.events || !job.fields.roi.empty() || store::is_data_folder(job.input.names.front()))
-        return std::nullopt;
-    const std::optional<events::Clutter> scraps = events::find_clutter(*report.events, report.field_size);
-    if (!scraps) return std::nullopt;
-    const double x = static_cast<double>(report.info.size.width) / report.field_size.width;
-    const double y = static_cast<double>(report.info.size.height) / report.field_size.height;
-    const PixelBox& box = scraps->box;
-    return fmt::format(
-        "'{}': {} of {} events are small and keep to one place, most of them in {:.0f}x{:.0f} pixels at {:.0f},{:.0f}; "
-        "if they tell you nothing, choose where to look with --roi; this makes a page to draw it on: vvr inspect '{}' "
-        "--frame {:.1f}s -o roi.html",
-        report.info.name, scraps->count, report.events->size(), box.width() * x, box.height() * y, box.left * x,
-        box.top * y, report.info.name, scraps->at.seconds);
-}
-
-}  // namespace
-
-std::vector<std::string> advice_on(const RenderJob& job, const RenderReport& report) {
-    std::vector<std::string> advice;
-    if (auto text = advice_on_clutter(job, report)) advice.push_back(std::move(*text));
-    return advice;
+image::Metadata record_of(const Drawn& drawn) {
+    const auto& [plan, seen, composed, run] = drawn;
+    const bricks::Volume& volume = seen.volume;
+    image::Metadata record = settings_and_font(drawn);
+    record.emplace_back("frames", fmt::to_string(volume.frames() - volume.missing()));
+    if (plan.products.series) {
+        // Damage is only known at the end of the clip.
+        record.emplace_back("first-frame", fmt::to_string(seen.begin.frame));
+        record.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", seen.begin.seconds, seen.end().seconds));
+    } else {
+        record.emplace_back("damaged", fmt::to_string(seen.summary.damaged));
+    }
+    record.emplace_back("frames-per-layer", fmt::to_string(volume.step()));
+    record.emplace_back("layers-drawn", fmt::to_string(volume.layers()));
+    record.emplace_back("renderer", run.renderer);
+    return record;
 }
 
 }  // namespace vvr::app

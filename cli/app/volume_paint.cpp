@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fields/filter.h"
 #include "core/scene/theme.h"
-#include "core/scene/transfer_function.h"
 
 namespace vvr::app {
 
@@ -17,39 +15,32 @@ constexpr float moving = 0.6F;
 
 }  // namespace
 
-scene::TransferFunction second_transfer_of(const RenderJob& job) {
-    if (job.look.transfer) return *job.look.transfer;
-    const std::string_view own = fields::find_filter(job.fields.second).transfer;
-    return scene::find_transfer(own.empty() ? "viridis" : std::string(own));
-}
-
-VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job.look.colour)) {
-    if (row_.filter.empty()) return;
-    const scene::TransferFunction transfer = second_transfer_of(job);
+VolumePaint::VolumePaint(const Plan& plan) : plan_(plan) {
+    if (plan.second == nullptr) return;
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
-        of_value_[value] = scene::bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
+        of_value_[value] = scene::bgr_of(glm::vec3(plan.second_transfer.at(static_cast<double>(value))));
     }
 }
 
 Bgr VolumePaint::colour_of_flow(float u, float v) const {
-    const scene::Theme& theme = job_.look.theme;
+    const scene::Theme& theme = plan_.job.look.theme;
     const float speed = std::hypot(u, v);
-    if (row_.name == colour_by_direction) {
+    if (plan_.colour->name == colour_by_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
         if (share == 0) return scene::bgr_of(theme.unowned);
         return scene::bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));
     }
-    const glm::vec2 range = job_.picture.glyphs.speed_range;
+    const glm::vec2 range = plan_.picture.glyphs.speed_range;
     return scene::bgr_of(
         glm::mix(theme.slow, theme.fast, std::clamp((speed - range.x) / (range.y - range.x), 0.F, 1.F)));
 }
 
 const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const fields::Field& field) {
-    if (row_.drawn != gl::VolumeColour::own) return painted_;
-    if (row_.needs_pictures) return frame.colour;
+    if (plan_.colour->drawn != gl::VolumeColour::own) return painted_;
+    if (plan_.colour->needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
     const auto into = painted_.pixels().begin();
-    if (!row_.filter.empty()) {
+    if (plan_.second != nullptr) {
         std::ranges::transform(field.second.pixels(), into, [this](std::uint8_t value) { return of_value_[value]; });
     } else if (field.flow.u.empty()) {
         std::ranges::fill(painted_.pixels(), colour_of_flow(0, 0));

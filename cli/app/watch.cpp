@@ -16,8 +16,8 @@
 
 #include "cli/app/input.h"
 #include "cli/app/plan.h"
-#include "cli/app/record.h"
-#include "cli/app/render_series.h"
+#include "cli/app/report.h"
+#include "cli/app/series.h"
 #include "cli/app/write.h"
 #include "core/base/text.h"
 #include "core/image/text.h"
@@ -29,43 +29,35 @@
 
 namespace vvr::app {
 
-/// How long pictures took from the last frame that they show to the disk: of the last thousand, so that days of them
-/// need no memory.
-class Latency {
-  public:
-    void add(double seconds);
-
-    /// 0 where there was none.
-    double median() const;
-    double longest() const;
-
-  private:
-    static constexpr std::size_t kept = 1000;
-
-    std::deque<double> last_;
-};
-
-void Latency::add(double seconds) {
-    last_.push_back(seconds);
-    if (last_.size() > kept) last_.pop_front();
-}
-
-double Latency::median() const {
-    if (last_.empty()) return 0;
-    std::vector<double> sorted(last_.begin(), last_.end());
-    const auto middle = sorted.begin() + std::ssize(sorted) / 2;
-    std::ranges::nth_element(sorted, middle);
-    return *middle;
-}
-
-double Latency::longest() const {
-    return last_.empty() ? 0 : std::ranges::max(last_);
-}
-
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = video::LiveSource::Clock;
+
+/// How long pictures took from the last frame that they show to the disk: of the last thousand, so that days of them
+/// need no memory.
+class Latency {
+  public:
+    void add(double seconds) {
+        constexpr std::size_t kept = 1000;
+        last_.push_back(seconds);
+        if (last_.size() > kept) last_.pop_front();
+    }
+
+    /// 0 where there was none.
+    double median() const {
+        if (last_.empty()) return 0;
+        std::vector<double> sorted(last_.begin(), last_.end());
+        const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+        std::ranges::nth_element(sorted, middle);
+        return *middle;
+    }
+
+    double longest() const { return last_.empty() ? 0 : std::ranges::max(last_); }
+
+  private:
+    std::deque<double> last_;
+};
 
 /// \param begin seconds since 1970 (UTC)
 StartTime starts_at(std::int64_t begin, ClockSource source) {
@@ -110,56 +102,65 @@ std::string title_of_stream(const std::string& name) {
 /// Pictures on their way to the disk, and how long they took.
 class LivePictures {
   public:
-    LivePictures(const RenderJob& job, const video::LiveSource& stream, const page::RecentMoments& moments,
+    LivePictures(const Plan& plan, const video::LiveSource& stream, const page::RecentMoments& moments,
                  Observer& observer)
-        : job_(job),
-          name_(job.output.path),
+        : plan_(plan),
+          name_(plan.job.output.path),
           stream_(stream),
           moments_(moments),
           observer_(observer),
-          files_(job.output, observer) {}
+          files_(plan.job.output, observer) {}
 
-    void add(const RenderReport& report, int number, image::Picture&& picture) {
-        const image::Metadata record = record_of(job_, report, true);
-        if (is_page(job_.output.path)) {
-            files_.add_page(page_text(job_, report, std::move(picture), record,
-                                      moments_.since(report.first_frame, report.last_frame), state_of(report)));
+    void add(FinishedPicture&& finished) {
+        const Drawn& drawn = finished.drawn;
+        const Observation& seen = drawn.seen;
+        const image::Metadata record = record_of(drawn);
+        if (is_page(plan_.job.output.path)) {
+            files_.add_page(page_text(drawn, std::move(finished.picture), record,
+                                      moments_.since(seen.begin.frame, seen.end().frame), state_of(drawn)));
         } else {
-            files_.add(number, picture, record);
+            files_.add(finished.number, std::move(finished.picture), record);
         }
         ++count_;
-        const auto came = stream_.arrival(report.last_frame);
+        const auto came = stream_.arrival(seen.end().frame);
         const double took = came ? std::chrono::duration<double>(Clock::now() - *came).count() : 0;
         if (came) latency_.add(took);
-        observer_.info(fmt::format("'{}': brick {}, {}, {:.2f} s after its last frame", name_.at(number).string(),
-                                   number, span_of(report), took));
+        observer_.info(fmt::format(
+            "'{}': brick {}, {}, {:.2f} s after its last frame", name_.at(finished.number).string(), finished.number,
+            labels::format_interval_and_zone(seen.begin.seconds, seen.end().seconds, plan_.clock), took));
     }
 
     std::int64_t count() const { return count_; }
-    const Latency& latency() const { return latency_; }
 
-  private:
-    std::string span_of(const RenderReport& report) const {
-        return labels::format_interval_and_zone(report.first_pts, report.last_pts, job_.look.start_time.clock);
+    /// What came of the stream, in a line.
+    std::string summary(const Observation& seen) const {
+        return fmt::format(
+            "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
+            "dropped, {}, {}",
+            stream_.info().name, counted(count_, "picture"), counted(seen.summary.frames, "frame"), seen.end().seconds,
+            latency_.median(), latency_.longest(), counted(stream_.dropped(), "frame"),
+            counted(stream_.reconnections(), "reconnection"), counted(seen.summary.damaged, "damaged packet"));
     }
 
-    page::LiveState state_of(const RenderReport& report) const {
+  private:
+    page::LiveState state_of(const Drawn& drawn) const {
         page::LiveState state;
-        state.text = is_learning(report) ? "learning the empty scene" : "watching";
+        state.text = is_learning(drawn.seen) ? "learning the empty scene" : "watching";
         if (const auto lost = stream_.dropped()) state.text += fmt::format(", {} dropped", counted(lost, "frame"));
         state.written = std::time(nullptr);
-        state.brick_seconds = static_cast<double>(report.bricks.back().count * report.step) / report.info.rate;
+        const std::int64_t newest = drawn.composed.bricks.back().count * drawn.seen.volume.step();
+        state.brick_seconds = static_cast<double>(newest) / drawn.seen.info.rate;
         return state;
     }
 
     /// Whether the scene may still hold what stood there when the stream began.
-    bool is_learning(const RenderReport& report) const {
-        const fields::ReferenceRow* const row = fields::find_reference(job_.fields.reference);
+    bool is_learning(const Observation& seen) const {
+        const fields::ReferenceRow* const row = fields::find_reference(plan_.job.fields.reference);
         constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
-        return row != nullptr && row->adapts && report.last_frame < first_look + fields::RunningReference::ghost_frames;
+        return row != nullptr && row->adapts && seen.end().frame < first_look + fields::RunningReference::ghost_frames;
     }
 
-    const RenderJob& job_;
+    const Plan& plan_;
     image::NamePattern name_;
     const video::LiveSource& stream_;
     const page::RecentMoments& moments_;
@@ -169,58 +170,47 @@ class LivePictures {
     std::int64_t count_ = 0;
 };
 
-std::string summary_of(const video::LiveSource& stream, const RenderReport& report, const LivePictures& pictures) {
-    return fmt::format(
-        "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
-        "dropped, {}, {}",
-        stream.info().name, counted(pictures.count(), "picture"), counted(report.frames, "frame"), report.last_pts,
-        pictures.latency().median(), pictures.latency().longest(), counted(stream.dropped(), "frame"),
-        counted(stream.reconnections(), "reconnection"), counted(report.damaged, "damaged packet"));
+/// The same job with what only the stream tells: its name, and when it began.
+RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
+    if (job.look.title.empty()) job.look.title = title_of_stream(name);
+    if (job.look.start_time.from == StartTime::From::automatic) {
+        job.look.start_time =
+            is_file ? start_time_from_name(job, name) : starts_at(std::time(nullptr), ClockSource::live);
+    }
+    return job;
 }
 
 }  // namespace
 
-StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer)
-    : job_(with_colour(with_transfer(with_possible_parts(with_fields_of_colour(job))))), observer_(observer) {
+StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer) : observer_(observer) {
     validate(job);
     validate_series(job);
     image::choose_font(job.look.font);
     auto connected = connect(job, options, observer);
     stream_ = connected.get();
-    const video::VideoInfo& info = stream_->info();
+    const std::string& name = stream_->info().name;
     std::error_code none;
-    if (job_.look.title.empty()) job_.look.title = title_of_stream(info.name);
-    const bool is_file = fs::is_regular_file(info.name, none);
-    if (job_.look.start_time.from == StartTime::From::automatic) {
-        job_.look.start_time =
-            is_file ? start_time_from_name(job, info.name) : starts_at(std::time(nullptr), ClockSource::live);
+    const bool is_file = fs::is_regular_file(name, none);
+    if (is_file && !grows(name)) {
+        observer.warn(fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", name));
     }
-    if (is_file && !grows(info.name)) {
-        observer.warn(
-            fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", info.name));
-    }
-    auto fields = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), job_.fields), job_,
-                                    job_.fields.filter);
-    const std::int64_t window = sliding_window(job_.bricks, *fields).frames();
-    fields_ = std::make_unique<page::RecentMoments>(std::move(fields), window);
+    OpenedFields opened;
+    opened.span = job.fields.span;
+    opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
+                                      job, job.fields.filter);
+    plan_ = std::make_unique<const Plan>(make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream));
+    fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
 }
 
 std::int64_t StreamWatch::run() {
-    Products products;
-    products.series = true;
-    const bool page = is_page(job_.output.path);
-    products.pixel_data = page || image::holds_pixel_data(job_.output.path);
-    products.portraits = page;
-    check_memory(make_plan(job_, products, *fields_));
+    check_memory(plan_->extent);
     const video::VideoInfo& info = stream_->info();
     observer_.info(
         fmt::format("'{}': {}x{}, {:.4g} frames per second", info.name, info.size.width, info.size.height, info.rate));
-    LivePictures pictures(job_, *stream_, *fields_, observer_);
-    const RenderReport report = render_series(job_, products, *fields_, observer_,
-                                              [&](const RenderReport& so_far, int number, image::Picture&& picture) {
-                                                  pictures.add(so_far, number, std::move(picture));
-                                              });
-    observer_.info(summary_of(*stream_, report, pictures));
+    LivePictures pictures(*plan_, *stream_, *fields_, observer_);
+    const Outcome done = render_series(*plan_, *fields_, observer_,
+                                       [&](FinishedPicture&& picture) { pictures.add(std::move(picture)); });
+    observer_.info(pictures.summary(done.seen));
     return pictures.count();
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
+#include "cli/app/plan.h"
 #include "core/fields/field_source.h"
 #include "core/page/moments.h"
 #include "core/video/live_source.h"
@@ -36,8 +37,8 @@ class StreamWatch {
     const std::string& name() const { return stream_->info().name; }
 
   private:
-    RenderJob job_;
     Observer& observer_;
+    std::unique_ptr<const Plan> plan_;
     std::unique_ptr<page::RecentMoments> fields_;
     video::LiveSource* stream_;  ///< of the fields
 };

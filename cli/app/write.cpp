@@ -5,7 +5,12 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cli/app/golden.h"
 #include "cli/app/input.h"
+#include "cli/app/report.h"
+#include "cli/app/tell.h"
 #include "core/base/error.h"
 #include "core/base/file_io.h"
 #include "core/base/plane.h"
@@ -120,41 +125,88 @@ std::string cut_extension(const std::string& file, double rate) {
 
 }  // namespace
 
-std::string page_text(const RenderJob& job, const RenderReport& report, image::Picture picture,
-                      const image::Metadata& settings, page::Moments moments,
-                      const std::optional<page::LiveState>& live) {
+std::string page_text(const Drawn& drawn, image::Picture picture, const image::Metadata& settings,
+                      page::Moments moments, const std::optional<page::LiveState>& live) {
+    const auto& [plan, seen, composed, run] = drawn;
+    const RenderJob& job = plan.job;
     std::error_code none;
     const fs::path& path = job.output.page_place.empty() ? page_of(job.output) : job.output.page_place;
     const std::string& input = job.input.names.front();
     page::PageContent content;
-    content.name = title_of(job.look.title, report.info);
-    content.camera = camera_of(job, report.info);
+    content.name = plan.title;
+    content.camera = camera_of(job, seen.info);
     content.file = file_name_of(job, content);
-    for (const video::SegmentPlace& segment : report.info.segments) {
+    for (const video::SegmentPlace& segment : seen.info.segments) {
         if (segment.end <= segment.begin) continue;  // another file shows the same time
         content.segments.push_back(
             {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }
     const bool is_file = !live && content.segments.empty() && fs::is_regular_file(input, none);
     if (is_file) content.clip_url = page::relative_url(path, input);
-    const std::string& first_file = content.segments.empty() ? input : report.info.segments.front().path;
+    const std::string& first_file = content.segments.empty() ? input : seen.info.segments.front().path;
     if (!live) content.piece_extension = cut_extension(first_file, job.input.rate);
     content.names = job.input.layouts;
-    content.shown = report.info.size;
-    content.field = report.field_size;
+    content.shown = seen.info.size;
+    content.field = plan.clip.field_size;
     content.picture = std::move(picture);
     content.settings = settings;
     content.moments = std::move(moments);
-    content.clock = report.clock;
-    content.events = report.events;
-    content.numbers = report.event_numbers;
-    content.colours = report.event_colours;
-    content.portraits = report.portraits;
+    content.clock = plan.clock;
+    if (seen.events) {
+        content.events = seen.events->events;
+        if (plan.products.series) content.numbers = seen.events->numbers;
+        content.colours = composed.objects.colours;
+        if (plan.products.portraits) content.portraits = glance::portraits_of(seen.events->events, seen.crops);
+    }
     content.live = live;
     if (!job.output.page_index.empty()) content.index = index_of(path, job.output.page_index);
-    for (const labels::Region& region : report.lettering.regions)
+    for (const labels::Region& region : composed.lettering.regions)
         content.regions.push_back({region.box, region.number});
     return page::make_page(content);
+}
+
+void Writer::write(FinishedPicture&& finished) {
+    const Plan& plan = finished.drawn.plan;
+    const OutputOptions& output = plan.job.output;
+    image::Picture& picture = finished.picture;
+    const image::Metadata record = record_of(finished.drawn);
+    if (taken_) taken_(picture, record);
+    if (!output.golden.path.empty()) last_ = {picture.pixels, picture.encoding, {}};
+    files_.add_thumbnail(picture);
+    page::Moments moments = watched_ == nullptr ? page::Moments{} : watched_->take();
+    if (!moments.problem.empty()) {
+        observer_.warn(fmt::format("the page has stills and no preview, as libav made none: {}", moments.problem));
+    }
+    const std::optional<ToldEvents>& told = finished.drawn.seen.events;
+    const std::span<const events::Event> events =
+        told ? std::span<const events::Event>(told->events) : std::span<const events::Event>();
+    files_.add_still(page::best_still(moments.stills, events, plan.clip.field_size));
+    if (page_of(output).empty()) {
+        files_.add(finished.number, std::move(picture), record);
+        return;
+    }
+    if (!is_page(output.path)) files_.add(finished.number, picture, record);
+    files_.add_page(page_text(finished.drawn, std::move(picture), record, std::move(moments)));
+}
+
+void Writer::finish(const Drawn& drawn, double seconds) {
+    const OutputOptions& output = drawn.plan.job.output;
+    tell_warnings(drawn, observer_);
+    files_.close();
+    observer_.info(fmt::format("{}, {:.1f} s", outcome_of(drawn), seconds));
+    if (drawn.plan.products.events && drawn.seen.events)
+        observer_.info(summary_of(drawn.seen.events->events, drawn.plan.clock));
+    if (!output.report.empty()) {
+        const std::string text = format_report(drawn, seconds);
+        const auto bytes = std::as_bytes(std::span(text));
+        const auto held = observer_.guard();
+        if (is_standard_output(output.report)) {
+            write_standard_output(bytes);
+        } else {
+            image::replace_file(output.report, bytes);
+        }
+    }
+    if (!output.golden.path.empty()) compare_with_golden(output.golden, last_, record_of(drawn), observer_);
 }
 
 }  // namespace vvr::app

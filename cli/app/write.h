@@ -1,14 +1,16 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
+#include "cli/app/drawn.h"
 #include "cli/app/job.h"
 #include "cli/app/observer.h"
-#include "cli/app/report.h"
 #include "core/image/film.h"
 #include "core/image/name_pattern.h"
 #include "core/image/picture_file.h"
+#include "core/page/moments.h"
 #include "core/page/page.h"
 #include "core/page/stills.h"
 
@@ -47,8 +49,33 @@ class PictureOutput {
 /// The text of a page of one picture.
 /// \param settings of the picture
 /// \param live of a stream
-std::string page_text(const RenderJob& job, const RenderReport& report, image::Picture picture,
-                      const image::Metadata& settings, page::Moments moments,
-                      const std::optional<page::LiveState>& live = {});
+std::string page_text(const Drawn& drawn, image::Picture picture, const image::Metadata& settings,
+                      page::Moments moments, const std::optional<page::LiveState>& live = {});
+
+/// Takes each picture of a run, with what its file records.
+using PictureTaker = std::function<void(const image::Picture& picture, const image::Metadata& record)>;
+
+/// Writes what a run gives: its pictures, what goes with them, a report, and the comparison with a golden picture.
+class Writer {
+  public:
+    /// \param watched sees the fields on their way; null where there is neither a page nor a still
+    /// \param taken gets each picture before its file does; may be empty
+    Writer(PictureOutput& files, page::WatchedFields* watched, const PictureTaker& taken, Observer& observer)
+        : files_(files), watched_(watched), taken_(taken), observer_(observer) {}
+
+    void write(FinishedPicture&& picture);
+
+    /// After the last picture.
+    /// \param seconds that all of it took
+    /// \throws Error differs after all has been written
+    void finish(const Drawn& drawn, double seconds);
+
+  private:
+    PictureOutput& files_;
+    page::WatchedFields* watched_;
+    const PictureTaker& taken_;
+    Observer& observer_;
+    image::Picture last_;  ///< to be compared with a golden one
+};
 
 }  // namespace vvr::app

@@ -24,8 +24,8 @@ std::string or_unknown(double value, const std::string& text) {
     return value > 0 ? text : "unknown";
 }
 
-std::string as_text(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
-                    const std::vector<std::string>& warnings) {
+std::string as_text(const fields::FieldSource& source, const app::Extent& extent,
+                    const std::vector<video::Segment>& files, const std::vector<std::string>& warnings) {
     const video::VideoInfo& info = source.info();
     std::string text = shown_text(redact_secrets(info.name)) + "\n";
     const auto line = [&text](const char* name, const std::string& value) {
@@ -48,10 +48,10 @@ std::string as_text(const fields::FieldSource& source, const app::Plan& plan, co
     for (const std::string& warning : warnings) line("note", warning);
     text += "a render of it\n";
     line("fields", text_of(source.field_size()));
-    line("volume", fmt::format("{}{}, {} each", plan.frames > 0 ? "" : "up to ", counted(plan.layers, "layer"),
-                               counted(plan.step, "frame")));
-    line("bricks", fmt::to_string(plan.bricks));
-    line("memory", fmt::format("at most about {} MB", plan.bytes / 1'000'000));
+    line("volume", fmt::format("{}{}, {} each", extent.frames > 0 ? "" : "up to ", counted(extent.layers, "layer"),
+                               counted(extent.step, "frame")));
+    line("bricks", fmt::to_string(extent.bricks));
+    line("memory", fmt::format("at most about {} MB", extent.bytes / 1'000'000));
     if (!files.empty()) text += counted(std::ssize(files), "file") + ", in the order of time\n";
     for (const video::Segment& clip : files)
         text += fmt::format("  {}: {}\n", shown_text(clip.path), app::text_of(clip));
@@ -67,8 +67,8 @@ nlohmann::ordered_json json_of(const video::Segment& clip) {
             {"layout", clip.layout.empty() ? Json() : Json(clip.layout)}};
 }
 
-std::string as_json(const fields::FieldSource& source, const app::Plan& plan, const std::vector<video::Segment>& files,
-                    const std::vector<std::string>& warnings) {
+std::string as_json(const fields::FieldSource& source, const app::Extent& extent,
+                    const std::vector<video::Segment>& files, const std::vector<std::string>& warnings) {
     const video::VideoInfo& info = source.info();
     const auto known = [](auto value) { return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
     const auto time = [](std::optional<std::int64_t> utc) {
@@ -93,11 +93,11 @@ std::string as_json(const fields::FieldSource& source, const app::Plan& plan, co
         {"render",
          {{"field_width", source.field_size().width},
           {"field_height", source.field_size().height},
-          {"frames", known(plan.frames)},
-          {"step", plan.step},
-          {"layers", plan.layers},
-          {"bricks", plan.bricks},
-          {"memory_bytes", plan.bytes}}},
+          {"frames", known(extent.frames)},
+          {"step", extent.step},
+          {"layers", extent.layers},
+          {"bricks", extent.bricks},
+          {"memory_bytes", extent.bytes}}},
         {"files", std::move(listed)},
     };
     return json_text(json, 2) + "\n";
@@ -124,8 +124,8 @@ class Info final : public Command {
         app::validate(job_);
         const app::OpenedFields fields = app::open_fields(job_);
         const std::vector<video::Segment> files = app::list_clips(job_.input);
-        const app::Plan plan = app::make_plan(job_, {}, *fields.source);
-        cli::print((json_ ? as_json : as_text)(*fields.source, plan, files, fields.warnings));
+        const app::Plan plan = app::make_plan(job_, fields.facts());
+        cli::print((json_ ? as_json : as_text)(*fields.source, plan.extent, files, fields.warnings));
         return cli::ExitStatus::done;
     }
 

@@ -49,7 +49,7 @@ Rendering render_image(const std::string& clip, const Settings& settings) {
     return as_failure([&] {
         Warnings warnings;
         Rendering done;
-        const app::RenderReport report = app::render(
+        const app::RenderSummary report = app::render(
             job_of(clip, settings), warnings, [&done](const image::Picture& picture, const image::Metadata& record) {
                 done.image = image_of(picture, record);
             });

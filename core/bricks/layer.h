@@ -121,8 +121,8 @@ double merge_loss(const Layer& a, const Layer& b);
 /// Decides which neighbours among layers of unequal length are joined, so that the layers go where something moves.
 class LayerMerger {
   public:
-    /// What the layers' values are, which says how two join.
-    void set_values(fields::Values values) { values_ = values; }
+    /// \param values what the layers' values are, which says how two join
+    explicit LayerMerger(fields::Values values) : values_(values) {}
 
     /// A layer was added behind the others.
     void add(const std::vector<Layer>& layers);
@@ -139,7 +139,7 @@ class LayerMerger {
   private:
     void merge_at(std::vector<Layer>& layers, std::size_t i);
 
-    fields::Values values_ = fields::Values::strength;
+    fields::Values values_;
 
     std::vector<double> losses_;  ///< of each layer and the one after it
 };

@@ -82,17 +82,17 @@ constexpr std::size_t idle_share = 4;
 
 }  // namespace
 
-Volume::Volume(Size size, std::int64_t capacity, std::int64_t step, std::int64_t seed_interval)
-    : size_(size), capacity_(capacity), step_(step), seed_interval_(seed_interval), next_thinning_(capacity * step) {
-    if (capacity < 2 || step < 1 || seed_interval < 1) {
-        throw Error(
-            ErrorKind::usage,
-            fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}", capacity, step));
+Volume::Volume(Size size, const VolumeOptions& options)
+    : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
+    if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
+                                options.capacity, options.step));
     }
 }
 
 Layer& Volume::add_layer(Layer layer) {
-    if (!nonuniform_) return layers_.emplace_back(std::move(layer));
+    if (!options_.nonuniform) return layers_.emplace_back(std::move(layer));
     if (layers() >= room()) merger_.merge_cheapest(layers_, static_cast<std::size_t>(room()) / idle_share_read);
     layers_.push_back(std::move(layer));
     merger_.add(layers_);
@@ -117,19 +117,21 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
     OwnerPlane owner = owners_in(owners, scalar);
     Layer layer{field.index,   field.index,       1,      field.pts,       field.pts, 0,
                 moves ? 1 : 0, std::move(scalar), colour, std::move(owner)};
-    if (!nonuniform_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) merge_pairs();
-    if (!nonuniform_ && !layers_.empty() && layers_.back().frames < step_) {
-        join(layers_.back(), layer, values_);
+    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
+        layers() == options_.capacity)
+        merge_pairs();
+    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step) {
+        join(layers_.back(), layer, options_.values);
     } else {
         add_layer(std::move(layer));
     }
-    if (field.index % seed_interval_ == 0) {
+    if (field.index % options_.seed_interval == 0) {
         seeded_.push_back({frames_, field.index});
         for (const fields::Seed& seed : field.seeds) seeds_.push_back({frames_, seed});
-        if (keeps_flow_ && !field.flow.u.empty()) flow_.add(frames_, field.flow);
+        if (options_.keep_flow && !field.flow.u.empty()) flow_.add(frames_, field.flow);
     }
     ++frames_;
-    if (nonuniform_ && frames_ == next_thinning_) {
+    if (options_.nonuniform && frames_ == next_thinning_) {
         next_thinning_ *= 2;
         thin_seeds();
     }
@@ -169,10 +171,12 @@ void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<st
 
 void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double apart) {
     while (count > 0) {
-        if (!nonuniform_ && !layers_.empty() && layers_.back().frames == step_ && layers() == capacity_) merge_pairs();
-        const bool goes_on = !nonuniform_ && !layers_.empty() && layers_.back().frames < step_;
-        const std::int64_t room = goes_on ? step_ - layers_.back().frames : step_;
-        const std::int64_t taken = nonuniform_ ? count : std::min(count, room);
+        if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
+            layers() == options_.capacity)
+            merge_pairs();
+        const bool goes_on = !options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step;
+        const std::int64_t room = goes_on ? options_.step - layers_.back().frames : options_.step;
+        const std::int64_t taken = options_.nonuniform ? count : std::min(count, room);
         const double last_pts = pts + static_cast<double>(taken - 1) * apart;
         if (goes_on) {
             Layer& layer = layers_.back();
@@ -182,7 +186,8 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
             layer.last_pts = last_pts;
         } else {
             add_layer({index, index + taken - 1, taken, pts, last_pts, taken, 0, SparsePlane(size_),
-                       coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{}, keeps_owners_ ? OwnerPlane(size_) : OwnerPlane{}});
+                       coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{},
+                       options_.keep_owners ? OwnerPlane(size_) : OwnerPlane{}});
         }
         index += taken;
         count -= taken;
@@ -192,8 +197,9 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
 }
 
 void Volume::settle() {
-    if (!nonuniform_) return;
-    while (layers() > capacity_) merger_.merge_cheapest(layers_, static_cast<std::size_t>(capacity_) / idle_share);
+    if (!options_.nonuniform) return;
+    while (layers() > options_.capacity)
+        merger_.merge_cheapest(layers_, static_cast<std::size_t>(options_.capacity) / idle_share);
     for (;;) {
         const auto idle = static_cast<std::size_t>(std::ranges::count_if(layers_, is_idle));
         if (idle == layers_.size() || idle * idle_share <= layers_.size() || !merger_.merge_idle(layers_)) return;
@@ -201,14 +207,14 @@ void Volume::settle() {
 }
 
 std::int64_t Volume::step() const {
-    if (!nonuniform_) return step_;
+    if (!options_.nonuniform) return options_.step;
     return std::max<std::int64_t>(
         1, std::llround(static_cast<double>(frames_) / std::max<double>(1, static_cast<double>(layers()))));
 }
 
 /// Whose the pixels of a field are; empty where that isn't kept.
 OwnerPlane Volume::owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar) {
-    if (!keeps_owners_) return {};
+    if (!options_.keep_owners) return {};
     if (owners_.room() < runs.size()) {
         std::vector<bool> used(std::size_t{1} << 16U);
         for (const Layer& layer : layers_) {
@@ -229,7 +235,7 @@ std::int64_t Volume::missing() const {
 
 double Volume::t_of_frame(double frame) const {
     // The last layer may hold fewer frames than the others; it is as thick as they are all the same.
-    if (!nonuniform_) return (frame + 0.5) / static_cast<double>(span() * step_);
+    if (!options_.nonuniform) return (frame + 0.5) / static_cast<double>(span() * options_.step);
     double before = frame + 0.5;
     std::int64_t at = 0;
     while (at + 1 < layers() && before >= static_cast<double>(layer(at).frames)) {
@@ -262,7 +268,7 @@ glm::dvec3 Volume::c_of(const glm::dvec3& point) const {
 
 glm::dvec3 Volume::c_vector(const glm::dvec3& vector) const {
     return {-vector.x / size_.width, -vector.y / size_.height,
-            vector.z / static_cast<double>(nonuniform_ ? frames_ : span() * step_)};
+            vector.z / static_cast<double>(options_.nonuniform ? frames_ : span() * options_.step)};
 }
 
 bool Volume::seeded(std::int64_t frame) const {
@@ -287,18 +293,18 @@ void Volume::merge_pairs() {
     joined.reserve(layers_.size());
     for (std::size_t i = 0; i < layers_.size(); i += 2) {
         Layer layer = std::move(layers_[i]);
-        if (i + 1 < layers_.size()) join(layer, layers_[i + 1], values_);
+        if (i + 1 < layers_.size()) join(layer, layers_[i + 1], options_.values);
         joined.push_back(std::move(layer));
     }
     layers_ = std::move(joined);
-    step_ *= 2;
+    options_.step *= 2;
     thin_seeds();
 }
 
 void Volume::thin_seeds() {
-    seed_interval_ *= 2;
+    options_.seed_interval *= 2;
     // By the frame's index in the clip, as flow is: a clip that begins in the middle keeps them in step.
-    std::erase_if(seeded_, [this](const SeededFrame& seeded) { return seeded.index % seed_interval_ != 0; });
+    std::erase_if(seeded_, [this](const SeededFrame& seeded) { return seeded.index % options_.seed_interval != 0; });
     std::erase_if(seeds_, [this](const FrameSeed& seed) { return !seeded(seed.frame); });
     flow_.erase_if([this](std::int64_t frame) { return !seeded(frame); });
 }

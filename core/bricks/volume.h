@@ -53,6 +53,18 @@ struct FrameSeed {
     fields::Seed seed;
 };
 
+/// How a volume is filled.
+struct VolumeOptions {
+    std::int64_t capacity = 800;                       ///< layers at most, at least 2
+    std::int64_t step = 1;                             ///< frames per layer to begin with, at least 1
+    std::int64_t seed_interval = 1;                    ///< seeds are kept of every n-th frame; doubles with the step
+    std::int64_t span = 0;                             ///< layers over which t_C runs; 0 = as many as there are
+    fields::Values values = fields::Values::strength;  ///< of the fields, which says how frames share a layer
+    bool keep_flow = false;                            ///< of the frames whose seeds are kept, for tracelines
+    bool keep_owners = false;                          ///< whose each voxel is
+    bool nonuniform = false;                           ///< layers of unequal length
+};
+
 /// The scalar fields of a clip in bounded memory. While it fits, a layer is a frame. When `capacity` layers are full,
 /// neighbours are joined in pairs, keeping the stronger value (`joined` in core/fields/field.h), and from then on a
 /// layer takes twice as many frames: so nothing that moved is lost, the clip's length needn't be known, and memory
@@ -65,28 +77,8 @@ struct FrameSeed {
 /// As a window that slides over a clip it has a fixed span, and its first layers leave before the next ones come.
 class Volume {
   public:
-    /// \param capacity layers at most, at least 2
-    /// \param step frames per layer to begin with, at least 1
-    /// \param seed_interval seeds are kept of every n-th frame; doubles with the step
-    Volume(Size size, std::int64_t capacity, std::int64_t step = 1, std::int64_t seed_interval = 1);
-
-    /// From now on keeps the flow of the frames whose seeds are kept, for tracelines.
-    void keep_flow() { keeps_flow_ = true; }
-
-    /// From now on keeps whose each voxel is. Before the first frame.
-    void keep_owners() { keeps_owners_ = true; }
-
-    /// What the values of the fields are, which says how frames share a layer. Before the first frame.
-    void set_values(fields::Values values) {
-        values_ = values;
-        merger_.set_values(values);
-    }
-
-    /// From now on t_C runs over `layers` layers, whether there are fewer yet or not.
-    void set_span(std::int64_t layers) { span_ = layers; }
-
-    /// From now on layers are of unequal length. Before the first frame.
-    void use_nonuniform_layers() { nonuniform_ = true; }
+    /// \throws Error usage where the options leave no room
+    Volume(Size size, const VolumeOptions& options);
 
     /// After the last frame, of layers of unequal length: joins them until they are no more than the capacity, and
     /// those in which nothing moves no more than a quarter of them, where others are.
@@ -119,7 +111,7 @@ class Volume {
                       double last);
 
     Size size() const { return size_; }
-    bool is_nonuniform() const { return nonuniform_; }
+    bool is_nonuniform() const { return options_.nonuniform; }
 
     /// Frames per layer now; of layers of unequal length, in the mean.
     std::int64_t step() const;
@@ -128,8 +120,8 @@ class Volume {
     std::int64_t missing() const;  ///< of the frames, those that never came
     std::int64_t layers() const { return static_cast<std::int64_t>(layers_.size()); }
     bool coloured() const { return coloured_; }
-    fields::Values values() const { return values_; }
-    bool keeps_owners() const { return keeps_owners_; }
+    fields::Values values() const { return options_.values; }
+    bool keeps_owners() const { return options_.keep_owners; }
 
     /// The track that a number of a layer's `owner` stands for; the number isn't 0.
     std::size_t track_of(std::uint16_t owner) const { return owners_.track_of(owner); }
@@ -165,31 +157,24 @@ class Volume {
     };
 
     bool seeded(std::int64_t frame) const;
-    std::int64_t span() const { return span_ > 0 ? span_ : layers(); }
+    std::int64_t span() const { return options_.span > 0 ? options_.span : layers(); }
     std::int64_t layer_of(double seconds) const;
     Layer& add_layer(Layer layer);
     void merge_pairs();
     void thin_seeds();
-    std::int64_t room() const { return nonuniform_ ? capacity_ + capacity_ / 2 : capacity_; }
+    std::int64_t room() const { return options_.nonuniform ? options_.capacity * 3 / 2 : options_.capacity; }
     OwnerPlane owners_in(std::span<const fields::LabelRun> runs, const SparsePlane& scalar);
 
     Size size_;
-    std::int64_t capacity_;
-    std::int64_t step_;
-    std::int64_t seed_interval_;
+    VolumeOptions options_;  ///< its step and its interval of seeds grow
     std::int64_t frames_ = 0;
-    std::int64_t span_ = 0;  ///< layers; 0 = as many as there are
     bool coloured_ = false;
-    fields::Values values_ = fields::Values::strength;
-    bool nonuniform_ = false;
     LayerMerger merger_;
     std::int64_t next_thinning_ = 0;  ///< frames, of layers of unequal length
     std::vector<Layer> layers_;
     std::vector<FrameSeed> seeds_;
     std::vector<SeededFrame> seeded_;  ///< whose seeds and flow are kept, in order
-    bool keeps_owners_ = false;
     Owners owners_;
-    bool keeps_flow_ = false;
     FlowVolume flow_;
 };
 

@@ -31,7 +31,7 @@ EventFinder::EventFinder(Size field, const EventOptions& options)
       min_area_(std::max(4, field.width * field.height / 5000)),
       flicker_(options.flicker_memory) {}
 
-void EventFinder::add(const FrameView& sight, const Moment& now) {
+TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
     if (stretches_.empty() || follows_gap(now)) {
         restart();
@@ -49,9 +49,9 @@ void EventFinder::add(const FrameView& sight, const Moment& now) {
     for (auto& chosen : assignment.tracks) drop_unconfirmed(chosen);
     update_tracks(sight, blobs, looks, assignment, now);
     settle(sight, now);
-    if (label_sink_) emit_labels(now);
-    if (portrait_sink_) emit_portraits(now);
+    TrackedFrame frame = tracked(now);
     std::erase_if(tracks_, [](const Track& track) { return track.is_over(); });
+    return frame;
 }
 
 /// Numbers skip the frames that a recording, or a stream, has lost. Of a slow rate none is skipped.
@@ -309,19 +309,16 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }
 
-void EventFinder::emit_labels(const Moment& now) const {
-    FrameLabels labels{now, {}};
+TrackedFrame EventFinder::tracked(const Moment& now) const {
+    TrackedFrame frame{{now, {}}, {}};
     for (const Track& track : tracks_) {
-        if (!track.is_over() && track.seen().frame == now.frame) add_runs(track.pixels(), track.number(), labels);
-    }
-    label_sink_(labels);
-}
-
-void EventFinder::emit_portraits(const Moment& now) const {
-    for (const Track& track : tracks_) {
+        if (!track.is_over() && track.seen().frame == now.frame) {
+            add_runs(track.pixels(), track.number(), frame.labels);
+        }
         const std::optional<Portrait>& portrait = track.portrait();
-        if (portrait && portrait->at.frame == now.frame) portrait_sink_(track.number(), *portrait);
+        if (portrait && portrait->at.frame == now.frame) frame.portraits.push_back({track.number(), *portrait});
     }
+    return frame;
 }
 
 std::vector<Event> EventFinder::finish(const fields::Planes& scene) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,7 +14,17 @@
 
 namespace vvr::events {
 
-using PortraitSink = std::function<void(std::size_t track, const Portrait& portrait)>;
+/// A portrait that is better than all before of the same track.
+struct TrackPortrait {
+    std::size_t track = 0;
+    Portrait portrait;
+};
+
+/// What a field told of the tracks.
+struct TrackedFrame {
+    FrameLabels labels;
+    std::vector<TrackPortrait> portraits;  ///< those that are of this field
+};
 
 /// Finds the events of a clip in its fields, one after the other; memory depends on what is to be seen at a time, and
 /// on the number of events.
@@ -29,15 +38,8 @@ class EventFinder {
   public:
     explicit EventFinder(Size field, const EventOptions& options = {});
 
-    /// Who gets the pixels of each field, in order, from within `add`.
-    void set_label_sink(LabelSink sink) { label_sink_ = std::move(sink); }
-
-    /// Who hears, from within `add`, that a track is seen better in this field than in any before: its number and the
-    /// portrait.
-    void set_portrait_sink(PortraitSink sink) { portrait_sink_ = std::move(sink); }
-
     /// \param now later than in the call before
-    void add(const FrameView& sight, const Moment& now);
+    TrackedFrame add(const FrameView& sight, const Moment& now);
 
     /// Drops what is known of the objects that had gone by then, so that a stream of days needs no more memory than one
     /// of minutes. `finish` tells of the others.
@@ -71,8 +73,7 @@ class EventFinder {
     void settle(const FrameView& sight, const Moment& now);
     void merge_stationary(Track& part, const FrameView& sight);
     void end(Track& track, bool taken, const Moment& now);
-    void emit_labels(const Moment& now) const;
-    void emit_portraits(const Moment& now) const;
+    TrackedFrame tracked(const Moment& now) const;
 
     EventOptions options_;
     Size field_;
@@ -87,8 +88,6 @@ class EventFinder {
     Moment first_;
     Moment last_;
     std::vector<Stretch> stretches_;
-    LabelSink label_sink_;
-    PortraitSink portrait_sink_;
 };
 
 }  // namespace vvr::events

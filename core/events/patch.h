@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -117,15 +116,13 @@ double edge_strength(const Patch& patch, Size picture, Brightness brightness) {
 
 /// Which pixels of a field belong to which track, as runs of columns; a pixel that no run names belongs to none.
 ///
-/// A track's event is known only when the clip has ended, because tracks are joined then. So a sink keeps the runs, and
-/// looks the numbers up in `Event::tracks` afterwards; a number that no event has is that of something that turned out
-/// to be none. Runs of a busy frame take about a hundredth of its field.
+/// A track's event is known only when the clip has ended, because tracks are joined then. So the runs are kept, and the
+/// numbers looked up in `Event::tracks` afterwards; a number that no event has is that of something that turned out to
+/// be none. Runs of a busy frame take about a hundredth of its field.
 struct FrameLabels {
     Moment at;
     std::vector<fields::LabelRun> runs;
 };
-
-using LabelSink = std::function<void(const FrameLabels&)>;
 
 /// Adds the pixels of a patch.
 void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels);

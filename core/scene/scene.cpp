@@ -75,7 +75,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const glm::vec4& colour) 
 FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const bricks::Identify& identify) {
     FloorShadow shadow = floor_shadow(volume, theme.shadow);
     const glm::vec3 untinted(theme.shadow);
-    const std::vector<glm::vec4> looks = object_palette(theme);
+    const std::vector<glm::vec4> palette = object_palette(theme);
     shadow.colour.a = std::max(theme.shadow.a, tinted_opacity);
     const float unowned_part = theme.shadow.a / shadow.colour.a;
     shadow.tint = Plane<Bgr>(shadow.darkness.size(), bgr_of(untinted));
@@ -99,7 +99,7 @@ FloorShadow floor_shadow(const bricks::Volume& volume, const Theme& theme, const
             const bool has_owner = owner != 0 && identify;
             const bricks::Identity identity = has_owner ? identify(volume.track_of(owner), layer) : bricks::Identity{};
             if (identity.look != 0) {
-                const glm::vec3 colour(looks[identity.look]);
+                const glm::vec3 colour(palette[identity.look]);
                 shadow.tint.at(i, row) = bgr_of(glm::mix(untinted, colour, colour_part));
             } else {
                 std::uint8_t& darkness = shadow.darkness.at(i, row);

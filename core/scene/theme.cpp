@@ -118,7 +118,7 @@ struct ObjectStateStyle {
 
 // In the order of ObjectState. A stationary object stays in one place for long; stripes across time and a higher
 // extinction tell it from a trail that runs along the arc.
-constexpr std::array postures{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, ObjectStateStyle{3, 0.45F}};
+constexpr std::array states{ObjectStateStyle{1, 0}, ObjectStateStyle{1.5F, 0}, ObjectStateStyle{3, 0.45F}};
 
 // Leaves, rain and changes of light belong to no object: visible where there is nothing else, but not mistaken for an
 // object. At a sixth, a whole frame of brighter light stays transparent.
@@ -126,18 +126,18 @@ constexpr float nobodys_extinction = 1.0F / 6;
 
 }  // namespace
 
-std::uint8_t palette_index(int colour, ObjectState posture) {
-    return static_cast<std::uint8_t>(1 + colour * static_cast<int>(postures.size()) + static_cast<int>(posture));
+std::uint8_t palette_index(int colour, ObjectState state) {
+    return static_cast<std::uint8_t>(1 + colour * static_cast<int>(states.size()) + static_cast<int>(state));
 }
 
 std::vector<glm::vec4> object_palette(const Theme& theme) {
-    std::vector<glm::vec4> looks{{theme.unowned, nobodys_extinction}};
+    std::vector<glm::vec4> palette{{theme.unowned, nobodys_extinction}};
     for (const glm::vec3& colour : theme.objects) {
-        for (const ObjectStateStyle& posture : postures) {
-            looks.emplace_back(glm::mix(colour, glm::vec3(0), posture.toward_ink), posture.extinction);
+        for (const ObjectStateStyle& state : states) {
+            palette.emplace_back(glm::mix(colour, glm::vec3(0), state.toward_ink), state.extinction);
         }
     }
-    return looks;
+    return palette;
 }
 
 }  // namespace vvr::scene

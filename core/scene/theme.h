@@ -55,11 +55,11 @@ enum class ObjectState {
     marked,  ///< stationary, in a dark stripe
 };
 
-/// The look, as in Identity, of an object.
+/// The place in `object_palette` of an object.
 /// \param colour as `colours_of` gives it
-std::uint8_t palette_index(int colour, ObjectState posture);
+std::uint8_t palette_index(int colour, ObjectState state);
 
-/// All looks, that of what is nobody's first: colour, and a factor on the extinction.
+/// The palette of objects, what is nobody's first: colour, and a factor on the extinction.
 std::vector<glm::vec4> object_palette(const Theme& theme);
 
 }  // namespace vvr::scene

@@ -16,20 +16,19 @@ app::RenderJob paper_job(Size size, int bricks, const app::Parts& show) {
 }
 
 Drawing::Drawing(std::shared_ptr<gl::Context> context, const bricks::Volume& volume, app::RenderJob job)
-    : job_(std::move(job)),
+    : plan_(app::make_plan(std::move(job), {{}, volume.size(), volume.layers(), {}, {}, {}})),
       volume_(&volume),
-      bricks_(bricks::cut_into(volume.layers(), job_.bricks.window)),
-      tiles_(gl::cut_tiles(job_.picture.size, job_.picture.tile_samples)) {
+      bricks_(bricks::cut_into(volume.layers(), plan_.job.bricks.window)),
+      tiles_(gl::cut_tiles(plan_.picture.size, plan_.picture.tile_samples)) {
     drawing_.context = std::move(context);
-    app::make_renderer(job_, volume.size(), job_.picture.tile_samples, drawing_);
+    app::make_renderer(plan_, plan_.picture.tile_samples, drawing_);
     const int textures =
         app::textures_of({.series = true}, static_cast<int>(bricks::cut_into_sub_bricks(bricks_).size()));
     drawing_.window = std::make_unique<gl::BrickWindow>(drawing_.context->gl(), layout(), volume.layers(), textures);
     show();
-    const video::Frame none;
-    scene::Scene scene = app::build_scene(job_, volume, {none, none}, layout(), drawing_.framing, {}, {});
-    app::add_overlays(job_, drawing_, bricks_, volume.layers(), scene);
-    renderer().set_scene(std::move(scene));
+    app::Composition composed;
+    composed.framing = plan_.framing();
+    renderer().set_scene(app::scene_of(plan_, app::Observation{volume}, composed));
 }
 
 void Drawing::push() {

@@ -29,14 +29,14 @@ class Drawing {
     /// Draws and waits for the end of it, but reads nothing back: what a picture costs that stays on the GPU.
     void draw();
 
-    const space::Layout& layout() const { return *drawing_.layout; }
+    const space::Layout& layout() const { return *plan_.layout; }
     gl::BrickWindow& window() { return *drawing_.window; }
     gl::Renderer& renderer() { return *drawing_.renderer; }
 
   private:
     void show();
 
-    app::RenderJob job_;
+    app::Plan plan_;
     const bricks::Volume* volume_;
     std::vector<bricks::Brick> bricks_;
     std::int64_t oldest_ = 0;  ///< number of the first brick of the window

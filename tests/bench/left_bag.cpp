@@ -19,10 +19,11 @@ bricks::Volume left_bag_volume(const std::string& filter, double scale) {
     fields::FieldOptions options;
     options.filter = filter;
     fields::ClipFields fields(generator::open_scene(generator::make_left_bag(scene), in_colour), options);
-    const app::RenderJob job = paper_job({}, 1, {app::Part::volume, app::Part::arrows, app::Part::tracelines});
-    const fields::FieldNeeds needs = app::needs_of(job, fields, scene.frames);
-    bricks::Volume volume(fields.field_size(), scene.frames, 1, needs.every);
-    volume.keep_flow();
+    const app::RenderJob job = paper_job({1, 1}, 1, {app::Part::volume, app::Part::arrows, app::Part::tracelines});
+    const app::Plan plan = app::make_plan(job, {fields.info(), fields.field_size(), scene.frames, {}, {}, {}});
+    const fields::FieldNeeds needs = app::needs_of(plan, fields, scene.frames);
+    bricks::Volume volume(fields.field_size(),
+                          {.capacity = scene.frames, .step = 1, .seed_interval = needs.every, .keep_flow = true});
     fields.read(needs, [&](const video::SharedFrame&, const fields::Field& field) { volume.add(field); });
     return volume;
 }

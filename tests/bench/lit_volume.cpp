@@ -5,7 +5,7 @@
 namespace vvr::bench {
 
 bricks::Volume lit_volume(Size size, int frames, double share, bool coloured) {
-    bricks::Volume volume(size, frames);
+    bricks::Volume volume(size, {frames});
     Plane<std::uint8_t> scalar(size);
     for (int j = 0; j < size.height; ++j) {
         std::ranges::fill(scalar.row(j).first(static_cast<std::size_t>(share * size.width)), std::uint8_t{160});

@@ -42,14 +42,14 @@ def test_room_goes_where_something_moves(t):
     check(len(report["events"]) == len(report_of(t, "even.json")["events"]), "other events")
     t.render("day.mkv", "--time", "busy", "--size", "640x400", output="again.png").expect(0)
     check(t.path("again.png").read_bytes() != b"", "an empty file")
-    # A short clip, and one in which something always moves, have even time by default.
+    # By default the header decides: a short clip has even time, and one of more than two minutes has not.
     t.render("day.mkv", "--end", "110s", "--report", "r.json").expect(0)
     check(report_of(t, "r.json")["volume"]["squeezed"] == [], "a short clip is squeezed")
     t.clip("busy.avi", seconds=130)
-    for name, *options in (("auto.png",), ("even.png", "--time", "even")):
+    for name, *options in (("auto.png",), ("busy.png", "--time", "busy"), ("even.png", "--time", "even")):
         t.render("busy.avi", "--reference", "first", "--show", "volume,ruler", *options, output=name).expect(0)
-    pixels = [t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out for name in ("auto.png", "even.png")]
-    check(pixels[0] == pixels[1], "a clip that is all motion has other time by default")
+    pixels = [t.run(["bash", "-c", f"ffmpeg -v error -i {name} -f rawvideo -pix_fmt rgb24 - | sha256sum"]).out for name in ("auto.png", "busy.png", "even.png")]
+    check(pixels[0] == pixels[1] != pixels[2], "a clip of more than two minutes has even time by default")
 
 
 def test_pixels_of_busy_time_tell_their_frames(t):

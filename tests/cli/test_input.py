@@ -97,6 +97,10 @@ def test_info_says_what_a_render_would_do(t):
     check(text.err == "", str(text))
     for part in ("avi, mpeg4", "64x48", "10 frames per second", "20, as the container says", "2.000 s", "20 layers", "MB"):
         check(part in text.out, f"{text}\nexpected: {part}")
+    # Colours of objects, the default where the filter marks any, take four bytes a voxel.
+    memory = [json.loads(t.vvr("info", "clip.avi", "--json", *colour).expect(0, out=None).out)["render"]["memory_bytes"]
+              for colour in ((), ("--color", "object"), ("--color", "transfer"))]
+    check(memory[0] == memory[1] > memory[2], f"{memory}")
     told = json.loads(t.vvr("info", "clip.avi", "--json", "--end", "11f", "--step", "2").expect(0, out=None).out)
     check((told["width"], told["height"], told["frames"], told["rate"]) == (64, 48, 20, 10), str(told))
     check((told["render"]["frames"], told["render"]["layers"], told["render"]["step"]) == (11, 6, 2), str(told))

@@ -38,7 +38,7 @@ class ArrowTip : public testing::TestWithParam<Place> {};
 TEST_P(ArrowTip, LiesWhereTheMapPutsIt) {
     const auto& [layout_name, seed, frame] = GetParam();
     constexpr Size field_size{96, 72};
-    bricks::Volume volume(field_size, 64);
+    bricks::Volume volume(field_size, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field;
         field.index = i;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/render_clip.h"
+#include "cli/app/render.h"
 #include "core/scene/slices.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
@@ -78,14 +78,16 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     job.look.show = {app::Part::volume};
     job.look.opacity = look.opacity;
     job.backend.name = "software";
+    job.output.path = "picture.exr";  // so with pixel data
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;
     job.picture.view = {look.azimuth, look.elevation, look.fov, 0.04};
     image::PixelData layers;
     app::Observer observer;
-    app::render_clip(
-        job, {.pixel_data = true}, source, observer,
-        [&](const app::RenderReport&, int, image::Picture&& picture) { layers = std::move(picture.pixel_data); });
+    const app::Plan plan =
+        app::make_plan(job, {source.info(), source.field_size(), source.expected_frames(), {}, {}, {}});
+    app::render_clip(plan, source, observer,
+                     [&](app::FinishedPicture&& finished) { layers = std::move(finished.picture.pixel_data); });
     ASSERT_EQ(layers.frame.size(), job.picture.size);
 
     const auto layout = space::make_layout(look.layout, space::shape_for(field));
@@ -251,7 +253,7 @@ TEST_F(Layers, TakeOneOfSeveralSamplesAndFitTogetherFromTiles) {
 }
 
 TEST(TimeTable, KnowsTheFramesOfJoinedLayers) {
-    bricks::Volume volume({2, 2}, 4);
+    bricks::Volume volume({2, 2}, {4});
     for (int i = 0; i < 7; ++i) {
         fields::Field field;
         field.index = 100 + i;

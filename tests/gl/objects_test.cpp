@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/app/render_clip.h"
-#include "cli/app/render_series.h"
 #include "core/scene/theme.h"
 #include "gl/renderer.h"
 #include "tests/scene/scene_source.h"
@@ -89,8 +87,7 @@ class Objects : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
-    bricks::Volume volume(field_size, 60);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
     const std::array things{Owned{{8, 10, 24, 28}, 0}, Owned{{24, 10, 40, 28}, 3}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
     for (const space::View& view :
@@ -115,8 +112,7 @@ TEST_P(Objects, ThatTouchHaveNoThirdColourBetweenThem) {
 }
 
 TEST_P(Objects, AreWhereTheirVoxelsAre) {
-    bricks::Volume volume(field_size, 60);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 60, .keep_owners = true});
     const std::array things{Owned{{6, 6, 18, 18}, 1}, Owned{{18, 6, 30, 18}, 2}, Owned{{6, 18, 18, 30}, 4},
                             Owned{{30, 20, 42, 32}, 6}};
     for (int i = 0; i < 60; ++i) add(volume, i, things);
@@ -155,8 +151,7 @@ TEST_P(Objects, AreWhereTheirVoxelsAre) {
 }
 
 TEST_P(Objects, HaveNoFringeOfWhatIsNobodys) {
-    bricks::Volume volume(field_size, 40);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 40, .keep_owners = true});
     const std::array things{Owned{{16, 10, 32, 26}, 5}};
     for (int i = 0; i < 40; ++i)
         add(volume, i, i >= 10 && i < 30 ? std::span<const Owned>(things) : std::span<const Owned>{});
@@ -179,8 +174,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, Objects, testing::Values("horseshoe", "box"),
                          [](const auto& tested) { return tested.param; });
 
 TEST(Owners, FollowTheFrameWhoseValueWon) {
-    bricks::Volume volume(field_size, 2, 3);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 2, .step = 3, .keep_owners = true});
     const std::array first{Owned{{0, 0, 20, 20}, 70'000}};
     const std::array second{Owned{{10, 0, 30, 20}, 80'000}};
     const std::array third{Owned{{12, 0, 40, 20}, 90'000}};
@@ -198,8 +192,7 @@ TEST(Owners, FollowTheFrameWhoseValueWon) {
 }
 
 TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
-    bricks::Volume volume(field_size, 2);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 2, .keep_owners = true});
     for (int i = 0; i < 4; ++i) {
         const std::array thing{Owned{{4 * i, 4, 4 * i + 8, 12}, static_cast<std::size_t>(i)}};
         add(volume, i, thing, static_cast<std::uint8_t>(100 + 10 * i));
@@ -218,9 +211,7 @@ TEST(Owners, StayWithTheirValuesWhereLayersAreJoined) {
 
 TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
     constexpr Size size{16, 16};
-    bricks::Volume volume(size, 4);
-    volume.keep_owners();
-    volume.set_span(4);
+    bricks::Volume volume(size, {.capacity = 4, .span = 4, .keep_owners = true});
     const auto show = [&](std::int64_t index, std::size_t first_track) {
         fields::Field field{index, static_cast<double>(index), Plane<std::uint8_t>(size, 255), {}, {}};
         std::vector<fields::LabelRun> runs;
@@ -243,8 +234,7 @@ TEST(Owners, AreCountedAgainWhenAllNumbersAreTaken) {
 }
 
 TEST(Owners, ReachToTheRimOfWhatIsTheirs) {
-    bricks::Volume volume(field_size, 4);
-    volume.keep_owners();
+    bricks::Volume volume(field_size, {.capacity = 4, .keep_owners = true});
     fields::Field field{0, 0, Plane<std::uint8_t>(field_size), {}, {}};
     for (int i = 0; i < 30; ++i) field.scalar.at(i, 10) = 90;
     const std::array runs{fields::LabelRun{10, 5, 9, 3}, fields::LabelRun{10, 11, 14, 4}};

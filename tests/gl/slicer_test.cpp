@@ -217,7 +217,7 @@ TEST(Slicer, ShowsTheVideosOwnColours) {
     // The left half of the image is orange, the right half green; seen from the front of the box, whose beginning is
     // the image seen from the side, so look along time.
     constexpr Size size{32, 24};
-    bricks::Volume volume(size, 8);
+    bricks::Volume volume(size, {8});
     for (int f = 0; f < 8; ++f) {
         fields::Field field;
         field.index = f;
@@ -317,7 +317,7 @@ TEST(StandingFrames, HideAndAreHiddenFromBothSides) {
     constexpr int layers = 40;
     for (const std::string layout : {"box", "horseshoe"}) {
         for (const bool slab_is_first : {true, false}) {
-            bricks::Volume volume(size, layers);
+            bricks::Volume volume(size, {layers});
             for (int i = 0; i < layers; ++i) {
                 // Interpolation reaches half a layer beyond a slab: a layer is free on each side of the frame.
                 const bool beside = i == layers / 2 - 1 || i == layers / 2;

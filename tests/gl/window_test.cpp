@@ -20,7 +20,7 @@ using Change = std::function<void(std::int64_t layer, Plane<std::uint8_t>& scala
 /// Layers `begin` to `end` of a clip, changed.
 bricks::Volume part_of(
     const bricks::Volume& clip, std::int64_t begin, std::int64_t end, const Change& change = [](auto, auto&) {}) {
-    bricks::Volume part(field, clip.layers());
+    bricks::Volume part(field, {clip.layers()});
     for (std::int64_t i = begin; i < end; ++i) {
         fields::Field of;
         of.index = i;

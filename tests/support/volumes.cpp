@@ -17,13 +17,13 @@ fields::Field field_of(int index, Plane<std::uint8_t> scalar) {
 }  // namespace
 
 bricks::Volume full_volume(Size size, int layers) {
-    bricks::Volume volume(size, std::max(layers, 2));
+    bricks::Volume volume(size, {std::max(layers, 2)});
     for (int i = 0; i < layers; ++i) volume.add(field_of(i, Plane<std::uint8_t>(size, 255)));
     return volume;
 }
 
 bricks::Volume wandering_balls(Size size, int layers) {
-    bricks::Volume volume(size, std::max(layers, 2));
+    bricks::Volume volume(size, {std::max(layers, 2)});
     for (int f = 0; f < layers; ++f) {
         Plane<std::uint8_t> scalar(size);
         for (int ball = 0; ball < 3; ++ball) {

@@ -22,7 +22,7 @@ std::vector<Texel> texels_of(const bricks::BrickLayers& layers, std::int64_t lay
 }
 
 TEST(BrickLayers, RunAgainstTheImageAndHoldTheNeighboursLayers) {
-    bricks::Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, {8});
     for (int i = 0; i < 4; ++i) {
         fields::Field field = frame(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(10 + i);  // top left: x_C and y_C near 1
@@ -41,7 +41,7 @@ TEST(BrickLayers, RunAgainstTheImageAndHoldTheNeighboursLayers) {
 
 TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
     const Size size{100, 60};
-    bricks::Volume volume(size, 8);
+    bricks::Volume volume(size, {8});
     for (int i = 0; i < 6; ++i) {
         fields::Field field = frame(i, size, 0);
         if (i == 2) field.scalar.at(20, 40) = 200;
@@ -70,7 +70,7 @@ TEST(BrickLayers, HoldOnlyTheBoxInWhichSomethingIs) {
 }
 
 TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
-    bricks::Volume volume({2, 2}, 2);
+    bricks::Volume volume({2, 2}, {2});
     for (int i = 0; i < 4; ++i) {
         fields::Field field = frame(i, {2, 2}, 0);
         field.scalar.at(0, 0) = static_cast<std::uint8_t>(i == 1 ? 90 : 10);
@@ -89,7 +89,7 @@ TEST(Volume, KeepsTheColourOfTheStrongestFrame) {
     EXPECT_EQ(texels_of<std::uint8_t>(layers, 1)[3], 90);
 
     EXPECT_THROW(volume.add(frame(4, {2, 2}, 0)), Error) << "colours from the first frame on";
-    bricks::Volume plain({2, 2}, 2);
+    bricks::Volume plain({2, 2}, {2});
     plain.add(frame(0, {2, 2}, 0));
     EXPECT_THROW(plain.add(frame(1, {2, 2}, 0), Plane<Bgr>({2, 2})), Error);
     EXPECT_FALSE(bricks::BrickLayers(plain, {0, 1}).coloured());
@@ -127,7 +127,7 @@ TEST(SparsePlane, IsThePlaneItWasMadeOf) {
 }
 
 TEST(BrickCells, HoldEveryVoxelWithItsNeighbours) {
-    bricks::Volume volume({40, 33}, 64);
+    bricks::Volume volume({40, 33}, {64});
     for (int i = 0; i < 50; ++i) volume.add(frame(i, {40, 33}, 0));
     fields::Field odd = frame(50, {40, 33}, 0);
     odd.scalar.at(17, 9) = 77;

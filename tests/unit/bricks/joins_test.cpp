@@ -74,8 +74,7 @@ TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
     std::vector<fields::Field> fields;
     for (int i = 0; i < frames; ++i) fields.push_back(walkers(i));
     for (const std::int64_t layers : {40, 80, 160}) {
-        bricks::Volume volume(fields.front().scalar.size(), layers);
-        volume.use_nonuniform_layers();
+        bricks::Volume volume(fields.front().scalar.size(), {.capacity = layers, .nonuniform = true});
         for (const fields::Field& field : fields) volume.add(field, {}, {}, true);
         volume.settle();
         ASSERT_EQ(volume.layers(), layers);
@@ -93,8 +92,7 @@ TEST(Volume, DividesTimeNearlyAsWellAsCanBeInOnePass) {
 
 TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
     constexpr std::int64_t capacity = 100;
-    bricks::Volume volume({96, 64}, capacity);
-    volume.use_nonuniform_layers();
+    bricks::Volume volume({96, 64}, {.capacity = capacity, .nonuniform = true});
     const auto visit = [](int i) { return (2000 <= i && i < 2150) || (9000 <= i && i < 9150); };
     for (int i = 0; i < 15'000; ++i) {
         volume.add(visit(i) ? walkers(i) : frame(i, {96, 64}, 0), {}, {}, visit(i));
@@ -106,15 +104,14 @@ TEST(Volume, GivesItsRoomToMotionAndHoldsNotManyMore) {
         EXPECT_GT(volume.t_of_seconds(begin + 15) - volume.t_of_seconds(begin), 0.25) << begin;
     }
     // A gap takes little time to add, and little room.
-    bricks::Volume gap({96, 64}, capacity);
-    gap.use_nonuniform_layers();
+    bricks::Volume gap({96, 64}, {.capacity = capacity, .nonuniform = true});
     gap.add(walkers(0), {}, {}, true);
     gap.add_gap(1, 10'000'000, 0.1, 0.1);
     gap.add(walkers(10'000'001), {}, {}, true);
     gap.settle();
     EXPECT_EQ(gap.layers(), 3);
     EXPECT_EQ(gap.missing(), 10'000'000);
-    bricks::Volume even({96, 64}, capacity);
+    bricks::Volume even({96, 64}, {capacity});
     even.add(walkers(0));
     even.add_gap(1, 10'000'000, 0.1, 0.1);
     EXPECT_LE(even.layers(), capacity);

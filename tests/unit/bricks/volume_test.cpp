@@ -13,7 +13,7 @@ namespace {
 using test::frame;
 
 TEST(Volume, KeepsEachFrameWhileItFits) {
-    bricks::Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, {8});
     for (int i = 0; i < 8; ++i) volume.add(frame(i, {2, 2}, static_cast<std::uint8_t>(i)));
     EXPECT_EQ(volume.layers(), 8);
     EXPECT_EQ(volume.step(), 1);
@@ -22,7 +22,7 @@ TEST(Volume, KeepsEachFrameWhileItFits) {
 }
 
 TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
-    bricks::Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, {8});
     for (int i = 0; i < 1000; ++i) volume.add(frame(i, {2, 2}, i == 613 ? 200 : 0));
     EXPECT_LE(volume.layers(), 8);
     EXPECT_GT(volume.layers(), 4);
@@ -46,8 +46,7 @@ TEST(Volume, JoinsPairsAndLosesNothingThatMoved) {
 
 TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
     // Covered from frame 5 to frame 10.
-    bricks::Volume volume({1, 1}, 100, 4);
-    volume.set_values(fields::Values::band);
+    bricks::Volume volume({1, 1}, {.capacity = 100, .step = 4, .values = fields::Values::band});
     for (int i = 0; i < 16; ++i) {
         volume.add(frame(i, {1, 1}, static_cast<std::uint8_t>(fields::band_of(i > 5 && i <= 11, i >= 5 && i <= 10))));
     }
@@ -59,7 +58,7 @@ TEST(Volume, JoinsBandsFromBeforeTheFirstFrameToTheLast) {
 }
 
 TEST(Volume, ThinsSeedsAsItGrows) {
-    bricks::Volume volume({2, 2}, 8, 1, 2);
+    bricks::Volume volume({2, 2}, {8, 1, 2});
     for (int i = 0; i < 1000; ++i) {
         fields::Field field = frame(i, {2, 2}, 0);
         field.seeds = {{0, 0, 1, 0}};
@@ -75,7 +74,7 @@ fields::Flow uniform_flow(Size size, float u, float v) {
 
 TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
     // Two frames per layer, bricks of three layers: seeds at frames 0, 5, 6 and 13 are those of bricks 0, 0, 1 and 2.
-    bricks::Volume volume({4, 4}, 100, 2);
+    bricks::Volume volume({4, 4}, {100, 2});
     for (int i = 0; i < 16; ++i) {
         fields::Field field{i, 0.1 * i, Plane<std::uint8_t>({4, 4}), {}, {}};
         if (i == 0 || i == 5 || i == 6 || i == 13)
@@ -101,8 +100,6 @@ TEST(UsedSeeds, AreThoseThatTheirBrickFlags) {
 
 TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
     const auto fill = [](bricks::Volume& volume, int begin, int end) {
-        volume.keep_flow();
-        volume.set_span(4);
         for (int i = begin; i < end; ++i) {
             fields::Field field = frame(i, {2, 2}, static_cast<std::uint8_t>(i));
             field.flow = uniform_flow({2, 2}, static_cast<float>(i), 1);
@@ -110,13 +107,13 @@ TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
             volume.add(field);
         }
     };
-    bricks::Volume moved({2, 2}, 4, 2, 3);
+    bricks::Volume moved({2, 2}, {.capacity = 4, .step = 2, .seed_interval = 3, .span = 4, .keep_flow = true});
     fill(moved, 0, 8);
     moved.drop_front(3);
     EXPECT_EQ(moved.layers(), 1);
     EXPECT_NEAR(moved.t_end(), 0.25, 1e-12) << "of a window of four layers";
     fill(moved, 8, 13);
-    bricks::Volume fresh({2, 2}, 4, 2, 3);
+    bricks::Volume fresh({2, 2}, {.capacity = 4, .step = 2, .seed_interval = 3, .span = 4, .keep_flow = true});
     fill(fresh, 6, 13);
 
     ASSERT_EQ(moved.layers(), fresh.layers());
@@ -139,8 +136,7 @@ TEST(Volume, DropsItsFrontAsIfItHadBegunLater) {
 }
 
 TEST(Volume, ThinsFlowWithTheSeeds) {
-    bricks::Volume volume({2, 2}, 8, 1, 2);
-    volume.keep_flow();
+    bricks::Volume volume({2, 2}, {.capacity = 8, .step = 1, .seed_interval = 2, .keep_flow = true});
     for (int i = 13; i < 1013; ++i) {
         fields::Field field = frame(i, {2, 2}, 0);
         // A clip that begins in its middle: flow comes with frames whose index in the clip is even.
@@ -179,9 +175,9 @@ TEST(FlowVolume, IsTrilinear) {
 }
 
 TEST(Volume, RefusesAFrameOfAnotherSize) {
-    bricks::Volume volume({2, 2}, 8);
+    bricks::Volume volume({2, 2}, {8});
     EXPECT_THROW(volume.add(frame(0, {3, 2}, 0)), Error);
-    EXPECT_THROW(bricks::Volume({2, 2}, 1), Error);
+    EXPECT_THROW(bricks::Volume({2, 2}, {1}), Error);
 }
 
 }  // namespace

@@ -48,11 +48,11 @@ Found found_in(generator::Scene scene, const std::string& reference = "median") 
     fields.reference = reference;
     fields.flow.method = "none";
     events::EventFinder finder(found.scene.size());
-    finder.set_label_sink([&](const events::FrameLabels& labels) { found.labels.push_back(labels); });
     const auto clip = generator::open_scene(found.scene, source);
     const fields::FieldSummary summary =
         fields::compute_fields(*clip, fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
-            finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+            found.labels.push_back(
+                finder.add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts}).labels);
         });
     found.events = finder.finish(summary.reference);
     return found;

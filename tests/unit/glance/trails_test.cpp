@@ -10,7 +10,7 @@ constexpr int frames = 100;
 
 /// 100 frames, ten per second.
 bricks::Volume empty_volume() {
-    bricks::Volume volume(field, frames);
+    bricks::Volume volume(field, {frames});
     for (int i = 0; i < frames; ++i) {
         volume.add({i, i / 10.0, Plane<std::uint8_t>(field), {}, {}}, {});
     }

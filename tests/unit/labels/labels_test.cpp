@@ -111,7 +111,7 @@ TEST(Lettering, TakesNothingThatMeetsAnotherOrLeaves) {
 
 /// A volume of `frames` frames, 25 a second.
 bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, 800, std::max(1, frames / 800 + 1));
+    bricks::Volume volume({32, 24}, {800, std::max(1, frames / 800 + 1)});
     for (int i = 0; i < frames; ++i) {
         fields::Field field;
         field.index = i;
@@ -123,7 +123,7 @@ bricks::Volume clip_of(int frames) {
 }
 
 bricks::Volume clip_with_gap() {
-    bricks::Volume volume({32, 24}, 800);
+    bricks::Volume volume({32, 24}, {800});
     for (int i = 0; i < 100; ++i) {
         fields::Field field;
         field.index = i;
@@ -138,10 +138,17 @@ bricks::Volume clip_with_gap() {
     return volume;
 }
 
+/// What a picture of a volume shows.
+app::Composition composed_of(const app::RenderJob& job, const bricks::Volume& volume) {
+    app::Observation seen{volume};
+    const bricks::Layer& last = volume.layer(volume.layers() - 1);
+    seen.last = std::make_shared<const video::Frame>(video::Frame{last.last_frame, last.last_pts, {}, {}});
+    return app::compose(app::make_plan(job, {.field_size = volume.size()}), seen);
+}
+
 /// Three minutes of motion, each after an hour of nothing, a frame per second.
 bricks::Volume day_with_pauses(std::int64_t capacity) {
-    bricks::Volume volume({32, 24}, capacity);
-    volume.use_nonuniform_layers();
+    bricks::Volume volume({32, 24}, {.capacity = capacity, .nonuniform = true});
     for (int i = 0; i < 3 * 3780; ++i) {
         fields::Field field;
         field.index = i;
@@ -211,13 +218,8 @@ TEST(BusyTime, BricksAreCutByTheClock) {
 
 TEST(BusyTime, IsToldInTheTitleAndOnTheRuler) {
     const bricks::Volume volume = day_with_pauses(800);
-    app::RenderJob job;
-    app::Caption caption;
-    caption.end = 12000;
-    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
-    const app::Framing framing = app::frame_volume(job, *layout);
-    const labels::Lettering lettering =
-        app::letter(job, caption, volume, *layout, framing, app::ticks_of(job, framing, volume, {}));
+    const app::RenderJob job;
+    const labels::Lettering lettering = composed_of(job, volume).lettering;
     const auto tells = [&](const std::string& text) {
         return std::ranges::any_of(
             lettering.labels, [&](const labels::Label& label) { return label.text.find(text) != std::string::npos; });
@@ -264,7 +266,7 @@ TEST(Gaps, AreWhereNoFrameCame) {
     EXPECT_TRUE(labels::time_gaps(clip_of(100)).empty());
 
     // Layers that hold a frame are none of a gap.
-    bricks::Volume joined({32, 24}, 50);
+    bricks::Volume joined({32, 24}, {50});
     for (int i = 0; i < 100; ++i) {
         fields::Field field;
         field.index = i;
@@ -287,20 +289,16 @@ TEST(Gaps, AreHatchedAndNamedOnTheRuler) {
     const bricks::Volume volume = clip_with_gap();
     app::RenderJob job;
     const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
-    const app::Framing framing = app::frame_volume(job, *layout);
-    const labels::Lettering lettering =
-        app::letter(job, {}, volume, *layout, framing, app::ticks_of(job, framing, volume, {}));
-    EXPECT_EQ(std::ranges::count(lettering.labels, "no signal", &labels::Label::text), 1);
-    const auto strokes = labels::gap_marks(labels::time_gaps(volume), *layout, framing.edge, {1, 0, 0, 1});
+    const app::Composition composed = composed_of(job, volume);
+    EXPECT_EQ(std::ranges::count(composed.lettering.labels, "no signal", &labels::Label::text), 1);
+    const auto strokes = labels::gap_marks(labels::time_gaps(volume), *layout, composed.framing.edge, {1, 0, 0, 1});
     EXPECT_GT(strokes.size(), 20U);
     for (const scene::LineSegment& stroke : strokes) {
         const double t = layout->c_from_p(stroke.from).z;
         EXPECT_TRUE(t > 0.3 - 1e-6 && t < 0.6 + 1e-6) << t;
     }
     job.look.show.remove(app::Part::ruler);
-    EXPECT_EQ(std::ranges::count(app::letter(job, {}, volume, *layout, framing, {}).labels, "no signal",
-                                 &labels::Label::text),
-              0);
+    EXPECT_EQ(std::ranges::count(composed_of(job, volume).lettering.labels, "no signal", &labels::Label::text), 0);
 }
 
 TEST(Ruler, FindsMomentsBetweenTheLayers) {
@@ -327,13 +325,11 @@ TEST_P(OnASheet, AllTextHasItsPlace) {
     job.picture.size = size;
     job.picture.view.azimuth = eye.first;
     job.picture.view.elevation = eye.second;
-    app::Caption caption;
-    caption.title = "a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
-    caption.frames = frames;
-    caption.end = (frames - 1) / 25.0;
-    const app::Framing framing = app::frame_volume(job, *layout);
-    const std::vector<labels::TimeTick> ticks = app::ticks_of(job, framing, volume, {});
-    const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, ticks);
+    job.look.title = "a clip with \"quotes\", <b> and umlauts äöü, whose name is long, longer, longest.avi";
+    const app::Composition composed = composed_of(job, volume);
+    const app::Framing& framing = composed.framing;
+    const std::vector<labels::TimeTick>& ticks = composed.ticks;
+    const labels::Lettering& lettering = composed.lettering;
 
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> boxes;
@@ -379,20 +375,17 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(30, 2000)));
 
 TEST(Lettering, SaysThatNothingMoves) {
-    const bricks::Volume volume = clip_of(50);
-    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
-    app::RenderJob job;
-    app::Caption caption;
-    caption.title = "still.avi";
-    caption.frames = 50;
-    caption.still = true;
-    const app::Framing framing = app::frame_volume(job, *layout);
+    bricks::Volume volume = clip_of(50);
+    const app::RenderJob job;
     const auto says_it = [&] {
-        const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, {});
-        return std::ranges::count(lettering.labels, "nothing moves", &labels::Label::text);
+        return std::ranges::count(composed_of(job, volume).lettering.labels, "nothing moves", &labels::Label::text);
     };
     EXPECT_EQ(says_it(), 1);
-    caption.still = false;
+    fields::Field field;
+    field.index = 50;
+    field.pts = 2;
+    field.scalar = Plane<std::uint8_t>({32, 24}, 255);
+    volume.add(field);
     EXPECT_EQ(says_it(), 0);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Ten seconds.
 bricks::Volume clip_of(int frames) {
-    bricks::Volume volume({32, 24}, frames);
+    bricks::Volume volume({32, 24}, {frames});
     for (int i = 0; i < frames; ++i) {
         fields::Field field;
         field.index = i;
@@ -54,23 +54,24 @@ TEST_P(OfManyObjects, EachPartHasItsPlace) {
     const auto& [size, count] = GetParam();
     std::mt19937 random(static_cast<unsigned>(count));
     const bricks::Volume volume = clip_of(250);
-    const auto layout = space::make_layout("horseshoe", space::shape_for(volume.size()));
     app::RenderJob job;
     job.picture.size = size;
     const std::vector<events::Event> events = random_events(count, 9.9, volume.size(), random);
-    app::Glance glance;
-    glance.field = volume.size();
-    glance.scene = glance.first = glance.last = Plane<Bgr>(volume.size());
-    glance::Crops crops;
-    const video::Frame frame{0, 0, Plane<std::uint8_t>(volume.size()), Plane<Bgr>(volume.size())};
-    for (std::size_t k = 0; k < events.size(); ++k) crops.keep(k, {events[k].first, {2, 2, 12, 12}, 1}, frame);
-    glance.crops = &crops;
-    app::Caption caption;
-    caption.end = 9.9;
-    glance.objects = app::shown_objects(job.look, events, 0, 9.9, {});
-    const app::Framing framing = app::frame_volume(job, *layout);
-    const std::vector<labels::TimeTick> ticks = app::ticks_of(job, framing, volume, {});
-    const labels::Lettering lettering = app::letter(job, caption, volume, *layout, framing, ticks, glance);
+    const Plane<Bgr> picture_of_scene(volume.size());
+    const auto frame_at = [&](std::int64_t index, double seconds) {
+        return std::make_shared<const video::Frame>(
+            video::Frame{index, seconds, Plane<std::uint8_t>(volume.size()), picture_of_scene});
+    };
+    app::Observation seen{volume};
+    seen.scene = picture_of_scene;
+    seen.first = frame_at(0, 0);
+    seen.last = frame_at(249, 9.9);
+    for (std::size_t k = 0; k < events.size(); ++k)
+        seen.crops.keep(k, {events[k].first, {2, 2, 12, 12}, 1}, *seen.first);
+    seen.events = app::told_in(events, 0, 9.9);
+    const app::Plan plan = app::make_plan(job, {.field_size = volume.size()});
+    const app::Composition composed = app::compose(plan, seen);
+    const labels::Lettering& lettering = composed.lettering;
 
     const PixelBox picture{0, 0, size.width, size.height};
     std::vector<PixelBox> pictures;

@@ -14,7 +14,7 @@ namespace {
 constexpr glm::vec4 green{0, 1, 0, 1};
 
 bricks::Volume dot_at(int column, int row, int frame) {
-    bricks::Volume volume({64, 48}, 64);
+    bricks::Volume volume({64, 48}, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field;
         field.index = i;

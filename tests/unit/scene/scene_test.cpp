@@ -50,7 +50,7 @@ double area_of(const scene::SliceMesh& mesh) {
 
 TEST(Slices, FillTheVolumeExactlyOnce) {
     for (const std::string name : {"box", "horseshoe"}) {
-        bricks::Volume volume({48, 40}, 64);
+        bricks::Volume volume({48, 40}, {64});
         for (int i = 0; i < 64; ++i) {
             fields::Field field;
             field.index = i;
@@ -76,7 +76,7 @@ TEST(Slices, FillTheVolumeExactlyOnce) {
 }
 
 TEST(Slices, GoFromFarToNear) {
-    bricks::Volume volume({32, 32}, 32);
+    bricks::Volume volume({32, 32}, {32});
     for (int i = 0; i < 32; ++i) {
         fields::Field field;
         field.index = i;
@@ -100,7 +100,7 @@ TEST(Slices, GoFromFarToNear) {
 }
 
 TEST(Slices, PassOverWhatCannotBeSeen) {
-    bricks::Volume volume({64, 64}, 64);
+    bricks::Volume volume({64, 64}, {64});
     for (int i = 0; i < 64; ++i) {
         fields::Field field;
         field.index = i;
@@ -118,7 +118,7 @@ TEST(Slices, PassOverWhatCannotBeSeen) {
 }
 
 TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
-    bricks::Volume volume({100, 80}, 64);
+    bricks::Volume volume({100, 80}, {64});
     fields::Field field;
     field.scalar = Plane<std::uint8_t>({100, 80});
     field.seeds = {{20, 30, 1.5F, -0.5F}};
@@ -142,7 +142,7 @@ TEST(Arrows, StartAtTheirSeedAndFollowTheTransformedFlow) {
 }
 
 TEST(Arrows, LeanAlongTimeByItsVelocity) {
-    bricks::Volume volume({100, 80}, 64);
+    bricks::Volume volume({100, 80}, {64});
     fields::Field field;
     field.scalar = Plane<std::uint8_t>({100, 80});
     field.seeds = {{20, 30, 1.5F, -0.5F}};

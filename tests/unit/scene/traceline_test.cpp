@@ -16,8 +16,7 @@ using Motion = std::function<glm::dvec2(double column, double row, int frame)>;
 
 /// A volume whose flow is `motion` in every frame, with one seed.
 bricks::Volume volume_of(Size size, int frames, const Motion& motion, const bricks::FrameSeed& seed) {
-    bricks::Volume volume(size, frames);
-    volume.keep_flow();
+    bricks::Volume volume(size, {.capacity = frames, .keep_flow = true});
     for (int f = 0; f < frames; ++f) {
         fields::Field field;
         field.index = f;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "cli/app/render_clip.h"
+#include "cli/app/drawn.h"
+#include "cli/app/observer.h"
 
 namespace vvr::app {
 
@@ -8,8 +9,7 @@ namespace vvr::app {
 /// bricks j - k + 1 to j; as long as fewer than k have entered, the horseshoe fills from its beginning. Time has one
 /// scale and the camera one place in all pictures. Memory depends on the window alone.
 /// \param sink takes each picture with its brick's number
-/// \returns the last picture's report, with the frames and damage of the whole clip
-RenderReport render_series(const RenderJob& job, const Products& products, fields::FieldSource& source,
-                           Observer& observer, const PictureSink& sink);
+/// \returns what is known of the last window, with the frames, the damage and the events of the whole clip
+Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
 
 }  // namespace vvr::app

@@ -1,4 +1,4 @@
-#include "cli/app/record.h"
+#include "cli/app/used_settings.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include "cli/app/settings.h"
 #include "core/fields/filter.h"
 #include "core/fields/flow.h"
-#include "core/image/text.h"
 #include "core/scene/theme.h"
 
 namespace vvr::app {
@@ -73,29 +72,6 @@ image::Metadata used_settings(const image::Metadata& settings) {
         if (!text.empty()) used.emplace_back(name, std::move(text));
     }
     return used;
-}
-
-image::Metadata settings_and_font(const RenderJob& job, const RenderReport& report) {
-    image::Metadata settings = used_settings(job.settings);
-    const bool text = !report.lettering.labels.empty() || !report.lettering.badges.empty();
-    if (text) image::put(settings, setting::font.name, image::font_name());
-    return settings;
-}
-
-image::Metadata record_of(const RenderJob& job, const RenderReport& report, bool series) {
-    image::Metadata record = settings_and_font(job, report);
-    record.emplace_back("frames", fmt::to_string(report.frames));
-    if (series) {
-        // Damage is only known at the end of the clip.
-        record.emplace_back("first-frame", fmt::to_string(report.first_frame));
-        record.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", report.first_pts, report.last_pts));
-    } else {
-        record.emplace_back("damaged", fmt::to_string(report.damaged));
-    }
-    record.emplace_back("frames-per-layer", fmt::to_string(report.step));
-    record.emplace_back("layers-drawn", fmt::to_string(report.layers));
-    record.emplace_back("renderer", report.renderer);
-    return record;
 }
 
 }  // namespace vvr::app

@@ -1,0 +1,160 @@
+#include "cli/app/observe.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "cli/app/objects.h"
+#include "core/fields/motion.h"
+#include "core/fields/reference.h"
+#include "core/fields/settings.h"
+
+namespace vvr::app {
+
+namespace {
+
+bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan, const fields::FieldNeeds& needs) {
+    room.seed_interval = needs.every;
+    room.values = plan.filter->traits.values;
+    room.keep_flow = needs.flow;
+    room.keep_owners = plan.colours_objects();
+    room.nonuniform = plan.nonuniform;
+    return room;
+}
+
+/// What counts as an event.
+events::EventOptions event_options(const Plan& plan) {
+    events::EventOptions options;
+    options.scene_is_learnt = fields::find_reference(plan.job.fields.reference) != nullptr;
+    return options;
+}
+
+/// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
+void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volume) {
+    for (const events::Event& event : events) {
+        if (!event.in_scene || event.tracks.empty()) continue;
+        for (const std::size_t track : event.tracks) volume.remove_track(track);
+        volume.insert_track(event.tracks.front(), event.in_scene->box, event.in_scene->values, event.first.seconds,
+                            event.last.seconds);
+    }
+}
+
+/// What the empty scene holds is seen best in it: what was left for most of the clip, and what was taken.
+void take_stills_from_scene(std::span<const events::Event> events, const Plane<Bgr>& scene, glance::Crops& crops) {
+    constexpr double best = std::numeric_limits<double>::max();
+    const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
+    for (const events::Event& event : events) {
+        const bool in_scene = event.in_scene.has_value() || row_of(event.kind).is_of_scene;
+        if (!in_scene || event.tracks.empty()) continue;
+        crops.keep(event.tracks.front(), {event.first, event.box, best}, frame);
+    }
+}
+
+/// The empty scene; without one, the last frame.
+Plane<Bgr> scene_of(const Observation& seen) {
+    const fields::Planes& scene = seen.summary.reference;
+    return video::picture_of(scene.empty() ? *seen.last : video::Frame{0, 0, scene.grey, scene.colour});
+}
+
+/// Numbers skip the frames of a gap in a recording.
+void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volume& volume) {
+    if (volume.frames() == 0 || next.index <= last.index + 1) return;
+    const std::int64_t gap = next.index - last.index - 1;
+    const double apart = (next.pts - last.pts) / static_cast<double>(gap + 1);
+    volume.add_gap(last.index + 1, gap, last.pts + apart, apart);
+}
+
+/// After the last frame: which tracks were one object, and what each of them did.
+void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) {
+    const std::vector<events::Event> events =
+        events::choose_events(finder.finish(seen.summary.reference), plan.job.output.events);
+    if (seen.volume.keeps_owners()) {
+        correct_ghosts(events, seen.volume);
+        seen.identify = objects_of(events, seen.volume);
+    }
+    take_stills_from_scene(events, seen.scene, seen.crops);
+    seen.events = told_in(events, seen.begin.seconds, seen.last->pts);
+}
+
+Observation read(const Plan& plan, fields::FieldSource& source, std::int64_t step, Observer& observer) {
+    const std::int64_t expected = plan.clip.expected_frames;
+    const std::int64_t capacity = plan.job.bricks.max_layers;
+    const fields::FieldNeeds needs = needs_of(plan, source, expected > 0 ? expected : step * capacity);
+    Gathering gathering(plan, {.capacity = capacity, .step = step}, needs);
+    fields::MotionDetector motion;
+    Observation& seen = gathering.seen;
+    const int keyframes = plan.job.look.keyframes;
+    seen.summary = source.read(needs, [&](const video::SharedFrame& frame, const fields::Field& field) {
+        fill_gap(*seen.last, field, seen.volume);
+        gathering.add(frame, field, plan.nonuniform && motion(field));
+        const std::int64_t number = seen.volume.frames() - 1;
+        if (number == 0) {
+            seen.first = frame;
+            seen.begin = {frame->index, frame->pts};
+        }
+        seen.last = frame;
+        const auto wanted = std::ssize(seen.keyframes) + 1;
+        if (expected > 0 && wanted <= keyframes && number == wanted * (expected - 1) / (keyframes + 1)) {
+            seen.keyframes.push_back({frame, number});
+        }
+        observer.frames(number + 1, expected);
+    });
+    require_frames(seen.volume.frames(), source.info());
+    seen.volume.settle();
+    seen.info = source.info();
+    seen.scene = scene_of(seen);
+    if (gathering.finder) conclude(plan, *gathering.finder, seen);
+    return std::move(seen);
+}
+
+}  // namespace
+
+Gathering::Gathering(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs)
+    : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
+      keeps_crops_(plan.products.portraits || plan.shows(Part::portraits)),
+      paint_(plan) {
+    if (plan.finds_objects) finder.emplace(plan.clip.field_size, event_options(plan));
+}
+
+const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const fields::Field& field, bool moves) {
+    if (finder) {
+        events::TrackedFrame tracked =
+            finder->add({field.scalar, frame->grey, frame->colour}, {field.index, field.pts});
+        labels_ = std::move(tracked.labels);
+        for (const events::TrackPortrait& best : tracked.portraits) {
+            if (keeps_crops_) seen.crops.keep(best.track, best.portrait, *frame);
+        }
+    }
+    seen.volume.add(field, paint_(*frame, field), labels_.runs, moves);
+    return labels_;
+}
+
+fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames) {
+    constexpr std::int64_t arrow_times = 80;  // along the arc; more would hide each other
+    fields::FieldNeeds needs;
+    needs.flow = plan.job.look.show.any(&PartRow::needs_flow);
+    needs.seeds = plan.job.look.show.any(&PartRow::needs_seeds);
+    needs.flow_of_every_frame = plan.colour->needs_flow;
+    const bool stand = plan.shows(Part::frames) && plan.job.look.keyframes > 0;
+    // Objects are told apart by their colours where these are there.
+    needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects()) && source.has_pictures());
+    // Frames are what a header says, or times that are years apart: nobody asked for such an interval.
+    constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
+    needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
+    return needs;
+}
+
+Observation observe(const Plan& plan, fields::FieldSource& source, Observer& observer) {
+    const BrickOptions& bricks = plan.job.bricks;
+    const std::int64_t step = planned_step(bricks, plan.clip.expected_frames);
+    Observation seen = read(plan, source, step, observer);
+    // A header that promised far more than there was has wasted the window: read again, now knowing the length.
+    if (bricks.step == 0 && step > 1 && !plan.nonuniform && seen.volume.layers() < bricks.max_layers / 2 &&
+        seen.volume.frames() > 1) {
+        seen = read(plan, source, planned_step(bricks, seen.volume.frames()), observer);
+    }
+    return seen;
+}
+
+}  // namespace vvr::app

@@ -1,0 +1,120 @@
+#include "cli/app/tell.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/app/input.h"
+#include "core/base/text.h"
+#include "core/events/event.h"
+#include "core/labels/time_ticks.h"
+#include "core/store/manifest.h"
+
+namespace vvr::app {
+
+namespace {
+
+double length_of(const events::Event& event) {
+    return event.last.seconds - event.first.seconds;
+}
+
+/// Where the events are mostly pieces of one part of the scene.
+std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation& seen) {
+    // Who names a region knows the option; what was extracted takes none.
+    if (!seen.events || !plan.job.fields.roi.empty() || store::is_data_folder(plan.job.input.names.front()))
+        return std::nullopt;
+    const std::vector<events::Event>& events = seen.events->events;
+    const Size field = plan.clip.field_size;
+    const std::optional<events::Clutter> scraps = events::find_clutter(events, field);
+    if (!scraps) return std::nullopt;
+    const double x = static_cast<double>(seen.info.size.width) / field.width;
+    const double y = static_cast<double>(seen.info.size.height) / field.height;
+    const PixelBox& box = scraps->box;
+    return fmt::format(
+        "'{}': {} of {} events are small and keep to one place, most of them in {:.0f}x{:.0f} pixels at {:.0f},{:.0f}; "
+        "if they tell you nothing, choose where to look with --roi; this makes a page to draw it on: vvr inspect '{}' "
+        "--frame {:.1f}s -o roi.html",
+        seen.info.name, scraps->count, events.size(), box.width() * x, box.height() * y, box.left * x, box.top * y,
+        seen.info.name, scraps->at.seconds);
+}
+
+}  // namespace
+
+std::string outcome_of(const Drawn& drawn) {
+    const auto& [plan, seen, composed, run] = drawn;
+    const std::filesystem::path& path = plan.job.output.path;
+    const std::string name = path.empty() ? seen.info.name : path.string();
+    const std::string frames = counted(seen.summary.frames, "frame");
+    if (plan.products.series) return fmt::format("'{}': {} of {}", name, counted(run.pictures, "picture"), frames);
+    return fmt::format("'{}': {} in {} and {}", name, frames, counted(seen.volume.layers(), "layer"),
+                       counted(std::ssize(composed.bricks), "brick"));
+}
+
+std::string summary_of(const std::vector<events::Event>& events, const WallClock& clock) {
+    if (events.empty()) return "no events";
+    const auto longest = std::ranges::max_element(events, {}, length_of);
+    const double first = longest->first.seconds;
+    const double last = longest->last.seconds;
+    std::string text = fmt::format(
+        "{}; the longest from {}", counted(std::ssize(events), "event"),
+        clock ? labels::format_interval(first, last, clock) : fmt::format("{:.1f} s to {:.1f} s", first, last));
+    const double still = events::stationary_seconds(*longest);
+    if (still > 0) text += fmt::format(", standing still for {:.1f} s", still);
+    return text;
+}
+
+std::vector<std::string> advice_on(const Plan& plan, const Observation& seen) {
+    std::vector<std::string> advice;
+    if (auto text = advice_on_clutter(plan, seen)) advice.push_back(std::move(*text));
+    return advice;
+}
+
+void tell_warnings(const Drawn& drawn, Observer& observer) {
+    const auto& [plan, seen, composed, run] = drawn;
+    const std::string& name = seen.info.name;
+    const Size field = plan.clip.field_size;
+    const fields::FieldSummary& summary = seen.summary;
+    report_warnings(plan.clip.warnings, summary.problems, observer);
+    observer.debug(fmt::format("backend {}: {}", run.backend, run.renderer));
+    observer.debug(fmt::format("fields {}x{}, {} arrows", field.width, field.height, composed.scene.arrows.size()));
+    if (summary.damaged > 0) {
+        observer.warn(fmt::format("'{}': {}; shown are {} that decoded", name,
+                                  counted(summary.damaged, "damaged packet"), counted(summary.frames, "frame")));
+    }
+    if (composed.frames_missing) {
+        observer.warn(
+            fmt::format("'{}' holds only the clip's first and last picture; no other frames are shown", name));
+    }
+    if (!plan.products.series && std::ssize(seen.keyframes) < plan.job.look.keyframes) {
+        observer.warn(
+            fmt::format("'{}': only {} of {} are shown; the clip's header does not say how long it is, or it "
+                        "is shorter",
+                        name, seen.keyframes.size(), counted(plan.job.look.keyframes, "key frame")));
+    }
+    if (composed.lettering.font_missing) {
+        observer.warn(
+            "fontconfig finds no font, so the picture has no text; install one, for example fonts-dejavu-core");
+    }
+    if (composed.still && summary.frames < 2) {
+        observer.warn(fmt::format("'{}': there is one frame, so nothing can move, and the volume is empty", name));
+    } else if (composed.still) {
+        observer.warn(fmt::format("'{}': nothing moves, so the volume is empty; a lower threshold shows more", name),
+                      {"threshold"});
+    }
+    for (const std::string& advice : advice_on(plan, seen)) observer.warn(advice);
+    if (!composed.squeezed.empty()) {
+        double idle = 0;
+        for (const bricks::CompressedIdle& stretch : composed.squeezed) idle += stretch.seconds;
+        observer.info(
+            fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
+                        labels::format_duration(idle), counted(std::ssize(composed.squeezed), "place")));
+    } else if (seen.volume.step() > 1) {
+        observer.info(fmt::format("{} share a layer, as the clip is longer than the window",
+                                  counted(seen.volume.step(), "frame")));
+    }
+}
+
+}  // namespace vvr::app

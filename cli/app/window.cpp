@@ -1,0 +1,123 @@
+#include "cli/app/window.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace vvr::app {
+
+Window::Window(const Plan& plan, const fields::FieldSource& source, FullSink full)
+    : plan_(plan),
+      needs_(needs_of(plan, source, plan.window.frames())),
+      gathering_(plan,
+                 {.capacity = std::max<std::int64_t>(2, plan.window.layers()),
+                  .step = plan.window.step,
+                  .span = plan.window.layers()},
+                 needs_),
+      seen_(gathering_.seen),
+      full_(std::move(full)) {
+    seen_.info = source.info();
+    if (plan.colours_objects()) seen_.identify = objects_.identify();
+}
+
+void Window::add(const video::SharedFrame& frame, const fields::Field& field) {
+    if (begin_) fill_gap(field);
+    if (!begin_) begin_ = {field.index, field.pts};
+    if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
+    const events::FrameLabels& labels = gathering_.add(frame, field);
+    if (plan_.colours_objects()) objects_.see(labels);
+    if (frames_of_newest_ == 0) first_of_bricks_.push_back(frame);
+    keep_key_frame(frame);
+    seen_.last = frame;
+    if (++frames_of_newest_ == plan_.window.brick_frames()) complete_newest(Draw::yes);
+}
+
+Observation Window::finish(const fields::FieldSource& source, fields::FieldSummary summary) {
+    if (frames_of_newest_ > 0) complete_newest(Draw::yes);
+    seen_.events.reset();
+    if (plan_.products.events) {
+        const std::vector<events::Event> events =
+            events::choose_events(gathering_.finder->finish(summary.reference), plan_.job.output.events);
+        seen_.events = told_in(events, 0, seen_.last->pts);
+    }
+    if (begin_) seen_.begin = *begin_;
+    seen_.summary = std::move(summary);
+    seen_.info = source.info();  // by now it tells all files of a recording
+    return std::move(seen_);
+}
+
+/// Keeps the newest frame if one stands there.
+void Window::keep_key_frame(const video::SharedFrame& frame) {
+    const std::int64_t step = plan_.window.step;
+    const std::vector<std::int64_t>& layers = plan_.window.key_layers;
+    if (frames_of_newest_ % step != 0 || std::ranges::find(layers, frames_of_newest_ / step) == layers.end()) return;
+    seen_.keyframes.push_back({frame, seen_.volume.frames() - 1});
+}
+
+void Window::drop_oldest() {
+    seen_.volume.drop_front(plan_.window.brick_layers);
+    first_of_bricks_.pop_front();
+    for (KeyFrame& key : seen_.keyframes) key.number -= plan_.window.brick_frames();
+    std::erase_if(seen_.keyframes, [](const KeyFrame& key) { return key.number < 0; });
+}
+
+/// A stream's numbers skip the frames that never came. A brick that holds nothing but such a gap gets no picture; one
+/// that frames began is drawn with them, whatever comes after. Of a gap longer than the window only the end is shown.
+void Window::fill_gap(const fields::Field& next) {
+    const video::Frame last = *seen_.last;
+    const std::int64_t gap = next.index - last.index - 1;
+    const double length = (next.pts - last.pts) / static_cast<double>(gap + 1);
+    const std::int64_t brick = plan_.window.brick_frames();
+    const std::int64_t of_newest = frames_of_newest_ > 0 ? std::min(gap, brick - frames_of_newest_) : 0;
+    for (std::int64_t i = 1; i <= of_newest; ++i) {
+        add_missing(last.index + i, last.pts + static_cast<double>(i) * length, Draw::yes);
+    }
+    for (std::int64_t i = std::min(gap - of_newest, plan_.window.frames()); i > 0; --i) {
+        add_missing(next.index - i, next.pts - static_cast<double>(i) * length, Draw::no);
+    }
+}
+
+/// \param wanted what to do with a brick that this ends
+void Window::add_missing(std::int64_t index, double pts, Draw wanted) {
+    if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
+    seen_.volume.add_missing(index, pts);
+    if (frames_of_newest_ == 0) {
+        first_of_bricks_.push_back(std::make_shared<const video::Frame>(video::Frame{index, pts, {}, {}}));
+    }
+    if (++frames_of_newest_ == plan_.window.brick_frames()) complete_newest(wanted);
+}
+
+void Window::complete_newest(Draw wanted) {
+    seen_.first = first_of_bricks_.front();
+    seen_.begin = {seen_.first->index, seen_.first->pts};
+    seen_.first_brick = newest_ - std::ssize(first_of_bricks_) + 1;
+    objects_.decide(seen_.begin.frame);
+    if (wanted == Draw::yes) {
+        if (gathering_.finder) look_at_events();
+        full_(seen_, newest_);
+    }
+    ++newest_;
+    frames_of_newest_ = 0;
+}
+
+/// What is known of the objects in the window by now: as if the clip ended here.
+void Window::look_at_events() {
+    constexpr double link_seconds = 60;  // somebody who went may come back as the same object
+    if (!plan_.products.events) gathering_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
+    events::EventFinder until_now = *gathering_.finder;
+    const std::vector<events::Event> events = events::choose_events(until_now.finish(), plan_.job.output.events);
+    ToldEvents told = told_in(events, seen_.begin.seconds, seen_.last->pts);
+    for (std::size_t k = 0; k < told.events.size(); ++k) {
+        const std::vector<std::size_t>& tracks = told.events[k].tracks;
+        // Once shown, an object keeps its number, and its colour is that of its voxels.
+        told.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
+        for (const std::size_t track : tracks) {
+            told.colours[k] = objects_.colour_of(track).value_or(told.colours[k]);
+            objects_.give_number(track, told.numbers[k]);
+        }
+    }
+    seen_.events = std::move(told);
+    seen_.scene = video::picture_of(*seen_.first);
+}
+
+}  // namespace vvr::app

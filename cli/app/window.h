@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+
+#include "cli/app/objects.h"
+#include "cli/app/observe.h"
+
+namespace vvr::app {
+
+/// The observation of a window that slides over a clip: frames enter it one after the other, and bricks leave it.
+class Window {
+  public:
+    /// Hears that a brick is full, of the window as it is then.
+    using FullSink = std::function<void(const Observation& seen, std::int64_t brick)>;
+
+    Window(const Plan& plan, const fields::FieldSource& source, FullSink full);
+
+    /// What is needed of the fields.
+    const fields::FieldNeeds& needs() const { return needs_; }
+
+    void add(const video::SharedFrame& frame, const fields::Field& field);
+
+    /// After the last frame: the last brick may be shorter than the others. Frames, times and events are those of the
+    /// clip, all else is that of the last window.
+    Observation finish(const fields::FieldSource& source, fields::FieldSummary summary);
+
+  private:
+    enum class Draw { no, yes };
+
+    void keep_key_frame(const video::SharedFrame& frame);
+    void drop_oldest();
+    void fill_gap(const fields::Field& next);
+    void add_missing(std::int64_t index, double pts, Draw wanted);
+    void complete_newest(Draw wanted);
+    void look_at_events();
+
+    const Plan& plan_;
+    fields::FieldNeeds needs_;
+    Gathering gathering_;
+    Observation& seen_;
+    FullSink full_;
+    LiveObjects objects_;
+    std::map<std::size_t, std::size_t> numbers_;      ///< of the events that were shown, by their first track
+    std::optional<Moment> begin_;                     ///< of the clip
+    std::deque<video::SharedFrame> first_of_bricks_;  ///< of the bricks in the window
+    std::int64_t newest_ = 0;                         ///< number of the brick that is being filled
+    std::int64_t frames_of_newest_ = 0;
+};
+
+}  // namespace vvr::app
