@@ -257,8 +257,8 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
             put_file(job.out / name, text, environment.signals);
         } catch (const Error& error) {
             if (!is_of_one_file(error)) throw;
-            cli::log_error(environment.log, error.code(),
-                           error.what());  // the index is of use without the events of a day
+            // The index is of use without the events of a day.
+            cli::log_error(environment.log, error.code(), error.what());
         }
     }
     put_file(job.out / archive::index_name,

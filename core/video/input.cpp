@@ -34,10 +34,11 @@ std::shared_ptr<const Descriptor> open_descriptor(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         const int why = errno;
-        throw Error(ErrorKind::io, fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
-                                               why == ENOENT   ? "check the name and the folder it is in"
-                                               : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
-                                                               : "check the permissions of the file and its folder"));
+        throw Error(code_of_system_error(why),
+                    fmt::format("cannot read '{}': {}; {}", path, std::strerror(why),
+                                why == ENOENT   ? "check the name and the folder it is in"
+                                : why == EMFILE ? "raise the limit of open files (`ulimit -n`)"
+                                                : "check the permissions of the file and its folder"));
     }
     return std::make_shared<Descriptor>(fd);
 }
