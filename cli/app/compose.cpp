@@ -78,14 +78,14 @@ std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& 
 
 /// The colours of a volume that are not the transfer function's, and what they mean.
 std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
-    const ColourRow& row = find_colour(job.look.colour);
+    const ColourRow& row = *job.look.colour;
     if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
     if (row.drawn == gl::VolumeColour::time) {
         std::vector<image::Rgba> colours;
         for (const glm::vec4& colour : scene::time_colours()) colours.push_back(rgba(glm::vec3(colour)));
         return {{std::move(colours), "time, from the first moment to the last", "time"}};
     }
-    if (row.name == "direction") {
+    if (row.of_direction) {
         constexpr int spokes = 48;
         std::vector<image::Rgba> colours;
         for (int i = 0; i < spokes; ++i) {
@@ -100,7 +100,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
             {gradient(job.look.theme.slow, job.look.theme.fast), "how fast it moves: slow to fast", "slow to fast"}};
     }
     const scene::TransferFunction transfer = second_transfer_of(job);
-    const fields::FilterRow& second = fields::find_filter(row.filter);
+    const fields::FilterRow& second = *row.filter;
     if (second.traits.values == fields::Values::band) return legend_of_bands(transfer);
     std::vector<image::Rgba> colours;
     for (int value = second.traits.values == fields::Values::sign ? 1 : 0; value < 256; ++value) {
@@ -111,7 +111,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const RenderJob& job) {
 
 std::vector<labels::LegendEntry> legend_of(const RenderJob& job) {
     std::vector<labels::LegendEntry> entries;
-    const fields::FilterRow& filter = fields::find_filter(job.fields.filter);
+    const fields::FilterRow& filter = *job.fields.filter;
     const bool by_transfer = job.look.show.has(Part::volume) && job.picture.colour == gl::VolumeColour::transfer;
     if (by_transfer && filter.traits.values == fields::Values::band)
         entries = legend_of_bands(drawn_transfer_of(job.look));
@@ -189,8 +189,8 @@ const std::array<std::string, 3> explanations{
     "Time runs along the arc, from left to right."};
 
 /// \param squeezed whether time is given room where something moves
-void label_explanation(const std::string& layout, bool squeezed, const labels::Sheet& sheet, const image::Rgba& colour,
-                       labels::Lettering& lettering) {
+void label_explanation(const space::LayoutRow& layout, bool squeezed, const labels::Sheet& sheet,
+                       const image::Rgba& colour, labels::Lettering& lettering) {
     std::array<std::string, 3> texts = explanations;
     if (squeezed) {
         constexpr std::string_view direction = "from left to right";
@@ -198,7 +198,7 @@ void label_explanation(const std::string& layout, bool squeezed, const labels::S
             text.replace(text.find(direction), direction.size(), "from left to right, with room where something moves");
         }
     }
-    if (layout != space::layouts().front().name) {
+    if (&layout != &space::layouts().front()) {
         for (std::string& text : texts) text.replace(text.find(along_arc), along_arc.size(), "");
     }
     labels::add_first_that_fits(texts, sheet.small, sheet.explanation.left, sheet.explanation.bottom - sheet.small / 2,
@@ -228,7 +228,7 @@ void label_glance(const RenderJob& job, const Caption& caption, const bricks::Vo
     const image::Rgba pale = rgba(job.look.theme.pale_ink);
     const image::Rgba lines = rgba(job.look.theme.lines);
     if (show.has(Part::explanation))
-        label_explanation(job.layout, !bricks::compressed_stretches(volume).empty(), sheet, pale, lettering);
+        label_explanation(*job.layout, !bricks::compressed_stretches(volume).empty(), sheet, pale, lettering);
     if (show.has(Part::ends)) {
         label_end("first frame", glance.first, caption.begin, sheet.first, false, caption, sheet, pale, lines,
                   lettering);

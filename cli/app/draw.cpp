@@ -37,7 +37,7 @@ bricks::Volume warm_up_volume(gl::VolumeColour colour) {
 
 void open_context(const RenderJob& job, Drawing& drawing, Observer& observer) {
     const auto warn = [&observer](const std::string& text) { observer.warn(text); };
-    drawing.context = gl::open_context(job.backend.name, job.backend.device,
+    drawing.context = gl::open_context(job.backend.row, job.backend.device,
                                        job.backend.debug ? gl::DriverMessages(warn) : gl::DriverMessages());
     gl::check_samples(drawing.context->gl(), job.picture.samples);
 }
@@ -89,7 +89,7 @@ fields::FieldNeeds needs_of(const RenderJob& job, const fields::FieldSource& sou
     needs.flow = job.look.show.any(&PartRow::needs_flow);
     needs.seeds = job.look.show.any(&PartRow::needs_seeds);
     // Objects are told apart by their colours where these are there.
-    const ColourRow& colour = find_colour(job.look.colour);
+    const ColourRow& colour = *job.look.colour;
     needs.flow_of_every_frame = colour.needs_flow;
     const bool stand = job.look.show.has(Part::frames) && job.look.keyframes > 0;
     needs.colour = colour.needs_pictures || (stand && source.has_pictures()) ||

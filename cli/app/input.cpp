@@ -97,12 +97,12 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
 }
 
 OpenedFields open_extracted(const RenderJob& job) {
-    if (!job.fields.second.empty()) {
+    if (job.fields.second != nullptr) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
                         "colour",
-                        job.fields.second, job.input.names.front()),
+                        job.fields.second->name, job.input.names.front()),
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
@@ -155,7 +155,7 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.threads = threads;
     source.rate = options.rate;
     source.join = options.join;
-    return video::open_sources(options.names, source, video::RecorderNames(options.layouts), warnings);
+    return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);
 }
 
 video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
@@ -168,11 +168,10 @@ video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& sta
 }
 
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
-                                                       const RenderJob& job, std::string_view filter) {
+                                                       const RenderJob& job, const fields::FilterRow& filter) {
     if (job.seeds.empty()) return fields;
     const fields::SeedOptions& seeds = job.fields.seeds;
-    const bool on_object = fields::find_filter(filter).traits.shows_object &&
-                           choose(setting::seed_area.name, seeds.area, fields::seed_areas()).object_alone;
+    const bool on_object = filter.traits.shows_object && seeds.area->object_alone;
     return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
 }
 
@@ -196,8 +195,8 @@ void check_has_end(const video::VideoInfo& info, Observer& observer) {
 
 OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
-    const std::string filter = with_extracted(job, opened.extracted).fields.filter;
-    opened.source = with_listed_seeds(std::move(opened.source), job, filter);
+    const auto filter = with_extracted(job, opened.extracted).fields.filter;
+    opened.source = with_listed_seeds(std::move(opened.source), job, *filter);
     return opened;
 }
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/app/colour.h"
 #include "cli/app/settings.h"
 #include "core/base/error.h"
 #include "core/base/file_io.h"
@@ -44,30 +43,6 @@ int pictures_of(const OutputOptions& options) {
     return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
 }
 
-namespace {
-
-void validate(const BrickOptions& bricks, const LookOptions& look) {
-    check(setting::step, bricks.step);
-    check(setting::window, bricks.window);
-    check(setting::layers, bricks.max_layers);
-    check(setting::keyframes, look.keyframes);
-    check(setting::opacity, look.opacity);
-    check(setting::glyph_scale, look.glyph_scale);
-    check(setting::glyph_cap, look.glyph_cap);
-    check(setting::trace_steps, look.traces.steps);
-    check(setting::trace_dt, look.traces.dt);
-    check(setting::trace_rest, look.traces.rest);
-    check(setting::time_velocity, look.traces.time_velocity);
-}
-
-void validate(const gl::RenderOptions& picture) {
-    check(setting::fov, picture.view.fov);
-    check(setting::slices, picture.slices);
-    check(setting::samples, picture.samples);
-}
-
-}  // namespace
-
 void validate(const space::LayoutOptions& shape) {
     if (shape.height != 0) check(setting::height, shape.height);
     check(setting::radius, shape.r_min);
@@ -90,9 +65,13 @@ void validate_series(const RenderJob& job) {
 void validate(const RenderJob& job) {
     if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
     fields::validate(job.fields);
-    validate(job.bricks, job.look);
+    const auto check_one = [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); };
+    each_brick_setting(job, check_one);
+    each_view_setting(job, check_one);
+    each_look_setting(job, check_one);
+    check(setting::step, job.bricks.step);
+    check(setting::slices, job.picture.slices);
     if (products_of(job).series) validate_series(job);
-    validate(job.picture);
     validate(job.shape);
     if (!job.look.font.empty()) image::check_font(job.look.font);
 }
@@ -106,7 +85,7 @@ Products products_of(const RenderJob& job) {
     products.pixel_data = page || (!output.path.empty() && !is_standard_output(output.path) &&
                                    !image::is_animation(output.path) && image::holds_pixel_data(output.path));
     // Only what a filter that marks objects shows has events.
-    products.events = (page || !output.report.empty()) && fields::find_filter(job.fields.filter).traits.shows_object;
+    products.events = (page || !output.report.empty()) && job.fields.filter->traits.shows_object;
     products.portraits = page && products.events;
     return products;
 }
@@ -123,7 +102,7 @@ RenderJob with_possible_parts(RenderJob job) {
     Parts& show = job.look.show;
     // Who names seeds wants to see them.
     if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
-    if (fields::find_filter(job.fields.filter).traits.shows_object) return job;
+    if (job.fields.filter->traits.shows_object) return job;
     if (show.has(Part::directions)) show.add(Part::arrows);
     for (const PartRow& row : parts()) {
         if (row.needs_events) show.remove(row.part);
@@ -132,39 +111,39 @@ RenderJob with_possible_parts(RenderJob job) {
 }
 
 RenderJob with_fields_of_colour(RenderJob job) {
-    job.fields.second = find_colour(job.look.colour).filter;
+    job.fields.second = job.look.colour->filter;
     return job;
 }
 
 RenderJob with_transfer(RenderJob job) {
-    const std::string_view own = fields::find_filter(job.fields.filter).transfer;
+    const std::string_view own = job.fields.filter->transfer;
     if (!job.look.transfer && !own.empty()) job.look.transfer = scene::find_transfer(std::string(own));
     return job;
 }
 
 RenderJob with_colour(RenderJob job) {
-    const bool marks_objects = fields::find_filter(job.fields.filter).traits.shows_object;
+    const bool marks_objects = job.fields.filter->traits.shows_object;
     const LookOptions& look = job.look;
-    const ColourRow& asked = find_colour(look.colour);
+    const ColourRow& asked = *look.colour;
     if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
-                        job.fields.filter),
+                        job.fields.filter->name),
             {setting::colour.name, setting::filter.name});
     }
     const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
     const bool objects = tells_objects && marks_objects && !look.transfer;
-    const bool second_flow = !asked.filter.empty() && fields::find_filter(asked.filter).traits.flow;
+    const bool second_flow = asked.filter != nullptr && asked.filter->traits.flow;
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
         throw Error(ErrorKind::usage,
                     fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
-                                asked.name, job.fields.flow.method),
+                                asked.name, job.fields.flow.method->name),
                     {setting::colour.name, setting::flow.name});
     }
     if (&asked == &colour_rows().front()) job.look.colour = objects ? "object" : "transfer";
-    job.picture.colour = find_colour(job.look.colour).drawn;
-    image::put(job.settings, setting::colour.name, job.look.colour);
+    job.picture.colour = job.look.colour->drawn;
+    image::put(job.settings, setting::colour.name, job.look.colour->name);
     return job;
 }
 
@@ -175,9 +154,9 @@ bool finds_objects(const RenderJob& job, const Products& products) {
 
 bool wants_colour(const RenderJob& job) {
     // Objects are found by colour too, not only if the picture happens to show some.
-    return fields::find_filter(job.fields.filter).traits.colour || fields::needs_reference(job.fields) ||
-           job.look.show.any(&PartRow::needs_pictures) || find_colour(job.look.colour).needs_pictures ||
-           (!job.fields.second.empty() && fields::find_filter(job.fields.second).traits.colour);
+    return job.fields.filter->traits.colour || fields::needs_reference(job.fields) ||
+           job.look.show.any(&PartRow::needs_pictures) || job.look.colour->needs_pictures ||
+           (job.fields.second != nullptr && job.fields.second->traits.colour);
 }
 
 scene::TransferFunction transfer_of(const LookOptions& look) {
@@ -250,7 +229,7 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
 
 events::EventOptions event_options(const RenderJob& job) {
     events::EventOptions options;
-    options.scene_is_learnt = fields::find_reference(job.fields.reference) != nullptr;
+    options.scene_is_learnt = job.fields.reference.row() != nullptr;
     return options;
 }
 

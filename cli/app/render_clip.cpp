@@ -122,7 +122,7 @@ Fields read_fields(const RenderJob& job, const Products& products, fields::Field
     const fields::FieldNeeds needs = needs_of(job, source, expected > 0 ? expected : step * job.bricks.max_layers);
 
     Fields result{bricks::Volume(source.field_size(), job.bricks.max_layers, step, needs.every)};
-    result.volume.set_values(fields::find_filter(job.fields.filter).traits.values);
+    result.volume.set_values(job.fields.filter->traits.values);
     const int keyframes = job.look.keyframes;
     std::optional<events::EventFinder> events;
     events::FrameLabels labels;

@@ -45,7 +45,7 @@ class Series {
         caption_.title = title_of(job.look.title, report_.info);
         caption_.clock = clock_of(job.look.start_time, report_.info);
         volume_.set_span(window_.layers());
-        volume_.set_values(fields::find_filter(job.fields.filter).traits.values);
+        volume_.set_values(job.fields.filter->traits.values);
         if (job.look.show.any(&PartRow::needs_flow)) volume_.keep_flow();
         thread_.run([&, this](Drawing& drawing) {
             const int textures = textures_of(products, window_.bricks * static_cast<int>(pieces_of_brick_));

@@ -24,12 +24,12 @@ Bgr bgr_of(const glm::vec3& colour) {
 
 scene::TransferFunction second_transfer_of(const RenderJob& job) {
     if (job.look.transfer) return *job.look.transfer;
-    const std::string_view own = fields::find_filter(job.fields.second).transfer;
+    const std::string_view own = job.fields.second->transfer;
     return scene::find_transfer(own.empty() ? "viridis" : std::string(own));
 }
 
-VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job.look.colour)) {
-    if (row_.filter.empty()) return;
+VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(*job.look.colour) {
+    if (row_.filter == nullptr) return;
     const scene::TransferFunction transfer = second_transfer_of(job);
     for (std::size_t value = 0; value < of_value_.size(); ++value) {
         of_value_[value] = bgr_of(glm::vec3(transfer.at(static_cast<double>(value))));
@@ -39,7 +39,7 @@ VolumePaint::VolumePaint(const RenderJob& job) : job_(job), row_(find_colour(job
 Bgr VolumePaint::colour_of_flow(float u, float v) const {
     const scene::Theme& theme = job_.look.theme;
     const float speed = std::hypot(u, v);
-    if (row_.name == colour_by_direction) {
+    if (row_.of_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
         if (share == 0) return bgr_of(theme.unowned);
         return bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));
@@ -53,7 +53,7 @@ const Plane<Bgr>& VolumePaint::operator()(const video::Frame& frame, const field
     if (row_.needs_pictures) return frame.colour;
     if (painted_.size() != field.scalar.size()) painted_ = Plane<Bgr>(field.scalar.size());
     const auto into = painted_.pixels().begin();
-    if (!row_.filter.empty()) {
+    if (row_.filter != nullptr) {
         std::ranges::transform(field.second.pixels(), into, [this](std::uint8_t value) { return of_value_[value]; });
     } else if (field.flow.u.empty()) {
         std::ranges::fill(painted_.pixels(), colour_of_flow(0, 0));

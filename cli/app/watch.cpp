@@ -77,7 +77,7 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded before it is read, so its time is not that of this machine.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
-    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.layouts));
+    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
     if (!told.begin) return {StartTime::From::none};
     return starts_at(*told.begin, told.begin_source);
 }
@@ -154,7 +154,7 @@ class LivePictures {
 
     /// Whether the scene may still hold what stood there when the stream began.
     bool is_learning(const RenderReport& report) const {
-        const fields::ReferenceRow* const row = fields::find_reference(job_.fields.reference);
+        const fields::ReferenceRow* const row = job_.fields.reference.row();
         constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
         return row != nullptr && row->adapts && report.last_frame < first_look + fields::RunningReference::ghost_frames;
     }
@@ -200,7 +200,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
             fmt::format("'{}' is a finished file, not a stream: `vvr render` draws the whole of it", info.name));
     }
     auto fields = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), job_.fields), job_,
-                                    job_.fields.filter);
+                                    *job_.fields.filter);
     const std::int64_t window = sliding_window(job_.bricks, *fields).frames();
     fields_ = std::make_unique<page::RecentMoments>(std::move(fields), window);
 }

@@ -8,8 +8,8 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/log_options.h"
 #include "cli/options/output.h"
-#include "cli/options/talk.h"
 #include "cli/versions.h"
 #include "core/base/choice.h"
 #include "core/base/error.h"
@@ -48,15 +48,15 @@ bool looks_like_input(const std::string& text) {
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
     const std::unique_ptr<Command> command = row.make();
-    options::LogOptions talk;
+    options::LogOptions log;
     options::CommandLine line(std::string(row.name), std::string(row.help));
     line.set_commands(names_of_commands);
     command->add_options(line);
-    options::add_log_options(line, talk);
+    options::add_log_options(line, log);
     if (!line.parse(arguments)) return cli::ExitStatus::done;
     options::check_no_input_overwritten(line);
-    options::apply(talk, environment.log);
-    return command->run(line, {environment.log, environment.signals, talk.quiet});
+    options::apply(log, environment.log);
+    return command->run(line, {environment.log, environment.signals, log.quiet});
 }
 
 }  // namespace
@@ -64,12 +64,14 @@ cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::
 std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : table) {
-        const std::unique_ptr<Command> command = row.make();
-        options::LogOptions talk;
-        options::CommandLine line(std::string(row.name), std::string(row.help));
-        command->add_options(line);
-        options::add_log_options(line, talk);
-        names.push_back({std::string(row.name), line.configurable()});
+        names.push_back({std::string(row.name), [&row] {
+                             const std::unique_ptr<Command> command = row.make();
+                             options::LogOptions log;
+                             options::CommandLine line(std::string(row.name), std::string(row.help));
+                             command->add_options(line);
+                             options::add_log_options(line, log);
+                             return line.configurable();
+                         }});
     }
     return names;
 }

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/plane.h"
 
 namespace vvr::space {
@@ -108,8 +109,7 @@ struct LayoutRow {
 /// The layouts there are; the first is the default.
 const std::vector<LayoutRow>& layouts();
 
-/// \throws Error usage when no layout has that name
-std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape);
+std::unique_ptr<Layout> make_layout(const Choice<LayoutRow>& row, const LayoutShape& shape);
 
 std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape);
 std::unique_ptr<Layout> make_box(const LayoutShape& shape);
@@ -117,5 +117,7 @@ std::unique_ptr<Layout> make_box(const LayoutShape& shape);
 /// The sections between `borders` from both ends towards the one that holds `t`: back to front, where that one faces
 /// the eye.
 std::vector<int> sections_towards(double t, std::span<const double> borders);
+
+const LayoutRow& row_of(Name<LayoutRow> name);
 
 }  // namespace vvr::space
