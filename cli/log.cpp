@@ -143,13 +143,9 @@ std::unique_ptr<spdlog::formatter> json_lines(bool) {
 }
 
 constexpr std::array formats{
-    LogFormat{"text", text_lines},
-    LogFormat{"json", json_lines},
+    LogFormat{"text", "lines for people", text_lines},
+    LogFormat{"json", "a JSON object per line, with its time", json_lines},
 };
-
-std::unique_ptr<spdlog::formatter> make_lines(const std::string& name, bool timed) {
-    return std::ranges::find(formats, name, &LogFormat::name)->make(timed);
-}
 
 class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
   public:
@@ -175,7 +171,7 @@ constexpr std::size_t on_stderr = 0;  // among the sinks
 std::shared_ptr<spdlog::logger> make_log() {
     auto log = std::make_shared<spdlog::logger>("vvr", std::make_shared<spdlog::sinks::stderr_sink_mt>());
     log->set_level(spdlog::level::debug);
-    set_format(*log, "text");
+    set_format(*log, formats.front());
     set_verbosity(*log, Verbosity::normal);
     return log;
 }
@@ -184,22 +180,26 @@ void log_error(spdlog::logger& log, ErrorCode code, std::string_view text) {
     log.log(spdlog::source_loc("", 1, row_of(code).name), spdlog::level::err, "{}", text);
 }
 
-void set_verbosity(spdlog::logger& log, Verbosity talk) {
+void set_verbosity(spdlog::logger& log, Verbosity verbosity) {
     constexpr std::array levels{spdlog::level::err, spdlog::level::info, spdlog::level::debug};
-    log.sinks()[on_stderr]->set_level(levels[static_cast<std::size_t>(talk)]);
+    log.sinks()[on_stderr]->set_level(levels[static_cast<std::size_t>(verbosity)]);
 }
 
 std::span<const LogFormat> log_formats() {
     return formats;
 }
 
-void set_format(spdlog::logger& log, const std::string& name) {
-    log.sinks()[on_stderr]->set_formatter(make_lines(name, false));
+const LogFormat& row_of(Name<LogFormat> name) {
+    return choose("log-format", name.text, formats);
 }
 
-void add_file(spdlog::logger& log, const std::string& path, const std::string& format) {
+void set_format(spdlog::logger& log, const LogFormat& format) {
+    log.sinks()[on_stderr]->set_formatter(format.make(false));
+}
+
+void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format) {
     auto file = std::make_shared<LogFile>(path);
-    file->set_formatter(make_lines(format, true));
+    file->set_formatter(format.make(true));
     file->set_level(std::min(spdlog::level::info, log.sinks()[on_stderr]->level()));
     log.sinks().push_back(std::move(file));
 }

@@ -9,6 +9,7 @@
 
 #include <spdlog/logger.h>
 
+#include "core/base/choice.h"
 #include "core/base/error.h"
 
 namespace vvr::cli {
@@ -23,25 +24,26 @@ void log_error(spdlog::logger& log, ErrorCode code, std::string_view text);
 /// How much a logger says on stderr.
 enum class Verbosity { quiet, normal, verbose };
 
-void set_verbosity(spdlog::logger& log, Verbosity talk);
+void set_verbosity(spdlog::logger& log, Verbosity verbosity);
 
 /// One row of the table of formats.
 struct LogFormat {
     std::string_view name;
+    std::string_view help;
     /// \param timed whether a line for people begins with its time
     std::unique_ptr<spdlog::formatter> (*make)(bool timed);
 };
 
-/// "text", "json"; the first is the default.
 std::span<const LogFormat> log_formats();
+const LogFormat& row_of(Name<LogFormat> name);
 
-/// The form of the lines on stderr, by a name of the table.
-void set_format(spdlog::logger& log, const std::string& name);
+/// The form of the lines on stderr.
+void set_format(spdlog::logger& log, const LogFormat& format);
 
 /// Sends all lines, however much is said on stderr, to the end of a file too. A file that is moved away or deleted, as
 /// logrotate does, is made anew at the next line.
 /// \throws Error io when it can't be written
-void add_file(spdlog::logger& log, const std::string& path, const std::string& format);
+void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format);
 
 /// Keeps the warnings that are said from now on, however much is said on stderr.
 /// \returns what gives them

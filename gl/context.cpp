@@ -23,10 +23,6 @@ namespace vvr::gl {
 
 namespace {
 
-std::vector<Backend> backends() {
-    return {egl_hardware_backend(), egl_software_backend(), osmesa_backend()};
-}
-
 struct MessageKind {
     GLenum type;
     std::string_view name;
@@ -67,10 +63,16 @@ void Context::listen(DriverMessages messages) {
     gl_.DebugMessageCallback(forward_message, &messages_);
 }
 
-std::unique_ptr<Context> open_context(std::string_view name, int device, DriverMessages messages) {
+const std::vector<Backend>& backends() {
+    static const std::vector<Backend> rows{
+        {"auto", "the first of these that works"}, egl_hardware_backend(), egl_software_backend(), osmesa_backend()};
+    return rows;
+}
+
+std::unique_ptr<Context> open_context(const Choice<Backend>& chosen, int device, DriverMessages messages) {
     std::string tried;
     for (const Backend& backend : backends()) {
-        if (name != "auto" && name != backend.name) continue;
+        if (backend.open == nullptr || (chosen->open != nullptr && chosen != backend)) continue;
         try {
             std::unique_ptr<Context> context = backend.open(device, messages != nullptr);
             if (messages) context->listen(std::move(messages));
@@ -79,30 +81,23 @@ std::unique_ptr<Context> open_context(std::string_view name, int device, DriverM
             tried += fmt::format("{}{}: {}", tried.empty() ? "" : "; ", backend.name, error.what());
         }
     }
-    if (tried.empty()) refuse_choice("backend", name, backend_names());
     throw_if_out_of_memory(fmt::format("no context from {}", tried));
     throw Error(ErrorCode::opengl_unavailable,
-                fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it", name,
-                            device < 0 ? "" : fmt::format(", device {}", device), tried));
+                fmt::format("no OpenGL context from backend {}{}; tried {}; `vvr doctor` says how to fix it",
+                            chosen->name, device < 0 ? "" : fmt::format(", device {}", device), tried));
 }
 
-std::vector<std::string> backend_names() {
-    std::vector<std::string> names = {"auto"};
-    for (const Backend& backend : backends()) names.push_back(backend.name);
-    return names;
-}
-
-bool may_use_gpu(std::string_view name) {
-    return std::ranges::any_of(
-        backends(), [&](const Backend& backend) { return backend.gpu && (name == "auto" || name == backend.name); });
+bool may_use_gpu(const Backend& backend) {
+    return backend.open == nullptr ? std::ranges::any_of(backends(), &Backend::gpu) : backend.gpu;
 }
 
 std::vector<BackendReport> probe_backends() {
     std::vector<BackendReport> reports;
     for (const Backend& backend : backends()) {
+        if (backend.open == nullptr) continue;
         BackendReport report;
         report.name = backend.name;
-        report.what = backend.what;
+        report.what = backend.help;
         try {
             report.devices = backend.devices();
             const auto context = backend.open(-1, false);
@@ -170,6 +165,10 @@ void choose_shader_cache() {
     } else {
         ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
     }
+}
+
+const Backend& row_of(Name<Backend> name) {
+    return choose("backend", name.text, backends());
 }
 
 }  // namespace vvr::gl

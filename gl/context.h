@@ -9,6 +9,8 @@
 
 #include <glad/gl.h>
 
+#include "gl/backend.h"
+
 namespace vvr::gl {
 
 /// Receives one debug message of an OpenGL driver.
@@ -61,34 +63,18 @@ struct BackendReport {
     std::vector<std::string> devices;  ///< EGL devices by number, for the EGL backends
 };
 
-/// Opens a context. `backend` is a name in the backend table or "auto", which tries each row in order.
+/// Opens a context.
 /// \param device number of an EGL device among those that `probe_backends` lists, or -1 for the first that works
 /// \param messages if given, the context is a debug context, and its driver's messages go here
 /// \throws Error backend, with every attempt and why it failed, when there is none
-std::unique_ptr<Context> open_context(std::string_view backend = "auto", int device = -1, DriverMessages messages = {});
+std::unique_ptr<Context> open_context(const Choice<Backend>& backend = "auto", int device = -1,
+                                      DriverMessages messages = {});
 
-/// The names of the backend table, "auto" first.
-std::vector<std::string> backend_names();
-
-/// Whether a backend may open the devices of a graphics card. `backend` as in open_context.
-bool may_use_gpu(std::string_view backend);
+/// Whether a backend may open the devices of a graphics card.
+bool may_use_gpu(const Backend& backend);
 
 /// Tries each backend in turn.
 std::vector<BackendReport> probe_backends();
-
-/// One way to get an OpenGL context; gl/context.cpp holds the table.
-struct Backend {
-    std::string name;
-    std::string what;
-    std::unique_ptr<Context> (*open)(int device, bool debug);
-    std::vector<std::string> (*devices)();  ///< what `device` counts; empty for a backend without devices
-    std::string advice;                     ///< the command that makes it work on Debian
-    bool gpu = false;                       ///< opens the devices of a graphics card
-};
-
-Backend egl_hardware_backend();
-Backend egl_software_backend();
-Backend osmesa_backend();
 
 /// A shared library loaded at run time. It stays loaded until the process exits.
 class Library {

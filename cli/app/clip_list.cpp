@@ -17,7 +17,7 @@ namespace vvr::app {
 
 std::vector<video::Segment> list_clips(const InputOptions& options) {
     if (std::ranges::all_of(options.names, store::is_data_folder)) return {};
-    const video::RecorderNames layouts(options.layouts);
+    const video::RecorderNames layouts(options.name_patterns);
     if (auto recording = video::find_recording(options.names, layouts, options.join))
         return std::move(recording->segments);
     std::error_code none;

@@ -1,6 +1,5 @@
 #include "cli/app/colour.h"
 
-#include "cli/app/settings.h"
 #include "core/base/choice.h"
 #include "core/fields/filter.h"
 
@@ -16,15 +15,15 @@ std::vector<ColourRow> make_rows() {
         {"object", "each object its own; what is no object's is grey and faint", gl::VolumeColour::object},
         {"transfer", "the transfer function's, of the filter's values"},
         {"video", "the video's own", gl::VolumeColour::own, true},
-        {colour_by_direction, "which way it moves, as a wheel of colours; grey where it rests", gl::VolumeColour::own,
-         false, true},
+        {"direction", "which way it moves, as a wheel of colours; grey where it rests", gl::VolumeColour::own, false,
+         true, true},
         {"speed", "how fast it moves, as arrows have it", gl::VolumeColour::own, false, true},
         {"time", "the moment, from the first to the last", gl::VolumeColour::time},
     };
     for (const fields::FilterRow& filter : fields::filters()) {
         const std::string name(filter.name);
-        rows.push_back(
-            {name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false, false, name});
+        rows.push_back({name, "a second filter's values: " + std::string(filter.help), gl::VolumeColour::own, false,
+                        false, false, &filter});
     }
     return rows;
 }
@@ -36,8 +35,8 @@ const std::vector<ColourRow>& colour_rows() {
     return rows;
 }
 
-const ColourRow& find_colour(const std::string& name) {
-    return choose(setting::colour.name, name, colour_rows());
+const ColourRow& row_of(Name<ColourRow> name) {
+    return choose("color", name.text, colour_rows());
 }
 
 }  // namespace vvr::app

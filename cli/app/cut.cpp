@@ -68,11 +68,12 @@ video::FrameSpan span_of(const EventTimes& event, double margin) {
 
 Selection find_event(const CutJob& job, const Footage& footage, Observer& observer) {
     validate(job.search);
-    const std::string& filter = job.search.fields.filter;
-    if (!fields::find_filter(filter).traits.shows_object) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter),
-                    {"filter"});
+    const fields::FilterRow& filter = *job.search.fields.filter;
+    if (!filter.traits.shows_object) {
+        throw Error(
+            ErrorKind::usage,
+            fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter.name),
+            {"filter"});
     }
     const OpenedFields fields = open_fields(job.search);
     RenderJob search = job.search;

@@ -51,7 +51,7 @@ void open_context(const Plan& plan, Drawing& drawing, Observer& observer) {
     const BackendOptions& backend = plan.job.backend;
     const auto warn = [&observer](const std::string& text) { observer.warn(text); };
     drawing.context =
-        gl::open_context(backend.name, backend.device, backend.debug ? gl::DriverMessages(warn) : gl::DriverMessages());
+        gl::open_context(backend.row, backend.device, backend.debug ? gl::DriverMessages(warn) : gl::DriverMessages());
     gl::check_samples(drawing.context->gl(), plan.picture.samples);
 }
 

@@ -135,7 +135,7 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 
 Footage find_footage(const InputOptions& options) {
     require_input(options);
-    const video::RecorderNames layouts(options.layouts);
+    const video::RecorderNames layouts(options.name_patterns);
     if (options.names.size() == 1 && store::is_data_folder(options.names.front())) check_single(options.names.front());
     if (auto recording = video::find_recording(options.names, layouts, options.join))
         return {std::move(*recording), false};

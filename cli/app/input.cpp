@@ -98,13 +98,13 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
 }
 
 OpenedFields open_extracted(const RenderJob& job) {
-    const std::string& second = find_colour(job.look.colour).filter;
-    if (!second.empty()) {
+    const fields::FilterRow* const second = job.look.colour->filter;
+    if (second != nullptr) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
                         "colour",
-                        second, job.input.names.front()),
+                        second->name, job.input.names.front()),
             {setting::colour.name});
     }
     const std::vector<std::string>& folders = job.input.names;
@@ -146,16 +146,16 @@ void require_frames(std::int64_t frames, const video::VideoInfo& info) {
 
 fields::FieldOptions field_options_of(const RenderJob& job) {
     fields::FieldOptions options = job.fields;
-    options.second = find_colour(job.look.colour).filter;
+    options.second = job.look.colour->filter;
     return options;
 }
 
 bool wants_colour(const RenderJob& job) {
-    const ColourRow& colour = find_colour(job.look.colour);
+    const ColourRow& colour = *job.look.colour;
     // Objects are found by colour too, not only if the picture happens to show some.
-    return fields::find_filter(job.fields.filter).traits.colour || fields::needs_reference(field_options_of(job)) ||
+    return job.fields.filter->traits.colour || fields::needs_reference(field_options_of(job)) ||
            job.look.show.any(&PartRow::needs_pictures) || colour.needs_pictures ||
-           (!colour.filter.empty() && fields::find_filter(colour.filter).traits.colour);
+           (colour.filter != nullptr && colour.filter->traits.colour);
 }
 
 void require_input(const InputOptions& options) {
@@ -181,7 +181,7 @@ std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool 
     source.threads = threads;
     source.rate = options.rate;
     source.join = options.join;
-    return video::open_sources(options.names, source, video::RecorderNames(options.layouts), warnings);
+    return video::open_sources(options.names, source, video::RecorderNames(options.name_patterns), warnings);
 }
 
 video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
@@ -194,11 +194,10 @@ video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& sta
 }
 
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
-                                                       const RenderJob& job, std::string_view filter) {
+                                                       const RenderJob& job, const fields::FilterRow& filter) {
     if (job.seeds.empty()) return fields;
     const fields::SeedOptions& seeds = job.fields.seeds;
-    const bool on_object = fields::find_filter(filter).traits.shows_object &&
-                           choose(setting::seed_area.name, seeds.area, fields::seed_areas()).object_alone;
+    const bool on_object = filter.traits.shows_object && seeds.area->object_alone;
     return std::make_unique<fields::ListedSeeds>(std::move(fields), job.seeds, seeds, on_object);
 }
 
@@ -223,7 +222,8 @@ void check_has_end(const video::VideoInfo& info, Observer& observer) {
 OpenedFields open_fields(const RenderJob& job) {
     OpenedFields opened = open_any(job);
     const std::string filter = image::value_of(opened.extracted, setting::filter.name);
-    opened.source = with_listed_seeds(std::move(opened.source), job, filter.empty() ? job.fields.filter : filter);
+    const Choice<fields::FilterRow> of_fields = filter.empty() ? job.fields.filter : Choice<fields::FilterRow>(filter);
+    opened.source = with_listed_seeds(std::move(opened.source), job, *of_fields);
     return opened;
 }
 

@@ -67,7 +67,7 @@ void require_input(const InputOptions& options);
 /// The same fields with the seeds that the job lists, if it does.
 /// \param filter of the fields
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
-                                                       const RenderJob& job, std::string_view filter);
+                                                       const RenderJob& job, const fields::FilterRow& filter);
 
 /// Opens the whole of a clip, or of a recording of several files.
 /// \param warnings what is to be said of it, a sentence each

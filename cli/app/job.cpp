@@ -37,30 +37,6 @@ int pictures_of(const OutputOptions& options) {
     return options.animate.value_or(image::is_animation(options.path) ? default_animation : 1);
 }
 
-namespace {
-
-void validate(const BrickOptions& bricks, const LookOptions& look) {
-    check(setting::step, bricks.step);
-    check(setting::window, bricks.window);
-    check(setting::layers, bricks.max_layers);
-    check(setting::keyframes, look.keyframes);
-    check(setting::opacity, look.opacity);
-    check(setting::glyph_scale, look.glyph_scale);
-    check(setting::glyph_cap, look.glyph_cap);
-    check(setting::trace_steps, look.traces.steps);
-    check(setting::trace_dt, look.traces.dt);
-    check(setting::trace_rest, look.traces.rest);
-    check(setting::time_velocity, look.traces.time_velocity);
-}
-
-void validate(const gl::RenderOptions& picture) {
-    check(setting::fov, picture.view.fov);
-    check(setting::slices, picture.slices);
-    check(setting::samples, picture.samples);
-}
-
-}  // namespace
-
 void validate(const space::LayoutOptions& shape) {
     if (shape.height != 0) check(setting::height, shape.height);
     check(setting::radius, shape.r_min);
@@ -83,9 +59,13 @@ void validate_series(const RenderJob& job) {
 void validate(const RenderJob& job) {
     if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
     fields::validate(job.fields);
-    validate(job.bricks, job.look);
+    const auto check_one = [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); };
+    each_brick_setting(job, check_one);
+    each_view_setting(job, check_one);
+    each_look_setting(job, check_one);
+    check(setting::step, job.bricks.step);
+    check(setting::slices, job.picture.slices);
     if (is_series(job.output)) validate_series(job);
-    validate(job.picture);
     validate(job.shape);
     if (!job.look.font.empty()) image::check_font(job.look.font);
 }

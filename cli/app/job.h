@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/app/colour.h"
 #include "cli/app/part.h"
 #include "core/events/event.h"
 #include "core/fields/options.h"
@@ -20,6 +21,7 @@
 #include "core/scene/transfer_function.h"
 #include "core/space/layout.h"
 #include "core/video/frame_source.h"
+#include "gl/backend.h"
 #include "gl/render_options.h"
 
 namespace vvr::app {
@@ -99,11 +101,11 @@ int pictures_of(const OutputOptions& options);
 
 /// What is read. Which frames of it FieldOptions::span says.
 struct InputOptions {
-    std::vector<std::string> names;    ///< a clip, the files of a recording, or the folders of an extraction in parts
-    std::vector<std::string> layouts;  ///< of files' names, before those of known recorders
-    bool join = false;                 ///< files that seem to be unrelated are one recording all the same
-    Size field_size{0, 0};             ///< as in SourceOptions
-    double rate = 25;                  ///< frames per second, where the input does not say
+    std::vector<std::string> names;  ///< a clip, the files of a recording, or the folders of an extraction in parts
+    std::vector<std::string> name_patterns;  ///< of files' names, before those of known recorders
+    bool join = false;                       ///< files that seem to be unrelated are one recording all the same
+    Size field_size{0, 0};                   ///< as in SourceOptions
+    double rate = 25;                        ///< frames per second, where the input does not say
 };
 
 /// How time becomes layers and bricks.
@@ -136,9 +138,9 @@ struct LookOptions {
     scene::Theme theme = scene::themes().front();
     std::optional<glm::vec4> background{};              ///< multiplied by its opacity; none = the theme's
     std::optional<scene::TransferFunction> transfer{};  ///< none = the theme's
-    std::string colour = "auto";                        ///< a name in the table of colours (cli/app/colour.h)
-    std::string title;                                  ///< empty = the clip's name
-    std::filesystem::path font;                         ///< of all text; empty = fontconfig's sans
+    Choice<ColourRow> colour = "auto";
+    std::string title;           ///< empty = the clip's name
+    std::filesystem::path font;  ///< of all text; empty = fontconfig's sans
     StartTime start_time;
     double opacity = 1;                            ///< factor on the extinction
     double glyph_scale = 1;                        ///< factor on the arrows' size
@@ -149,7 +151,7 @@ struct LookOptions {
 
 /// Which OpenGL draws.
 struct BackendOptions {
-    std::string name = "auto";
+    Choice<gl::Backend> row = "auto";
     int device = -1;     ///< EGL's number; -1 = the first that works
     bool debug = false;  ///< what the driver says is a warning
 };
@@ -161,7 +163,7 @@ struct RenderJob {
     std::string seeds;  ///< lists that replace the computed seeds, as ListedSeeds; empty = none
     std::optional<fields::SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
     BrickOptions bricks;
-    std::string layout = space::layouts().front().name;
+    Choice<space::LayoutRow> layout = space::layouts().front();
     space::LayoutOptions shape;
     LookOptions look;
     gl::RenderOptions picture;  ///< camera, background and glyphs are made of the rest

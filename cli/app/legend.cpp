@@ -72,7 +72,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const Plan& plan) {
         for (const glm::vec4& colour : scene::time_colours()) colours.push_back(rgba(glm::vec3(colour)));
         return {{std::move(colours), "time, from the first moment to the last", "time"}};
     }
-    if (row.name == colour_by_direction) {
+    if (row.of_direction) {
         constexpr int spokes = 48;
         std::vector<image::Rgba> colours;
         for (int i = 0; i < spokes; ++i) {

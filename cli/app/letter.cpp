@@ -109,7 +109,7 @@ class Letterer {
 
     void add_explanation() {
         // Only the default layout is an arc.
-        const bool is_arc = plan_.job.layout == space::layouts().front().name;
+        const bool is_arc = plan_.job.layout == space::layouts().front();
         const std::string time = fmt::format("Time runs{} from left to right{}", is_arc ? " along the arc," : "",
                                              composed_.squeezed.empty() ? "" : ", with room where something moves");
         const std::array<std::string, 3> texts{

@@ -26,7 +26,7 @@ bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan
 /// What counts as an event.
 events::EventOptions event_options(const Plan& plan) {
     events::EventOptions options;
-    options.scene_is_learnt = fields::find_reference(plan.job.fields.reference) != nullptr;
+    options.scene_is_learnt = plan.job.fields.reference.row() != nullptr;
     return options;
 }
 

@@ -44,24 +44,24 @@ void drop_impossible_parts(const RenderJob& job, bool marks_objects, Parts& show
 /// the filter marks objects, and no transfer function was asked for.
 const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
     const LookOptions& look = job.look;
-    const ColourRow& asked = find_colour(look.colour);
+    const ColourRow& asked = *look.colour;
     if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
         throw Error(
             ErrorKind::usage,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
-                        job.fields.filter),
+                        job.fields.filter->name),
             {setting::colour.name, setting::filter.name});
     }
-    const bool second_flow = !asked.filter.empty() && fields::find_filter(asked.filter).traits.flow;
+    const bool second_flow = asked.filter != nullptr && asked.filter->traits.flow;
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
         throw Error(ErrorKind::usage,
                     fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
-                                asked.name, job.fields.flow.method),
+                                asked.name, job.fields.flow.method->name),
                     {setting::colour.name, setting::flow.name});
     }
     if (&asked != &colour_rows().front()) return asked;
     const bool tells_objects = look.show.has(Part::volume) && look.show.any(&PartRow::needs_events);
-    return find_colour(tells_objects && marks_objects && !look.transfer ? "object" : "transfer");
+    return *Choice<ColourRow>(tells_objects && marks_objects && !look.transfer ? "object" : "transfer");
 }
 
 scene::TransferFunction transfer_or(const LookOptions& look, std::string_view otherwise) {
@@ -227,14 +227,14 @@ void check_memory(const Extent& extent) {
 Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
     take_extracted(clip.extracted, job);
     if (clip.extracted.empty()) job.fields.span = clip.span;
-    const fields::FilterRow& filter = fields::find_filter(job.fields.filter);
+    const fields::FilterRow& filter = *job.fields.filter;
     const bool marks_objects = filter.traits.shows_object;
     drop_impossible_parts(job, marks_objects, job.look.show);
     if (!job.look.transfer && !filter.transfer.empty())
         job.look.transfer = scene::find_transfer(std::string(filter.transfer));
     const ColourRow& colour = choose_colour(job, marks_objects);
     image::put(job.settings, setting::colour.name, colour.name);
-    const fields::FilterRow* const second = colour.filter.empty() ? nullptr : &fields::find_filter(colour.filter);
+    const fields::FilterRow* const second = colour.filter;
     const std::string_view second_own = second == nullptr ? "" : second->transfer;
     const scene::TransferFunction transfer = transfer_or(job.look, job.look.theme.transfer);
     Plan plan{.filter = &filter,

@@ -99,8 +99,8 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
                     fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
                                 job.flow.string(), what));
     }
-    const bool magnitude = job.seeds.order == fields::seed_orders().front().name;
-    if (choose(setting::seed_area.name, job.seeds.area, fields::seed_areas()).object_alone || !magnitude) {
+    const bool magnitude = job.seeds.order == fields::seed_orders().front();
+    if (job.seeds.area->object_alone || !magnitude) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
                                 "seed-order magnitude, or name an extraction",
@@ -118,8 +118,9 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
     store::StoredFields fields(std::array{job.flow.string()});
     const auto filter =
         std::ranges::find(fields.settings(), setting::filter.name, [](const auto& s) { return s.first; });
-    const bool marks = filter != fields.settings().end() && fields::find_filter(filter->second).traits.shows_object;
-    if (!marks && choose(setting::seed_area.name, job.seeds.area, fields::seed_areas()).object_alone) {
+    const bool marks =
+        filter != fields.settings().end() && Choice<fields::FilterRow>(filter->second)->traits.shows_object;
+    if (!marks && job.seeds.area->object_alone) {
         throw Error(ErrorKind::usage,
                     fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
                                 "choose seed-area field",

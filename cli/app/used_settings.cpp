@@ -39,7 +39,7 @@ std::string of_solver(const image::Metadata& settings) {
 /// Empty where a second filter brings a transfer function of its own: no one name stands for both.
 std::string transfer_of(const image::Metadata& settings) {
     const ColourRow* const colour = row_of(colour_rows(), image::value_of(settings, setting::colour.name));
-    if (colour != nullptr && !colour->filter.empty()) return "";
+    if (colour != nullptr && colour->filter != nullptr) return "";
     const fields::FilterRow* const filter = row_of(fields::filters(), image::value_of(settings, setting::filter.name));
     if (filter != nullptr && !filter->transfer.empty()) return std::string(filter->transfer);
     const scene::Theme* const theme = row_of(scene::themes(), image::value_of(settings, setting::theme.name));

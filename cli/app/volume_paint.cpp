@@ -25,7 +25,7 @@ VolumePaint::VolumePaint(const Plan& plan) : plan_(plan) {
 Bgr VolumePaint::colour_of_flow(float u, float v) const {
     const scene::Theme& theme = plan_.job.look.theme;
     const float speed = std::hypot(u, v);
-    if (plan_.colour->name == colour_by_direction) {
+    if (plan_.colour->of_direction) {
         const float share = std::clamp((speed - resting) / (moving - resting), 0.F, 1.F);
         if (share == 0) return scene::bgr_of(theme.unowned);
         return scene::bgr_of(glm::mix(theme.unowned, scene::direction_colour({u, v}), share));

@@ -69,7 +69,7 @@ StartTime starts_at(std::int64_t begin, ClockSource source) {
 
 /// A file was recorded before it is read, so its time is not that of this machine.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
-    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.layouts));
+    const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
     if (!told.begin) return {StartTime::From::none};
     return starts_at(*told.begin, told.begin_source);
 }
@@ -155,7 +155,7 @@ class LivePictures {
 
     /// Whether the scene may still hold what stood there when the stream began.
     bool is_learning(const Observation& seen) const {
-        const fields::ReferenceRow* const row = fields::find_reference(plan_.job.fields.reference);
+        const fields::ReferenceRow* const row = plan_.job.fields.reference.row();
         constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
         return row != nullptr && row->adapts && seen.end().frame < first_look + fields::RunningReference::ghost_frames;
     }
@@ -197,7 +197,7 @@ StreamWatch::StreamWatch(const RenderJob& job, const StreamOptions& options, Obs
     OpenedFields opened;
     opened.span = job.fields.span;
     opened.source = with_listed_seeds(std::make_unique<fields::ClipFields>(std::move(connected), field_options_of(job)),
-                                      job, job.fields.filter);
+                                      job, *job.fields.filter);
     plan_ = std::make_unique<const Plan>(make_plan(for_stream(job, name, is_file), opened.facts(), Purpose::stream));
     fields_ = std::make_unique<page::RecentMoments>(std::move(opened.source), plan_->window.frames());
 }

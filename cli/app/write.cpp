@@ -102,7 +102,7 @@ page::PageIndex index_of(const fs::path& page, const fs::path& index) {
 std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
     if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
-    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.layouts)).camera;
+    return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.name_patterns)).camera;
 }
 
 /// What the page calls its clip in small letters: nothing that stands over it already.
@@ -145,7 +145,7 @@ std::string page_text(const Drawn& drawn, image::Picture picture, const image::M
     if (is_file) content.clip_url = page::relative_url(path, input);
     const std::string& first_file = content.segments.empty() ? input : seen.info.segments.front().path;
     if (!live) content.piece_extension = cut_extension(first_file, job.input.rate);
-    content.names = job.input.layouts;
+    content.names = job.input.name_patterns;
     content.shown = seen.info.size;
     content.field = plan.clip.field_size;
     content.picture = std::move(picture);

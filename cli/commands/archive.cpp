@@ -50,7 +50,7 @@ class Archive final : public Command {
         options::add_archive_options(line, options_);
         options::add_input_options(line, job_.input, "CLIPS",
                                    "the folder that holds the clips, in folders of its own or not");
-        options::add_layout_options(line, job_.input);
+        options::add_name_options(line, job_.input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr archive clips -o pictures --dry-run", "what would be done, and why"},
                        {"vvr archive clips -o pictures --prune --quiet",
@@ -67,16 +67,16 @@ class Archive final : public Command {
         for (const options::OptionValue& value : line.given(options::picture_groups)) {
             if (value.name != setting::names.name) pass_on(value);
         }
-        for (const std::string& layout : job_.input.layouts) {
-            pass_on({std::string(setting::names.name), layout});
+        for (const std::string& pattern : job_.input.name_patterns) {
+            pass_on({std::string(setting::names.name), pattern});
         }
         for (const options::OptionValue& value : line.given(std::array{options::Group::run})) {
             if (std::ranges::find(drawn_with, value.name) == drawn_with.end()) continue;
             pass_on(value);
             if (value.name != setting::gl_debug.name) options_.drawn_with.emplace_back(value.name, value.value);
         }
-        options_.needs.gpu = gl::may_use_gpu(job_.backend.name);
-        options_.names = job_.input.layouts;
+        options_.needs.gpu = gl::may_use_gpu(*job_.backend.row);
+        options_.names = job_.input.name_patterns;
         options_.threads = job_.fields.threads;
         return workers::run_archive(options_, environment);
     }

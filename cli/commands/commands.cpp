@@ -9,8 +9,8 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/log_options.h"
 #include "cli/options/output.h"
-#include "cli/options/talk.h"
 #include "cli/versions.h"
 #include "core/base/choice.h"
 #include "core/base/error.h"
@@ -37,15 +37,15 @@ bool looks_like_input(const std::string& text) {
 cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environment,
                          const std::function<bool(options::CommandLine&)>& fill) {
     const std::unique_ptr<Command> command = row.make();
-    options::LogOptions talk;
+    options::LogOptions log;
     options::CommandLine line(std::string(row.name), std::string(row.help));
     line.set_commands(names_of_commands);
     command->add_options(line);
-    options::add_log_options(line, talk);
+    options::add_log_options(line, log);
     if (!fill(line)) return cli::ExitStatus::done;
     options::check_no_input_overwritten(line);
-    options::apply(talk, environment.log);
-    return command->run(line, {environment.log, environment.signals, talk.quiet});
+    options::apply(log, environment.log);
+    return command->run(line, {environment.log, environment.signals, log.quiet});
 }
 
 cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::Environment& environment) {
@@ -57,12 +57,14 @@ cli::ExitStatus run_with(const CommandRow& row, Arguments arguments, const cli::
 std::vector<options::CommandNames> names_of_commands() {
     std::vector<options::CommandNames> names;
     for (const CommandRow& row : command_rows) {
-        const std::unique_ptr<Command> command = row.make();
-        options::LogOptions talk;
-        options::CommandLine line(std::string(row.name), std::string(row.help));
-        command->add_options(line);
-        options::add_log_options(line, talk);
-        names.push_back({std::string(row.name), line.configurable()});
+        names.push_back({std::string(row.name), [&row] {
+                             const std::unique_ptr<Command> command = row.make();
+                             options::LogOptions log;
+                             options::CommandLine line(std::string(row.name), std::string(row.help));
+                             command->add_options(line);
+                             options::add_log_options(line, log);
+                             return line.configurable();
+                         }});
     }
     return names;
 }

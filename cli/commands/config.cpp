@@ -4,8 +4,8 @@
 
 #include "cli/commands/command.h"
 #include "cli/console.h"
+#include "cli/options/log_options.h"
 #include "cli/options/presets.h"
-#include "cli/options/talk.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -14,11 +14,11 @@ namespace vvr::commands {
 namespace {
 
 /// A command's options as a config file has them, without anything on the command line.
-void read(options::CommandLine& line, Command& command, options::LogOptions& talk, const options::ConfigChoice& choice,
+void read(options::CommandLine& line, Command& command, options::LogOptions& log, const options::ConfigChoice& choice,
           const std::string& preset = {}) {
     line.set_commands(names_of_commands);
     command.add_options(line);
-    options::add_log_options(line, talk);
+    options::add_log_options(line, log);
     std::vector<std::string> arguments;
     // What was not named on the command line is found again, so that errors say who named it.
     if (choice.file.empty()) arguments.emplace_back("--no-config");
@@ -42,10 +42,10 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : command_rows) {
         const std::unique_ptr<Command> command = row.make();
-        options::LogOptions talk;
+        options::LogOptions log;
         options::CommandLine line(std::string(row.name), std::string(row.help));
         try {
-            read(line, *command, talk, choice);
+            read(line, *command, log, choice);
         } catch (const Error& error) {
             // A name that no command has is wrong for all; a value may be wrong for one.
             if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
@@ -63,9 +63,9 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
 /// Every option of one command: its value, and who sets it.
 std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
     const std::unique_ptr<Command> command = row.make();
-    options::LogOptions talk;
+    options::LogOptions log;
     options::CommandLine line(std::string(row.name), std::string(row.help));
-    read(line, *command, talk, choice, preset);
+    read(line, *command, log, choice, preset);
     std::string text;
     const auto of_preset = options::settings_of_preset(preset);
     const std::vector<options::OptionValue> given = line.given(options::all_groups);
@@ -88,7 +88,8 @@ class Config final : public Command {
         line.arguments(names_, "[COMMAND]",
                        "whose options are listed, with their values; what the file sets if not given");
         line.only_find_config();
-        line.choice(options::Group::output, options::presets(), preset_, setting::preset);
+        line.choice(options::Group::output, options::presets(), preset_, setting::preset,
+                    [this](const options::Preset& row) { preset_ = row.name; });
         line.examples({{"vvr config", "which config file is in force, and what it sets"},
                        {"vvr config render", "every option of render, and who sets it"},
                        {"vvr config render --no-config", "the defaults"},

@@ -68,7 +68,7 @@ class Cut final : public Command {
             line, search.input, "INPUT...",
             "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one "
             "recording");
-        options::add_layout_options(line, search.input);
+        options::add_name_options(line, search.input);
         options::add_join_option(line, search.input);
         options::add_start_time_option(line, search.look.start_time);
         options::add_span_options(line, search.fields.span);

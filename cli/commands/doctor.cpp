@@ -99,8 +99,8 @@ class Doctor final : public Command {
         const std::vector<gl::BackendReport> reports = gl::probe_backends();
         cli::print(json_ ? as_json(reports) : as_text(reports));
         if (std::ranges::any_of(reports, &gl::BackendReport::works)) {
-            const bool asked = backend_.name != app::BackendOptions().name || backend_.device >= 0;
-            if (asked) gl::open_context(backend_.name, backend_.device);
+            const bool asked = backend_.row != app::BackendOptions().row || backend_.device >= 0;
+            if (asked) gl::open_context(backend_.row, backend_.device);
             return cli::ExitStatus::done;
         }
         throw Error(ErrorCode::opengl_unavailable,

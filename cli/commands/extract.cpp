@@ -31,7 +31,7 @@ class Extract final : public Command {
         line.value(output, text::part, "",
                    [this](const std::string& given) { job_.part = options::parse_share(given); });
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_layout_options(line, job_.input);
+        options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
         options::add_span_options(line, job_.fields.span);
         options::add_field_options(line, job_.fields);

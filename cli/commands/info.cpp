@@ -110,7 +110,7 @@ class Info final : public Command {
     void add_options(options::CommandLine& line) override {
         line.flag(options::Group::output, json_, json_option);
         options::add_input_options(line, job_.input, "INPUT...", options::clip_or_extraction_input);
-        options::add_layout_options(line, job_.input);
+        options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
         options::add_picture_options(line, job_);
         line.examples({{"vvr info clip.avi", "what the clip is, and what a picture of it would need"},

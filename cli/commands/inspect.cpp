@@ -30,7 +30,7 @@ class Inspect final : public Command {
                                        fmt::join(image::picture_file_extensions(), " ")),
                    .use = options::FileUse::written});
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
-        options::add_layout_options(line, job_.input);
+        options::add_name_options(line, job_.input);
         options::add_join_option(line, job_.input);
         line.value(options::Group::input, text::frame, "",
                    [this](const std::string& given) { job_.frame = options::parse_time(given); });

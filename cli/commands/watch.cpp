@@ -19,7 +19,8 @@ class Watch final : public Command {
   public:
     Watch() {
         // A reference that needs the whole clip would have to wait for the end.
-        job_.fields.reference = std::ranges::find_if(fields::reference_kinds(), &fields::ReferenceRow::adapts)->name;
+        job_.fields.reference =
+            std::string(std::ranges::find_if(fields::reference_kinds(), &fields::ReferenceRow::adapts)->name);
     }
 
     void add_options(options::CommandLine& line) override {
@@ -47,7 +48,7 @@ class Watch final : public Command {
         app::StreamWatch watch(job_, options_, console);
         const cli::GracefulShutdown stop(environment.signals, [&watch] { watch.stop(); });
         if (watch.run() == 0 && !stop.asked()) {
-            const fields::ReferenceRow* const reference = fields::find_reference(job_.fields.reference);
+            const fields::ReferenceRow* const reference = job_.fields.reference.row();
             const bool learns = reference != nullptr && reference->adapts;
             throw Error(ErrorKind::not_video,
                         fmt::format("'{}' ended before the first picture: {}", watch.name(),

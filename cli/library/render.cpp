@@ -34,7 +34,7 @@ app::RenderJob job_of(const std::string& clip, const Settings& settings) {
     app::RenderJob job;
     options::CommandLine line("render", "");
     options::add_input_options(line, job.input, "INPUT", "");
-    options::add_layout_options(line, job.input);
+    options::add_name_options(line, job.input);
     options::add_join_option(line, job.input);
     options::add_picture_options(line, job);
     line.take({clip}, settings);

@@ -19,9 +19,9 @@ constexpr Setting match{"match", "GLOB",
                         "given, those that end in "};
 constexpr Setting exclude{"exclude", "GLOB", "which of these are not; can be given several times"};
 constexpr Setting per{"per", "NAME", "what gets a picture"};
-constexpr Setting redraw{"redraw", "TIME", "draw a day again once so much has come, or nothing for as long"};
-constexpr Setting settle{"settle", "TIME", "leave files that changed less than this ago: they are still being written"};
-constexpr Setting tries{"tries", "COUNT", "in how many runs a clip that fails is tried", {1, 1000}};
+constexpr Setting redraw{"redraw", "TIME", "redraw a day after this much new footage, or this long without any"};
+constexpr Setting settle{"settle", "TIME", "skip files that changed less than this ago: they are still being written"};
+constexpr Setting tries{"tries", "COUNT", "number of runs in which a clip that fails is tried", {1, 1000}};
 constexpr Setting shard{"shard", "I/N", "only this share of the clips, 1/N to N/N"};
 constexpr Setting dry_run{"dry-run", "", "print what would be done, and why, and do nothing"};
 constexpr Setting prune{"prune", "", "remove the pictures of clips that are gone"};
@@ -32,8 +32,8 @@ constexpr Setting jobs{
     "jobs", "COUNT", "clips at the same time, a process each", {1, 1024}, "cores / --threads, less if memory is short"};
 constexpr Setting timeout{"timeout", "TIME", "the longest time that a clip may take; 0 = no limit"};
 constexpr Setting max_memory{
-    "max-memory", "BYTES", "the most memory for a clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
-constexpr Setting sandbox{"sandbox", "NAME", "whether a worker is kept from all but its clip and its pictures"};
+    "max-memory", "BYTES", "memory limit of a clip, for example 2G", {}, "the machine's / --jobs, at least 2G"};
+constexpr Setting sandbox{"sandbox", "NAME", "restrict each worker to its clip and its pictures"};
 }  // namespace text
 
 }  // namespace

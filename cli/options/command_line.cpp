@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <sstream>
 #include <type_traits>
 
@@ -44,10 +45,9 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// All names of an option, as CLI11 takes them.
+/// The names of an option, as CLI11 takes them.
 std::string flag_of(const Setting& setting, char letter = 0) {
-    return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name) +
-           (setting.alias.empty() ? "" : fmt::format(",--{}", setting.alias));
+    return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
 }
 
 /// What the help says of a setting's range and default.
@@ -61,15 +61,13 @@ std::string limits_of(const Setting& setting, const std::string& shown) {
 }
 
 HelpOption help_of(Group group, const Setting& setting, const std::string& shown, const OptionExtra& extra) {
-    HelpOption help{
+    return {
         group,
         extra.letter,
-        {std::string(setting.name)},
+        std::string(setting.name),
         std::string(setting.unit),
         std::string(setting.help) + extra.help + limits_of(setting, extra.defaults.empty() ? shown : extra.defaults),
         extra.values};
-    if (!setting.alias.empty()) help.names.emplace_back(setting.alias);
-    return help;
 }
 
 /// Options of other programs for which people look here, and what does the same.
@@ -84,6 +82,10 @@ constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
     {"-framerate", "--rate FPS is for input that has no times"},
     {"-y", "outputs are replaced without asking"},
     {"-threads", "--threads COUNT"},
+    {"--frame-rate", "--rate FPS is for input that has no times"},
+    {"--resolution", "--size WxH is the size of the picture"},
+    {"--colormap", "--transfer NAME"},
+    {"--background-color", "--background COLOR"},
     {"-R", "--roi FILE says where to look"},
     {"--add-region", "--roi AREA says where to look"},
     {"--load-region", "--roi FILE says where to look"},
@@ -122,7 +124,7 @@ struct CommandLine::Impl {
     CLI::App app;
     CommandHelp help{};
     std::vector<Setting> absent{};  ///< that a live stream does not have
-    std::map<const CLI::Option*, bool> files{};
+    std::set<const CLI::Option*> files{};
     NamesOfCommands names_of_commands{};
     std::map<const CLI::Option*, FileUse> uses{};
     std::vector<std::string>* arguments = nullptr;
@@ -186,7 +188,7 @@ void CommandLine::value(Group group, const Setting& setting, const std::string& 
         flag_of(setting, extra.letter),
         [setting, set](const std::string& given) { as_setting(setting, [&] { set(given); }); });
     option->type_name(std::string(setting.unit))->default_str(shown)->group(title_of(group))->take_last();
-    if (setting.may_be_file) impl_->files.emplace(option, true);
+    if (setting.may_be_file) impl_->files.insert(option);
     const FileUse use = setting.may_be_file ? FileUse::read : extra.use;
     if (use != FileUse::none) impl_->uses.emplace(option, use);
     impl_->help.options.push_back(help_of(group, setting, shown, extra));
@@ -256,16 +258,6 @@ void CommandLine::list(Group group, std::vector<std::string>& target, const Sett
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void CommandLine::name(Group group, std::string& target, const std::vector<std::string>& names,
-                       const Setting& setting) {
-    value(group, setting, target,
-          [&target, names, name = setting.name](const std::string& given) {
-              if (std::ranges::count(names, given) == 0) refuse_choice(name, given, names);
-              target = given;
-          },
-          {.help = fmt::format(": {}", fmt::join(names, ", "))});
-}
-
 void CommandLine::exclude(const Setting& a, const Setting& b) {
     impl_->option(a)->excludes(impl_->option(b));
 }
@@ -303,7 +295,8 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     // What is found but can't be read is named where it is parsed.
     if (!config_name.empty() && impl_->reads_config) check_is_file(config_name, most_bytes::text);
     NamesOfCommands commands = impl_->names_of_commands;
-    if (!commands) commands = [this] { return std::vector<CommandNames>{{impl_->command, configurable()}}; };
+    if (!commands)
+        commands = [this] { return std::vector<CommandNames>{{impl_->command, [this] { return configurable(); }}}; };
     app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name, std::move(commands)));
     std::vector<std::string> reversed = with_preset(
         arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
@@ -372,7 +365,7 @@ void CommandLine::refuse_leftovers() const {
     }
     const std::string name = option->substr(0, option->find('='));
     for (const Setting& setting : impl_->absent) {
-        if (name != fmt::format("--{}", setting.name) && name != fmt::format("--{}", setting.alias)) continue;
+        if (name != fmt::format("--{}", setting.name)) continue;
         throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live_reason));
     }
     const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
@@ -394,11 +387,9 @@ std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) cons
 }
 
 std::vector<OptionValue> CommandLine::given(std::span<const Group> groups) const {
-    std::vector<OptionValue> values;
-    for (const CLI::Option* option : std::as_const(impl_->app).get_options()) {
-        if (const auto value = impl_->value_of(*option, groups); value && !option->empty()) values.push_back(*value);
-    }
-    return values;
+    std::vector<OptionValue> given = values(groups);
+    std::erase_if(given, [&](const OptionValue& value) { return impl_->app.get_option("--" + value.name)->empty(); });
+    return given;
 }
 
 bool CommandLine::has(const Setting& setting) const {

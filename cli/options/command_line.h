@@ -157,14 +157,10 @@ class CommandLine {
         return kept;
     }
 
-    /// The name of one row of a table.
-    template <class Rows>
-    void choice(Group group, const Rows& rows, std::string& target, const Setting& setting) {
-        choice(group, rows, target, setting, [&target](const auto& row) { target = row.name; });
+    template <class Rows, class Row>
+    void choice(Group group, const Rows& rows, Choice<Row>& target, const Setting& setting) {
+        choice(group, rows, target->name, setting, [&target](const Row& row) { target = row.name; });
     }
-
-    /// One of some names.
-    void name(Group group, std::string& target, const std::vector<std::string>& names, const Setting& setting);
 
     /// Two options that can't both be given.
     void exclude(const Setting& a, const Setting& b);

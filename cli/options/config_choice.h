@@ -8,10 +8,11 @@
 
 namespace vvr::options {
 
-/// A command, and the options of it that a config file can set.
+/// A command, and the options of it that a config file can set. They are asked for where a file sets what the command
+/// that runs does not have.
 struct CommandNames {
     std::string command;
-    std::vector<std::string> options;
+    std::function<std::vector<std::string>()> options;
 };
 
 /// Those of every command. A function, as only a config file asks for them.

@@ -1,6 +1,8 @@
 #include "cli/options/config_file.h"
 
 #include <algorithm>
+#include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,28 @@ void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
     }
 }
 
+/// The file without its comments. CLI11 would end a value at each #, in quotes too, as of a colour.
+std::istringstream without_comments(std::istream& input) {
+    std::string text;
+    for (std::string line; std::getline(input, line); text += line + '\n') {
+        char quote = 0;
+        char before = ' ';
+        for (std::size_t i = 0; i < line.size(); before = line[i++]) {
+            const bool is_quote = line[i] == '"' || line[i] == '\'';
+            if (quote == 0 && line[i] == '#') {
+                line.erase(i);
+                break;
+            }
+            if (quote == 0 && is_quote && std::string_view(" \t=,[").find(before) != std::string_view::npos) {
+                quote = line[i];
+            } else if (line[i] == quote) {
+                quote = 0;
+            }
+        }
+    }
+    return std::istringstream(text);
+}
+
 }  // namespace
 
 std::vector<std::string> configurable_names(const CLI::App& app) {
@@ -55,10 +79,11 @@ void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<Co
 void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
     std::vector<std::string> names;
     for (const CommandNames& row : commands) {
-        if (item.parents.empty() || item.parents.front() == row.command)
-            names.insert(names.end(), row.options.begin(), row.options.end());
+        if (!item.parents.empty() && item.parents.front() != row.command) continue;
+        const std::vector<std::string> options = row.options();
+        if (std::ranges::find(options, item.name) != options.end()) return;
+        names.insert(names.end(), options.begin(), options.end());
     }
-    if (std::ranges::find(names, item.name) != names.end()) return;
     const std::string whose = item.parents.empty() ? std::string("which no command has")
                                                    : fmt::format("which `vvr {}` does not have", item.parents.front());
     throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
@@ -68,7 +93,8 @@ void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNa
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
     const std::vector<CommandNames> commands = names_();
     std::vector<CLI::ConfigItem> kept;
-    for (CLI::ConfigItem& item : CLI::ConfigTOML::from_config(input)) {
+    std::istringstream plain = without_comments(input);
+    for (CLI::ConfigItem& item : CLI::ConfigTOML::from_config(plain)) {
         check_section(item, commands);
         const bool section_mark = item.name == "++" || item.name == "--";
         if (section_mark) continue;

@@ -18,7 +18,9 @@ namespace vvr::options {
 class ConfigFile : public CLI::ConfigTOML {
   public:
     ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
-        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {}
+        : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {
+        comment('\0');  // they are taken out before
+    }
 
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
 

@@ -83,7 +83,7 @@ void append_row(std::string& text, std::string_view name, std::string_view words
 
 void append_option(std::string& text, const HelpOption& option, std::size_t width) {
     std::string names = option.letter == 0 ? "" : fmt::format("-{}, ", option.letter);
-    names += fmt::format("--{}", fmt::join(option.names, ", --"));
+    names += "--" + option.name;
     if (!option.unit.empty()) names += " " + option.unit;
     append_row(text, names, option.text, 2, column, width);
     for (const HelpValue& value : option.values) {

@@ -30,11 +30,11 @@ struct HelpValue {
 /// What the help says of an option.
 struct HelpOption {
     Group group{};
-    char letter = 0;                 ///< its short name
-    std::vector<std::string> names;  ///< the first one is its own, the others are aliases
-    std::string unit;                ///< what it takes: "PIXELS"; empty for a flag
-    std::string text;                ///< with range and default
-    std::vector<HelpValue> values;   ///< that a table explains
+    char letter = 0;  ///< its short name
+    std::string name;
+    std::string unit;               ///< what it takes: "PIXELS"; empty for a flag
+    std::string text;               ///< with range and default
+    std::vector<HelpValue> values;  ///< that a table explains
 };
 
 /// A command line that shows what a command is for.

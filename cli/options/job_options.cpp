@@ -5,22 +5,13 @@
 #include <sstream>
 #include <tuple>
 
-#include "cli/app/colour.h"
 #include "cli/app/settings.h"
 #include "cli/options/parse_value.h"
 #include "cli/options/presets.h"
 #include "core/base/error.h"
-#include "core/fields/filter.h"
-#include "core/fields/flow.h"
-#include "core/fields/illumination.h"
-#include "core/fields/planes.h"
-#include "core/fields/reference.h"
-#include "core/fields/seeds.h"
-#include "core/fields/shadows.h"
-#include "core/fields/stabilizer.h"
+#include "core/fields/settings.h"
 #include "core/scene/transfer_function.h"
 #include "core/video/recorder_names.h"
-#include "gl/context.h"
 
 namespace vvr::options {
 
@@ -41,14 +32,45 @@ void set_end(video::FrameSpan& span, const app::Time& time) {
     }
 }
 
-void add_brick_options(CommandLine& line, app::BrickOptions& options) {
+/// Adds the option of a setting, by the type of its value.
+struct AddOption {
+    CommandLine& line;
+    Group group;
+
+    template <class Number>
+    void operator()(const Setting& setting, Number& target) const {
+        line.number(group, target, setting);
+    }
+    template <class Number, class Rows, class Default>
+    void operator()(const Setting& setting, Number& target, const Rows& rows, Default of_row) const {
+        line.number(group, target, setting,
+                    {.defaults = defaults_of(rows, [&](const auto& row) { return fmt::to_string(of_row(row)); })});
+    }
+    void operator()(const Setting& setting, std::string& target) const { line.text(group, target, setting); }
+    void operator()(const Setting& setting, std::filesystem::path& target) const { line.path(group, target, setting); }
+    void operator()(const Setting& setting, fields::SeedSelection& target) const {
+        line.value(group, setting, "all",
+                   [&target](const std::string& given) { target = fields::parse_seed_selection(given); });
+    }
+    template <class Row, class Rows>
+    void operator()(const Setting& setting, Choice<Row>& target, const Rows& rows) const {
+        line.choice(group, rows, target, setting);
+    }
+    template <class Rows>
+    void operator()(const Setting& setting, fields::ReferenceChoice& target, const Rows& rows) const {
+        line.value(group, setting, target.name(), [&target](const std::string& given) { target = given; },
+                   {.help = ", or a picture file of it", .values = values_of(line.fitting(rows))});
+    }
+};
+
+void add_brick_options(CommandLine& line, app::RenderJob& job) {
+    app::BrickOptions& options = job.bricks;
     line.value(Group::bricks, setting::brick, "", [&options](const std::string& given) {
         const app::Time length = parse_time(given);
-        if (length.value <= 0) throw Error(ErrorKind::usage, "a brick has to be longer than nothing");
+        if (length.value <= 0) throw Error(ErrorKind::usage, "length must be greater than 0");
         options.length = length;
     });
-    line.number(Group::bricks, options.window, setting::window);
-    line.number(Group::bricks, options.max_layers, setting::layers);
+    app::each_brick_setting(job, AddOption{line, Group::bricks});
     line.choice(Group::bricks, app::time_scales, app::time_scales.front().name, setting::time,
                 [&options](const app::TimeScaleRow& row) { options.time = row.scale; });
 }
@@ -64,8 +86,8 @@ void add_input_options(CommandLine& line, app::InputOptions& options, const std:
     line.number(Group::input, options.rate, setting::rate);
 }
 
-void add_layout_options(CommandLine& line, app::InputOptions& options) {
-    line.list(Group::input, options.layouts, setting::names,
+void add_name_options(CommandLine& line, app::InputOptions& options) {
+    line.list(Group::input, options.name_patterns, setting::names,
               {.help = fmt::format("{}", fmt::join(video::known_recorders(), ", "))});
 }
 
@@ -97,47 +119,11 @@ void add_span_options(CommandLine& line, video::FrameSpan& span) {
 }
 
 void add_field_options(CommandLine& line, fields::FieldOptions& options) {
-    constexpr Group fields = Group::fields;
-    line.choice(fields, fields::filters(), options.filter, setting::filter);
-    line.text(fields, options.reference, setting::reference,
-              {.help = ", or a picture file of it", .values = values_of(line.fitting(fields::reference_kinds()))});
-    line.choice(fields, fields::norms(), options.norm, setting::norm);
-    line.number(fields, options.threshold, setting::threshold,
-                {.defaults = defaults_of(fields::filters(), [](const fields::FilterRow& row) {
-                     return fmt::to_string(row.traits.threshold);
-                 })});
-    line.number(fields, options.smooth, setting::smooth);
-    line.number(fields, options.min_area, setting::min_area);
-    line.choice(fields, fields::illuminations(), options.illumination, setting::illumination);
-    line.choice(fields, fields::shadow_kinds(), options.shadows, setting::shadows);
-    line.choice(fields, fields::stabilizers(), options.stabilize, setting::stabilize);
-    line.text(fields, options.roi, setting::roi);
-    line.text(fields, options.mask, setting::mask);
-
-    fields::FlowOptions& flow = options.flow;
-    line.choice(fields, fields::flow_methods(), flow.method, setting::flow);
-    line.choice(fields, fields::flow_areas(), flow.area, setting::flow_area);
-    line.choice(fields, fields::flow_solvers(), flow.solver, setting::solver);
-    line.choice(fields, fields::derivative_kinds(), flow.derivatives, setting::derivatives);
-    const auto by_solver = [](auto value) {
-        return defaults_of(fields::flow_solvers(),
-                           [value](const fields::SolverRow& row) { return fmt::to_string(row.defaults.*value); });
-    };
-    line.number(fields, flow.alpha, setting::alpha, {.defaults = by_solver(&fields::SolverSettings::alpha)});
-    line.number(fields, flow.iterations, setting::iterations,
-                {.defaults = by_solver(&fields::SolverSettings::iterations)});
-    line.number(fields, flow.pre_smooth, setting::pre_smooth,
-                {.defaults = by_solver(&fields::SolverSettings::pre_smooth)});
-
-    add_seed_options(line, options.seeds);
+    fields::each_field_setting(options, AddOption{line, Group::fields});
 }
 
 void add_seed_options(CommandLine& line, fields::SeedOptions& options) {
-    line.number(Group::fields, options.grid, setting::grid);
-    line.number(Group::fields, options.min_magnitude, setting::min_magnitude);
-    line.choice(Group::fields, fields::seed_areas(), options.area, setting::seed_area);
-    line.choice(Group::fields, fields::seed_orders(), options.order, setting::seed_order);
-    line.text(Group::fields, options.select, setting::seed_select);
+    fields::each_seed_setting(options, AddOption{line, Group::fields});
 }
 
 void add_preset_option(CommandLine& line, Group group) {
@@ -145,7 +131,7 @@ void add_preset_option(CommandLine& line, Group group) {
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {
-    line.name(Group::run, backend.name, gl::backend_names(), setting::backend);
+    line.choice(Group::run, gl::backends(), backend.row, setting::backend);
     line.number(Group::run, backend.device, setting::device);
 }
 
@@ -165,7 +151,7 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
                    throw Error(ErrorKind::usage, fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick",
                                                              given, fields::SeedFlags::most));
                });
-    add_brick_options(line, job.bricks);
+    add_brick_options(line, job);
     add_view_options(line, job);
     add_look_options(line, job);
     add_preset_option(line, Group::look);
@@ -210,7 +196,7 @@ void set_direction(space::View& view, const std::string& text) {
 void add_view_options(CommandLine& line, app::RenderJob& job) {
     constexpr Group view = Group::view;
     gl::RenderOptions& picture = job.picture;
-    line.choice(view, space::layouts(), job.layout, setting::layout);
+    app::each_view_setting(job, AddOption{line, view});
     line.value(view, setting::radius, fmt::format("{}:{}", job.shape.r_min, job.shape.r_max),
                [&shape = job.shape](const std::string& given) {
                    std::tie(shape.r_min, shape.r_max) =
@@ -228,14 +214,12 @@ void add_view_options(CommandLine& line, app::RenderJob& job) {
         look.slice_view.emplace();
         set_direction(*look.slice_view, given);
     });
-    line.number(view, picture.view.fov, setting::fov);
     line.value(view, setting::slices, std::string(setting::slices.default_text), [&picture](const std::string& given) {
         const auto [low, high] = setting::slices.range;
         picture.slices = given == "auto" ? 0
                                          : static_cast<int>(parse_integer(given, static_cast<std::int64_t>(low),
                                                                           static_cast<std::int64_t>(high)));
     });
-    line.number(view, picture.samples, setting::samples);
 }
 
 namespace {
@@ -256,6 +240,16 @@ std::string text_of(const app::Parts& shown) {
     return text;
 }
 
+/// The transfer functions that themes have, and filters that have one of their own.
+std::string default_transfers() {
+    std::string text =
+        defaults_of(scene::themes(), [](const scene::Theme& theme) { return std::string(theme.transfer); });
+    for (const fields::FilterRow& filter : fields::filters()) {
+        if (!filter.transfer.empty()) text += fmt::format("; {}: {}", filter.name, filter.transfer);
+    }
+    return text;
+}
+
 /// A colour multiplied by its opacity.
 glm::vec4 parse_colour(const std::string& text) {
     if (text == "none") return glm::vec4(0);
@@ -265,16 +259,6 @@ glm::vec4 parse_colour(const std::string& text) {
     if (!hex) throw Error(ErrorKind::usage, fmt::format("'{}': a colour is #rrggbb, or none", text));
     return {static_cast<float>(value >> 16 & 255U) / 255, static_cast<float>(value >> 8 & 255U) / 255,
             static_cast<float>(value & 255U) / 255, 1};
-}
-
-/// The transfer functions that themes have, and filters that have one of their own.
-std::string default_transfers() {
-    std::string text =
-        defaults_of(scene::themes(), [](const scene::Theme& theme) { return std::string(theme.transfer); });
-    for (const fields::FilterRow& filter : fields::filters()) {
-        if (!filter.transfer.empty()) text += fmt::format("; {}: {}", filter.name, filter.transfer);
-    }
-    return text;
 }
 
 }  // namespace
@@ -307,28 +291,18 @@ void add_look_options(CommandLine& line, app::RenderJob& job) {
     line.value(group, setting::show, text_of(look.show),
                [&look](const std::string& given) { look.show = parse_parts(given); },
                {.values = values_of(app::parts())});
-    line.number(group, look.keyframes, setting::keyframes);
     line.choice(group, scene::themes(), look.theme.name, setting::theme,
                 [&look](const scene::Theme& row) { look.theme = row; });
     line.value(group, setting::background, "",
                [&look](const std::string& given) { look.background = parse_colour(given); });
-    line.text(group, look.title, setting::title);
-    line.path(group, look.font, setting::font);
     add_start_time_option(line, look.start_time);
     line.value(
         group, setting::transfer, std::string(setting::transfer.default_text),
         [&look](const std::string& given) { look.transfer = scene::find_transfer(given); },
         {.help = list_of(scene::transfer_functions()) + ", or a file of points", .defaults = default_transfers()});
-    line.choice(group, app::colour_rows(), look.colour, setting::colour);
     line.choice(group, gl::volume_shadings(), gl::volume_shadings().front().name, setting::shading,
                 [&job](const gl::VolumeShadingRow& row) { job.picture.shading = row.shading; });
-    line.number(group, look.opacity, setting::opacity);
-    line.number(group, look.glyph_scale, setting::glyph_scale);
-    line.number(group, look.glyph_cap, setting::glyph_cap);
-    line.number(group, look.traces.steps, setting::trace_steps);
-    line.number(group, look.traces.dt, setting::trace_dt);
-    line.number(group, look.traces.rest, setting::trace_rest);
-    line.number(group, look.traces.time_velocity, setting::time_velocity);
+    app::each_look_setting(job, AddOption{line, group});
 }
 
 }  // namespace vvr::options

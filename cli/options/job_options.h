@@ -23,8 +23,8 @@ inline constexpr const char* clip_or_extraction_input =
 /// \param name as the usage shows it
 void add_input_options(CommandLine& line, app::InputOptions& options, const std::string& name, const std::string& help);
 
-/// How files' names tell camera and time.
-void add_layout_options(CommandLine& line, app::InputOptions& options);
+/// Patterns by which files' names tell camera and time.
+void add_name_options(CommandLine& line, app::InputOptions& options);
 
 /// Whether files are one recording that seem to be none.
 void add_join_option(CommandLine& line, app::InputOptions& options);

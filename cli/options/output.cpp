@@ -38,26 +38,25 @@ namespace {
 
 namespace text {
 constexpr Setting output{"output", "FILE", "the picture"};
-constexpr Setting plain_name{"plain-name", "", "FILE has no field, whatever is in its name"};
+constexpr Setting plain_name{"plain-name", "", "take FILE literally: its name has no field"};
 constexpr Setting page{"page", "FILE", "a page to watch the clip from, beside the picture: .html"};
 constexpr Setting page_camera{"page-camera", "TEXT", "the camera that the page names in its heading"};
 constexpr Setting page_index{"page-index", "FILE", "the index of an archive, to which the page links"};
 constexpr Setting page_place{"page-place", "FILE",
-                             "where the page will stand, if it is moved there: its links lead from that place"};
+                             "file to which the page will be moved; its links are relative to that place"};
 constexpr Setting thumbnail{"thumbnail", "FILE", "the picture again, small: .jpg .png"};
 constexpr Setting still{"still", "FILE",
-                        "the frame of the clip that tells most, with a frame around what it tells of: .jpg .png"};
+                        "the frame of the clip that shows most, with a box around what it shows: .jpg .png"};
 constexpr Setting report{
     "report", "FILE",
     "a JSON file of the input, the settings, the events and the run; needs no -o; - = standard output"};
 constexpr Setting events{"events", "LIST", "kinds of events that the report and the page list"};
-constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "shorter events are not listed", {0, 86'400}};
+constexpr Setting event_min_seconds{"event-min-seconds", "TIME", "leave out shorter events", {0, 86'400}};
 constexpr Setting golden{"golden", "FILE",
                          "compare with this picture; if they differ, exit with 7 and keep the candidate beside it"};
-constexpr Setting bless{"bless", "",
-                        "make the picture the golden one instead of comparing; --diff is not written then"};
+constexpr Setting bless{"bless", "", "replace the golden picture instead of comparing; writes no --diff"};
 constexpr Setting diff{"diff", "FILE",
-                       "a picture of the differences: yellow = small, red = larger, black = all of the range"};
+                       "picture of the differences: yellow = small, red = larger, black = the full range"};
 }  // namespace text
 
 std::set<events::EventKind> parse_kinds(const std::string& list) {
@@ -155,14 +154,14 @@ void check_companions(const app::OutputOptions& options) {
     }
     if (!options.thumbnail.empty()) image::check_picture_extension(options.thumbnail);
     if (!options.still.empty()) image::check_picture_extension(options.still);
-    if (!options.page_camera.empty() && app::page_of(options).empty()) {
-        throw Error(ErrorKind::usage, "--page-camera is for a page; name one with --page FILE, or as -o FILE.html");
-    }
-    if (!options.page_index.empty() && app::page_of(options).empty()) {
-        throw Error(ErrorKind::usage, "--page-index is for a page; name one with --page FILE, or as -o FILE.html");
-    }
-    if (!options.page_place.empty() && app::page_of(options).empty()) {
-        throw Error(ErrorKind::usage, "--page-place is for a page; name one with --page FILE, or as -o FILE.html");
+    if (!app::page_of(options).empty()) return;
+    const std::pair<const Setting&, bool> of_page[] = {{text::page_camera, !options.page_camera.empty()},
+                                                       {text::page_index, !options.page_index.empty()},
+                                                       {text::page_place, !options.page_place.empty()}};
+    for (const auto& [setting, given] : of_page) {
+        if (!given) continue;
+        throw Error(ErrorKind::usage,
+                    fmt::format("--{} is for a page; name one with --page FILE, or as -o FILE.html", setting.name));
     }
 }
 

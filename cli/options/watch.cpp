@@ -71,7 +71,7 @@ void check_stream(const app::RenderJob& job) {
                                                   "not; take a picture, a page or a series",
                                                   job.output.path.string()));
     }
-    const fields::ReferenceRow* const reference = fields::find_reference(job.fields.reference);
+    const fields::ReferenceRow* const reference = job.fields.reference.row();
     struct {
         bool given;
         std::string option;
@@ -79,7 +79,7 @@ void check_stream(const app::RenderJob& job) {
     } const refused[] = {
         {std::filesystem::is_directory(job.seeds), "--seeds",
          "a list for each frame is for a clip whose frames are known; give one list that all frames share"},
-        {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference,
+        {reference != nullptr && reference->needs_whole_clip, "--reference " + job.fields.reference.name(),
          "it takes the whole clip; take running, first or a picture"},
     };
     for (const auto& row : refused) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,5 +41,29 @@ const auto& choose(std::string_view setting, std::string_view found, const Rows&
     if (row == std::ranges::end(rows)) refuse_choice(setting, found, names_of(rows), or_else);
     return *row;
 }
+
+/// The name of a row of that type. `row_of(Name<Row>)`, beside each table, finds the row.
+template <class Row>
+struct Name {
+    std::string_view text;
+};
+
+/// A setting that is a row of a table: the name is looked up where it is given, and nowhere else.
+template <class Row>
+class Choice {
+  public:
+    Choice(const Row& row) : row_(&row) {}
+    /// \throws Error usage when no row has the name
+    template <std::convertible_to<std::string_view> Text>
+    Choice(const Text& name) : row_(&row_of(Name<Row>{name})) {}
+
+    const Row& operator*() const { return *row_; }
+    const Row* operator->() const { return row_; }
+
+    friend bool operator==(const Choice&, const Choice&) = default;  ///< whether both are the same row
+
+  private:
+    const Row* row_;
+};
 
 }  // namespace vvr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -23,19 +24,22 @@ struct Setting {
     Range range{};                       ///< of a number
     std::string_view default_text{};     ///< what decides where no value is given: "the filter's"
     bool may_be_file = false;            ///< the value may be the name of a file
-    std::string_view alias{};            ///< another name, under which users of other programs look for it
     std::string_view not_live_reason{};  ///< why a live stream has no such setting; empty = it has
 };
 
-/// \throws Error usage for a number out of the setting's range, NaN too
-template <class Number>
-void check(const Setting& setting, Number found) {
-    const auto value = static_cast<double>(found);
-    if (value >= setting.range.low && value <= setting.range.high) return;
-    throw Error(
-        ErrorCode::option_value_out_of_range,
-        fmt::format("{}: {} is not between {} and {}", setting.name, found, setting.range.low, setting.range.high),
-        {setting.name});
+/// \throws Error usage for a number out of the setting's range, NaN too; other values have no range
+template <class Value>
+void check(const Setting& setting, const Value& found) {
+    if constexpr (requires { found.has_value(); }) {
+        if (found) check(setting, *found);
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        const auto value = static_cast<double>(found);
+        if (value >= setting.range.low && value <= setting.range.high) return;
+        throw Error(
+            ErrorCode::option_value_out_of_range,
+            fmt::format("{}: {} is not between {} and {}", setting.name, found, setting.range.low, setting.range.high),
+            {setting.name});
+    }
 }
 
 }  // namespace vvr

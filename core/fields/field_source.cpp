@@ -15,8 +15,7 @@ FieldSummary ClipFields::read(const FieldNeeds& needs, const FieldSink& sink) {
     FieldOptions options = options_;
     options.flow.every = needs.every;
     options.flow.every_frame = needs.flow_of_every_frame;
-    const bool shown =
-        find_filter(options.filter).traits.flow || (!options.second.empty() && find_filter(options.second).traits.flow);
+    const bool shown = options.filter->traits.flow || (options.second != nullptr && options.second->traits.flow);
     if (!needs.seeds && !needs.flow && !needs.flow_of_every_frame && !shown) options.flow.method = no_flow();
     return compute_fields(*clip_, options, sink);
 }

@@ -4,11 +4,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/base/choice.h"
 #include "core/fields/blobs.h"
 #include "core/fields/motion.h"
 #include "core/fields/seeds.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
@@ -45,20 +43,19 @@ Neighbourhood continuous_part(Neighbourhood about, int reach) {
 }  // namespace
 
 bool needs_reference(const FieldOptions& options) {
-    const FilterTraits& traits = find_filter(options.filter).traits;
-    const bool second = !options.second.empty() && find_filter(options.second).traits.object;
+    const FilterTraits& traits = options.filter->traits;
+    const bool second = options.second != nullptr && options.second->traits.object;
     return second || traits.object || (has_flow(options.flow) && !traits.shows_object);
 }
 
 FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
     : options_(options),
-      first_(running(options.filter, options, options.threshold)),
+      first_(running(*options.filter, options, options.threshold)),
       row_(*first_.row),
       region_(scene.region),
       flow_(make_flow(options.flow)),
-      whole_frame_flow_(is_whole_frame(options.flow, scene.frames) ||
-                        !choose(setting::seed_area.name, options.seeds.area, seed_areas()).object_alone) {
-    if (!options.second.empty()) second_.emplace(running(options.second, options, std::nullopt));
+      whole_frame_flow_(is_whole_frame(options.flow, scene.frames) || !options.seeds.area->object_alone) {
+    if (options.second != nullptr) second_.emplace(running(*options.second, options, std::nullopt));
     const FilterTraits beside = second_ ? second_->row->traits : FilterTraits{};
     if (needs_reference(options)) {
         const int threshold = row_.traits.object ? options.threshold.value_or(row_.traits.threshold) : object_threshold;
@@ -66,7 +63,7 @@ FieldStages::FieldStages(const EmptyScene& scene, const FieldOptions& options)
                                                  row_.traits.darker || beside.darker);
     }
     if (scene.reference.shakes) stabilizer_.emplace(scene.reference);
-    needs_age_ = flow_ != nullptr && choose(setting::seed_order.name, options.seeds.order, seed_orders()).needs_age;
+    needs_age_ = flow_ != nullptr && options.seeds.order->needs_age;
     stateful_ = row_.traits.in_order || beside.in_order || needs_age_ || (object_ != nullptr && object_->adapts());
     reach_ = std::max(flow_ ? flow_->reach() : 0, row_.traits.previous || beside.previous ? 1 : 0);
     last_.resize(static_cast<std::size_t>(2 * reach_ + 1));
@@ -128,9 +125,8 @@ Field FieldStages::finish(const Neighbourhood& about) const {
     return field;
 }
 
-FieldStages::ActiveFilter FieldStages::running(std::string_view name, const FieldOptions& options,
+FieldStages::ActiveFilter FieldStages::running(const FilterRow& row, const FieldOptions& options,
                                                std::optional<int> threshold) {
-    const FilterRow& row = find_filter(name);
     return {&row, row.make(options), threshold.value_or(row.traits.threshold)};
 }
 

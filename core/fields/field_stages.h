@@ -70,7 +70,7 @@ class FieldStages {
         int threshold;
     };
 
-    static ActiveFilter running(std::string_view name, const FieldOptions& options, std::optional<int> threshold);
+    static ActiveFilter running(const FilterRow& row, const FieldOptions& options, std::optional<int> threshold);
     Plane<std::uint8_t> filtered(const ActiveFilter& filter, const PipelineFrame& shot, const PipelineFrame* before,
                                  const Flow& flow) const;
     Flow flow_of(const Neighbourhood& about, const Plane<std::uint8_t>& moves) const;

@@ -62,10 +62,6 @@ struct FilterRow {
 /// Every filter.
 std::span<const FilterRow> filters();
 
-/// The row of that name.
-/// \throws Error usage when there is none
-const FilterRow& find_filter(std::string_view name);
-
 std::unique_ptr<Filter> make_difference(const FieldOptions& options);
 std::unique_ptr<Filter> make_temporal(const FieldOptions& options);
 std::unique_ptr<Filter> make_hull(const FieldOptions& options);

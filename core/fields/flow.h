@@ -61,6 +61,7 @@ struct FlowRow {
 struct DerivativeRow {
     std::string_view name;
     std::string_view help;
+    bool cube;  ///< as SolverSettings::cube
 };
 
 /// "barron" and "cube".
@@ -70,11 +71,10 @@ std::span<const DerivativeRow> derivative_kinds();
 std::span<const FlowRow> flow_methods();
 
 /// Whether the options ask for a method that computes something.
-/// \throws Error usage when there is no such method
 bool has_flow(const FlowOptions& options);
 
-/// The name of the method that computes nothing.
-std::string no_flow();
+/// The method that computes nothing.
+const FlowRow& no_flow();
 
 /// Where in a frame flow is computed.
 struct FlowArea {
@@ -89,7 +89,7 @@ std::span<const FlowArea> flow_areas();
 bool is_whole_frame(const FlowOptions& options, std::int64_t frames);
 
 /// The method that the options ask for; null where they ask for none.
-/// \throws Error usage when there is no such method, or a value is out of its range
+/// \throws Error usage when a value is out of its range
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options);
 
 std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options);

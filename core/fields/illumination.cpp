@@ -11,7 +11,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/cv_view.h"
+#include "core/fields/options.h"
 
 namespace vvr::fields {
 namespace {
@@ -271,6 +273,10 @@ Planes relight(const Planes& picture, const IlluminationChange& light) {
 
 std::span<const IlluminationRow> illuminations() {
     return rows;
+}
+
+const IlluminationRow& row_of(Name<IlluminationRow> name) {
+    return choose("illumination", name.text, illuminations());
 }
 
 }  // namespace vvr::fields

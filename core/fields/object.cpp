@@ -6,9 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/choice.h"
 #include "core/fields/blobs.h"
-#include "core/fields/settings.h"
 #include "core/fields/shadows.h"
 
 namespace vvr::fields {
@@ -90,12 +88,12 @@ void clear_outside(const Plane<std::uint8_t>& region, Plane<std::uint8_t>& plane
 
 ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Reference& reference,
                            const Plane<std::uint8_t>& region, bool marks_darker)
-    : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
-      norm_(find_norm(options.norm, reference)),
+    : illumination_(*options.illumination),
+      norm_(norm_for(*options.norm, reference)),
       min_area_(options.min_area),
       least_strong_(std::clamp(options.min_area / 5, 1, 4)),
       threshold_value_(value_of(threshold)),
-      removes_shadows_(choose(setting::shadows.name, options.shadows, shadow_kinds()).removes),
+      removes_shadows_(options.shadows->removes),
       marks_darker_(marks_darker),
       region_(region) {
     static_cast<Planes&>(reference_) = smoothed(reference.grey, reference.colour, options.smooth);
@@ -110,7 +108,7 @@ ObjectFinder::ObjectFinder(const FieldOptions& options, int threshold, const Ref
     weak_ = thresholds(size, reference.noise, weak_share * threshold, scale * weak_noise, scale * most_weak);
     strong_ = thresholds(size, reference.noise, threshold, scale * strong_noise, scale * most_strong);
     std::ranges::transform(strong_.pixels(), strong_.pixels().begin(), value_of);
-    const ReferenceRow* const row = find_reference(options.reference);
+    const ReferenceRow* const row = options.reference.row();
     if (row != nullptr && row->adapts) running_.emplace(reference_);
 }
 

@@ -15,22 +15,12 @@
 #include <oneapi/tbb/task_arena.h>
 #include <opencv2/core/utility.hpp>
 
-#include "core/base/choice.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fields/field_source.h"
 #include "core/fields/field_stages.h"
-#include "core/fields/filter.h"
-#include "core/fields/flow.h"
-#include "core/fields/illumination.h"
-#include "core/fields/options.h"
-#include "core/fields/planes.h"
-#include "core/fields/reference.h"
 #include "core/fields/region.h"
-#include "core/fields/seeds.h"
 #include "core/fields/settings.h"
-#include "core/fields/shadows.h"
-#include "core/fields/stabilizer.h"
 #include "core/video/frame_span.h"
 #include "core/video/scaler.h"
 
@@ -127,25 +117,6 @@ FrameJob ClipReader::operator()() {
 
 namespace {
 
-void validate(const FlowOptions& flow) {
-    choose(setting::flow.name, flow.method, flow_methods());
-    choose(setting::flow_area.name, flow.area, flow_areas());
-    choose(setting::solver.name, flow.solver, flow_solvers());
-    choose(setting::derivatives.name, flow.derivatives, derivative_kinds());
-    if (flow.alpha) check(setting::alpha, *flow.alpha);
-    if (flow.iterations) check(setting::iterations, *flow.iterations);
-    if (flow.pre_smooth) check(setting::pre_smooth, *flow.pre_smooth);
-    check(setting::flow_every, flow.every);
-}
-
-void validate(const SeedOptions& seeds) {
-    check(setting::grid, seeds.grid);
-    check(setting::min_magnitude, seeds.min_magnitude);
-    choose(setting::seed_area.name, seeds.area, seed_areas());
-    choose(setting::seed_order.name, seeds.order, seed_orders());
-    parse_seed_selection(seeds.select);
-}
-
 void validate(const video::FrameSpan& span) {
     // Written so that a NaN is refused.
     if (!(span.start >= 0) || span.first < 0) {
@@ -162,20 +133,11 @@ void validate(const video::FrameSpan& span) {
 }  // namespace
 
 void validate(const FieldOptions& options) {
-    find_filter(options.filter);
-    if (!options.second.empty()) find_filter(options.second);
-    choose(setting::norm.name, options.norm, norms());
-    choose(setting::illumination.name, options.illumination, illuminations());
-    choose(setting::shadows.name, options.shadows, shadow_kinds());
-    choose(setting::stabilize.name, options.stabilize, stabilizers());
-    if (options.threshold) check(setting::threshold, *options.threshold);
-    check(setting::smooth, options.smooth);
-    check(setting::min_area, options.min_area);
+    each_field_setting(options,
+                       [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); });
+    check(setting::flow_every, options.flow.every);
     check(setting::threads, options.threads);
     validate(options.span);
-    validate(options.flow);
-    validate(options.seeds);
-    validate_reference(options.reference);
     validate_region(setting::roi.name, options.roi);
     validate_region(setting::mask.name, options.mask);
 }

@@ -12,7 +12,6 @@
 #include "core/base/choice.h"
 #include "core/base/cv_view.h"
 #include "core/base/error.h"
-#include "core/fields/settings.h"
 #include "core/kernels/byte_blur.h"
 
 namespace vvr::fields {
@@ -88,11 +87,14 @@ std::span<const NormRow> norms() {
     return rows;
 }
 
-const NormRow& find_norm(std::string_view name, const Planes& picture) {
-    const NormRow& row = choose(setting::norm.name, name, rows);
-    if (!row.needs_colour || !picture.colour.empty()) return row;
-    throw Error(ErrorKind::usage, fmt::format("norm {}: these frames have no colour; choose luminance", name),
-                {setting::norm.name});
+const NormRow& norm_for(const NormRow& norm, const Planes& picture) {
+    if (!norm.needs_colour || !picture.colour.empty()) return norm;
+    throw Error(ErrorKind::usage, fmt::format("norm {}: these frames have no colour; choose luminance", norm.name),
+                {"norm"});
+}
+
+const NormRow& row_of(Name<NormRow> name) {
+    return choose("norm", name.text, norms());
 }
 
 }  // namespace vvr::fields

@@ -34,8 +34,8 @@ struct NormRow {
 /// The norms; the first is the default.
 std::span<const NormRow> norms();
 
-/// The row of that name, for pictures like this one.
-/// \throws Error usage when there is none, or it needs colour and the picture has none
-const NormRow& find_norm(std::string_view name, const Planes& picture);
+/// The same norm, for pictures like this one.
+/// \throws Error usage when it needs colour and the picture has none
+const NormRow& norm_for(const NormRow& norm, const Planes& picture);
 
 }  // namespace vvr::fields

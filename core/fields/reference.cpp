@@ -19,7 +19,6 @@
 #include "core/base/file_io.h"
 #include "core/fields/filter.h"
 #include "core/fields/noise.h"
-#include "core/fields/settings.h"
 #include "core/fields/stabilizer.h"
 #include "core/video/scaler.h"
 
@@ -187,12 +186,11 @@ Plane<std::uint8_t> ghosts_among(const Plane<std::uint8_t>& steady, const Plane<
 }
 
 Reference learnt(video::FrameSource& clip, const ReferenceRow& row, const FieldOptions& options) {
-    std::vector<video::Frame> frames =
-        in_one_light(row.look(clip), choose(setting::illumination.name, options.illumination, illuminations()));
+    std::vector<video::Frame> frames = in_one_light(row.look(clip), *options.illumination);
     Reference reference;
     // A filter that shows the video itself, or its motion, is to show the camera's too.
-    const bool is_compared = find_filter(options.filter).traits.object;
-    const bool aligns = is_compared && choose(setting::stabilize.name, options.stabilize, stabilizers()).aligns;
+    const bool is_compared = options.filter->traits.object;
+    const bool aligns = is_compared && options.stabilize->aligns;
     reference.shakes = aligns && camera_shakes(frames);
     if (reference.shakes) align(frames);
     static_cast<Planes&>(reference) = row.scene(frames);
@@ -207,27 +205,24 @@ std::span<const ReferenceRow> reference_kinds() {
     return rows;
 }
 
-const ReferenceRow* find_reference(std::string_view name) {
-    const auto row = std::ranges::find(rows, name, &ReferenceRow::name);
-    return row == rows.end() ? nullptr : &*row;
-}
-
-void validate_reference(const std::string& kind) {
+ReferenceChoice::ReferenceChoice(std::string name) : name_(std::move(name)), row_(nullptr) {
     // Whatever could be a file's name is looked for when it is needed.
-    if (kind.find_first_of("./") == std::string::npos && !std::filesystem::exists(kind)) {
-        choose(setting::reference.name, kind, rows, ", or the name of a picture");
+    const auto row = std::ranges::find(rows, name_, &ReferenceRow::name);
+    if (row != rows.end()) {
+        row_ = &*row;
+    } else if (name_.find_first_of("./") == std::string::npos && !std::filesystem::exists(name_)) {
+        refuse_choice("reference", name_, names_of(rows), ", or the name of a picture");
     }
 }
 
 Reference make_reference(video::FrameSource& clip, const FieldOptions& options) {
-    const std::string& kind = options.reference;
-    validate_reference(kind);
-    if (const ReferenceRow* const row = find_reference(kind)) return learnt(clip, *row, options);
+    if (const ReferenceRow* const row = options.reference.row()) return learnt(clip, *row, options);
+    const std::string& picture_file = options.reference.name();
     video::SourceOptions like_clip;
     like_clip.field_size = clip.field_size();
     like_clip.colour = clip.colour();
-    check_is_file(kind);
-    const auto picture = video::open_source(kind, like_clip);
+    check_is_file(picture_file);
+    const auto picture = video::open_source(picture_file, like_clip);
     video::Frame frame = video::Scaler(*picture)(*picture->next());
     return Planes{std::move(frame.grey), std::move(frame.colour)};
 }

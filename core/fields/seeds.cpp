@@ -12,7 +12,6 @@
 
 #include "core/base/choice.h"
 #include "core/base/error.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
@@ -41,15 +40,13 @@ struct Candidate {
 };
 
 std::vector<Candidate> eligible(const SeedInput& input, const SeedOptions& options) {
-    const SeedOrderRow& order = choose(setting::seed_order.name, options.order, orders);
-    const bool object_alone = choose(setting::seed_area.name, options.area, areas).object_alone;
     std::vector<Candidate> result;
     for (int j = options.grid / 2; j < input.object.height(); j += options.grid) {
         for (int i = options.grid / 2; i < input.object.width(); i += options.grid) {
-            if (object_alone && input.object.at(i, j) == 0) continue;
+            if (options.area->object_alone && input.object.at(i, j) == 0) continue;
             if (!(magnitude(input, i, j) >= options.min_magnitude)) continue;
             const Seed seed{static_cast<float>(i), static_cast<float>(j), input.flow.u.at(i, j), input.flow.v.at(i, j)};
-            result.push_back({seed, order.weight(input, i, j)});
+            result.push_back({seed, options.order->weight(input, i, j)});
         }
     }
     return result;
@@ -125,11 +122,11 @@ SeedSelection parse_seed_selection(const std::string& text) {
     }
     throw Error(ErrorKind::usage,
                 fmt::format("seed-select: '{}' is not one of: all, first:N, random:N, random:N:NUMBER", text),
-                {setting::seed_select.name});
+                {"seed-select"});
 }
 
 std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options) {
-    const SeedSelection selection = parse_seed_selection(options.select);
+    const SeedSelection& selection = options.select;
     std::vector<Candidate> candidates = eligible(input, options);
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::weight);
     if (selection.kind == SeedSelection::Kind::random) {
@@ -143,6 +140,14 @@ std::vector<Seed> make_seeds(const SeedInput& input, const SeedOptions& options)
     std::vector<Seed> seeds;
     for (const Candidate& candidate : candidates) seeds.push_back(candidate.seed);
     return seeds;
+}
+
+const SeedOrderRow& row_of(Name<SeedOrderRow> name) {
+    return choose("seed-order", name.text, seed_orders());
+}
+
+const SeedAreaRow& row_of(Name<SeedAreaRow> name) {
+    return choose("seed-area", name.text, seed_areas());
 }
 
 }  // namespace vvr::fields

@@ -43,13 +43,6 @@ std::span<const SeedAreaRow> seed_areas();
 /// \param before empty at the first frame
 Plane<std::uint16_t> aged(const Plane<std::uint16_t>& before, const Plane<std::uint8_t>& object);
 
-/// How many of the points in order are taken.
-struct SeedSelection {
-    enum class Kind { all, first, random } kind = Kind::all;
-    std::size_t count = 0;
-    std::uint64_t number = 1;  ///< for random: another one, other points
-};
-
 /// \throws Error usage for anything but "all", "first:N", "random:N", "random:N:NUMBER"
 SeedSelection parse_seed_selection(const std::string& text);
 

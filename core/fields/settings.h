@@ -1,51 +1,66 @@
 #pragma once
 
 #include "core/base/setting.h"
+#include "core/fields/filter.h"
+#include "core/fields/flow.h"
+#include "core/fields/illumination.h"
+#include "core/fields/planes.h"
+#include "core/fields/reference.h"
+#include "core/fields/seeds.h"
+#include "core/fields/shadows.h"
+#include "core/fields/stabilizer.h"
 #include "core/video/settings.h"
 
 /// The settings of FieldOptions.
 namespace vvr::setting {
 
-inline constexpr Setting filter{"filter", "NAME", "what counts as interesting"};
-inline constexpr Setting reference{.name = "reference", .unit = "NAME", .help = "the empty scene", .may_be_file = true};
-inline constexpr Setting threshold{"threshold",
-                                   "GREY",
-                                   "smaller differences count as none; the default is that of --filter",
-                                   {0, 255},
-                                   "the filter's"};
-inline constexpr Setting norm{"norm", "NAME", "by what frames are said to differ"};
-inline constexpr Setting smooth{"smooth", "PIXELS", "Gaussian smoothing before a comparison", {0, 20}};
-inline constexpr Setting min_area{"min-area", "PIXELS", "blobs of fewer field pixels are noise", {0, 1'000'000}};
-inline constexpr Setting illumination{"illumination", "NAME", "changes of light that don't count"};
-inline constexpr Setting shadows{"shadows", "NAME", "cast shadows"};
-inline constexpr Setting stabilize{"stabilize", "NAME", "a camera that shakes"};
-inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "look only here", .may_be_file = true};
+inline constexpr Setting filter{"filter", "NAME", "what the scalar field shows"};
+inline constexpr Setting reference{
+    .name = "reference", .unit = "NAME", .help = "how the empty scene is found", .may_be_file = true};
+inline constexpr Setting threshold{
+    "threshold", "GREY", "smallest difference that counts; the default depends on --filter", {0, 255}, "the filter's"};
+inline constexpr Setting norm{"norm", "NAME", "distance between two colours"};
+inline constexpr Setting smooth{
+    "smooth", "PIXELS", "standard deviation of the Gaussian smoothing before a comparison; 0 = none", {0, 20}};
+inline constexpr Setting min_area{"min-area", "PIXELS", "remove blobs of fewer field pixels", {0, 1'000'000}};
+inline constexpr Setting illumination{"illumination", "NAME", "changes of light that are compensated"};
+inline constexpr Setting shadows{"shadows", "NAME", "what to do with cast shadows"};
+inline constexpr Setting stabilize{"stabilize", "NAME", "what to do when the camera shakes"};
+inline constexpr Setting roi{.name = "roi", .unit = "AREA", .help = "look only inside this area", .may_be_file = true};
 inline constexpr Setting mask{.name = "mask",
                               .unit = "AREA",
-                              .help = "don't look here, for example at the camera's burnt-in clock",
+                              .help = "ignore this area, for example the camera's burnt-in clock",
                               .may_be_file = true};
 
-inline constexpr Setting flow{"flow", "NAME", "optical flow"};
+inline constexpr Setting flow{"flow", "NAME", "method of the optical flow"};
 inline constexpr Setting flow_area{"flow-area", "NAME", "where flow is computed"};
 inline constexpr Setting flow_every{
     "flow-every", "FRAMES", "keep flow and seeds of frames whose number is a multiple of this", {1, 1e9}};
-inline constexpr Setting solver{"solver", "NAME", "solver of horn-schunck"};
-inline constexpr Setting derivatives{"derivatives", "NAME",
-                                     "derivatives of horn-schunck; the solver pyramid has its own"};
+inline constexpr Setting solver{"solver", "NAME", "solver of the method horn-schunck"};
+inline constexpr Setting derivatives{"derivatives", "NAME", "derivatives for the solver jacobi; pyramid has its own"};
 /// Less than this and float can't hold α² beside the squares of the derivatives.
-inline constexpr Setting alpha{"alpha",
-                               "NUMBER",
-                               "weight of smooth flow; its square is the paper's λ; by --solver",
-                               {0.01, 10'000},
-                               "the solver's"};
+inline constexpr Setting alpha{
+    "alpha",
+    "NUMBER",
+    "weight of smoothness in horn-schunck; its square is the paper's λ; the default depends on --solver",
+    {0.01, 10'000},
+    "the solver's"};
 inline constexpr Setting iterations{
-    "iterations", "COUNT", "the solver's warps (pyramid) or steps (jacobi)", {1, 100'000}, "the solver's"};
+    "iterations",
+    "COUNT",
+    "iterations of the solver: warps per scale (pyramid) or steps (jacobi); the default depends on --solver",
+    {1, 100'000},
+    "the solver's"};
 inline constexpr Setting pre_smooth{
-    "pre-smooth", "PIXELS", "Gaussian smoothing before derivatives; by --solver", {0, 5}, "the solver's"};
+    "pre-smooth",
+    "PIXELS",
+    "standard deviation of the Gaussian smoothing before derivatives; the default depends on --solver",
+    {0, 5},
+    "the solver's"};
 
 inline constexpr Setting grid{"grid", "PIXELS", "distance between neighbouring seeds", {1, 10'000}};
 inline constexpr Setting min_magnitude{
-    "min-magnitude", "PIXELS", "no seeds where flow is slower than this, in pixels per frame", {0, 10'000}};
+    "min-magnitude", "PIXELS", "slowest flow that gets a seed, in pixels per frame", {0, 10'000}};
 inline constexpr Setting seed_area{"seed-area", "NAME", "where seeds may lie"};
 inline constexpr Setting seed_order{"seed-order", "NAME", "which seeds come first"};
 inline constexpr Setting seed_select{"seed-select", "HOW",
@@ -59,10 +74,51 @@ inline constexpr Setting seeds{.name = "seeds",
 inline constexpr Setting seed_flags{
     .name = "seed-flags",
     .unit = "DIGITS",
-    .help = "bricks whose seeds are drawn: a digit 0 or 1 per brick, in turn; 100 = each third brick",
+    .help = "bricks whose seeds are drawn: a digit 0 or 1 per brick, repeated; 100 = every third brick",
     .default_text = "the seeds' own"};
 
 inline constexpr Setting threads{
-    "threads", "COUNT", "threads; 0 = one per core, which the clips of an archive share", {0, 1024}};
+    "threads", "COUNT", "worker threads; 0 = one per core, shared by the clips of an archive", {0, 1024}};
 
 }  // namespace vvr::setting
+
+namespace vvr::fields {
+
+/// Calls `each` for every setting of SeedOptions with the member that holds its value; then, where there are, the table
+/// whose row decides it, and the row's default. The command line and the checks of values follow from this list.
+template <class Options, class Each>
+void each_seed_setting(Options& options, const Each& each) {
+    each(setting::grid, options.grid);
+    each(setting::min_magnitude, options.min_magnitude);
+    each(setting::seed_area, options.area, seed_areas());
+    each(setting::seed_order, options.order, seed_orders());
+    each(setting::seed_select, options.select);
+}
+
+/// The same for FieldOptions, but for what commands have in other groups: the span, the threads and FlowOptions::every.
+template <class Options, class Each>
+void each_field_setting(Options& options, const Each& each) {
+    each(setting::filter, options.filter, filters());
+    each(setting::reference, options.reference, reference_kinds());
+    each(setting::norm, options.norm, norms());
+    each(setting::threshold, options.threshold, filters(), [](const FilterRow& row) { return row.traits.threshold; });
+    each(setting::smooth, options.smooth);
+    each(setting::min_area, options.min_area);
+    each(setting::illumination, options.illumination, illuminations());
+    each(setting::shadows, options.shadows, shadow_kinds());
+    each(setting::stabilize, options.stabilize, stabilizers());
+    each(setting::roi, options.roi);
+    each(setting::mask, options.mask);
+    each(setting::flow, options.flow.method, flow_methods());
+    each(setting::flow_area, options.flow.area, flow_areas());
+    each(setting::solver, options.flow.solver, flow_solvers());
+    each(setting::derivatives, options.flow.derivatives, derivative_kinds());
+    each(setting::alpha, options.flow.alpha, flow_solvers(), [](const SolverRow& row) { return row.defaults.alpha; });
+    each(setting::iterations, options.flow.iterations, flow_solvers(),
+         [](const SolverRow& row) { return row.defaults.iterations; });
+    each(setting::pre_smooth, options.flow.pre_smooth, flow_solvers(),
+         [](const SolverRow& row) { return row.defaults.pre_smooth; });
+    each_seed_setting(options.seeds, each);
+}
+
+}  // namespace vvr::fields

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/choice.h"
+#include "core/fields/options.h"
+
 namespace vvr::fields {
 namespace {
 
@@ -173,6 +176,10 @@ void restore_enclosed(Plane<std::uint8_t>& object, std::span<const ShadowPixel> 
         if (missing < 2) enclosed.push_back(p);
     }
     for (const ShadowPixel& p : enclosed) object.at(p.i, p.j) = p.value;
+}
+
+const ShadowRow& row_of(Name<ShadowRow> name) {
+    return choose("shadows", name.text, shadow_kinds());
 }
 
 }  // namespace vvr::fields

@@ -11,7 +11,9 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/cv_view.h"
+#include "core/fields/options.h"
 
 namespace vvr::fields {
 namespace {
@@ -175,6 +177,10 @@ void align(std::span<video::Frame> frames) {
     each([&](std::size_t k) { shifts[k] = stabilizer.shift_of(frames[k].grey); });
     const Shift middle{median_of(shifts, &Shift::x), median_of(shifts, &Shift::y)};
     each([&](std::size_t k) { stabilizer.align(frames[k], {shifts[k].x - middle.x, shifts[k].y - middle.y}); });
+}
+
+const StabilizerRow& row_of(Name<StabilizerRow> name) {
+    return choose("stabilize", name.text, stabilizers());
 }
 
 }  // namespace vvr::fields

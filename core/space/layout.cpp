@@ -1,7 +1,5 @@
 #include "core/space/layout.h"
 
-#include "core/base/choice.h"
-
 namespace vvr::space {
 
 const std::vector<LayoutRow>& layouts() {
@@ -13,8 +11,8 @@ const std::vector<LayoutRow>& layouts() {
     return table;
 }
 
-std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape) {
-    return choose("layout", name, layouts()).make(shape);
+std::unique_ptr<Layout> make_layout(const Choice<LayoutRow>& row, const LayoutShape& shape) {
+    return row->make(shape);
 }
 
 LayoutShape shape_for(Size field, const LayoutOptions& options) {
@@ -30,6 +28,10 @@ std::vector<int> sections_towards(double t, std::span<const double> borders) {
     for (int i = 0; i < split; ++i) order.push_back(i);
     for (int i = n - 1; i >= split; --i) order.push_back(i);
     return order;
+}
+
+const LayoutRow& row_of(Name<LayoutRow> name) {
+    return choose("layout", name.text, layouts());
 }
 
 }  // namespace vvr::space

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/base/choice.h"
 #include "core/base/plane.h"
 
 namespace vvr::space {
@@ -106,8 +107,7 @@ struct LayoutRow {
 /// The first row is the default.
 const std::vector<LayoutRow>& layouts();
 
-/// \throws Error usage when no layout has that name
-std::unique_ptr<Layout> make_layout(std::string_view name, const LayoutShape& shape);
+std::unique_ptr<Layout> make_layout(const Choice<LayoutRow>& row, const LayoutShape& shape);
 
 std::unique_ptr<Layout> make_horseshoe(const LayoutShape& shape);
 std::unique_ptr<Layout> make_box(const LayoutShape& shape);
@@ -115,5 +115,7 @@ std::unique_ptr<Layout> make_box(const LayoutShape& shape);
 /// Indices of the sections between `borders`, from both ends towards the one that contains `t`: back to front if that
 /// one faces the eye.
 std::vector<int> sections_towards(double t, std::span<const double> borders);
+
+const LayoutRow& row_of(Name<LayoutRow> name);
 
 }  // namespace vvr::space

@@ -6,18 +6,13 @@
 namespace vvr::setting {
 
 inline constexpr Setting field_size{"field-size", "WxH", "size of the fields, or 'source'; long side 384 if not given"};
-inline constexpr Setting rate{.name = "rate",
-                              .unit = "FPS",
-                              .help = "frames per second of pictures and raw streams",
-                              .range = {0.001, 100'000},
-                              .alias = "frame-rate"};
+inline constexpr Setting rate{
+    .name = "rate", .unit = "FPS", .help = "frames per second of pictures and raw streams", .range = {0.001, 100'000}};
 inline constexpr Setting names{"names", "PATTERN",
                                "how files' names tell camera and time, as '%Y-%m-%d/%H/{camera}/%M.%S'; can be given "
                                "several times; known besides: "};
 inline constexpr Setting join{
-    "join", "",
-    "files that seem to be of several cameras, or to have nothing to do with each other, are one "
-    "recording all the same"};
+    "join", "", "treat the files as one recording, even where they seem to be of several cameras, or unrelated"};
 inline constexpr Setting start{
     .name = "start",
     .unit = "TIME",
@@ -41,7 +36,7 @@ inline constexpr Setting between{.name = "between",
 
 inline constexpr Setting duration{"duration", "TIME", "stop after this time; without it, SIGTERM or SIGINT stops"};
 inline constexpr Setting lag{
-    "lag", "TIME", "drop frames that have waited longer for their turn; pipes wait instead", {0.1, 60}};
+    "lag", "TIME", "drop frames that have waited longer than this to be processed; pipes wait instead", {0.1, 60}};
 inline constexpr Setting patience{"patience", "TIME", "reconnect when no frame has come for this long", {0.5, 3600}};
 
 }  // namespace vvr::setting

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 COLUMN = 30  # where the help of an option begins
 VALUE = COLUMN + 2  # where the name of a value begins
 VALUE_HELP = VALUE + 15
-OPTION = re.compile(r"(?:-(?P<letter>\w), )?--(?P<names>[a-z][a-z-]*(?:, --[a-z][a-z-]*)*)(?: (?P<unit>\S+))?")
+OPTION = re.compile(r"(?:-(?P<letter>\w), )?--(?P<name>[a-z][a-z-]*)(?: (?P<unit>\S+))?")
 LEGEND = "Defaults are in brackets, ranges in parentheses."
 FOLDERS = {"DIR"}
 FILES = {"FILE", "PATH", "AREA"}
@@ -20,17 +20,11 @@ FILES = {"FILE", "PATH", "AREA"}
 @dataclass
 class Option:
     name: str
-    aliases: list
     letter: str
     unit: str  # what it takes; empty for a flag
     help: str  # with range and default
     values: list = field(default_factory=list)  # of (name, help); the help may be empty
     text: str = ""  # as the help shows it
-
-    @property
-    def names(self):
-        """All of its long names."""
-        return [self.name, *self.aliases]
 
     @property
     def takes_folder(self):
@@ -148,14 +142,13 @@ def option_of(row):
     found = expect(OPTION, row.name)
     if not row.help:
         raise ValueError(f"the help does not say what this does: {row.name!r}")
-    name, *aliases = found["names"].split(", --")
-    option = Option(name, aliases, found["letter"] or "", found["unit"] or "", row.help, row.values, row.text)
+    option = Option(found["name"], found["letter"] or "", found["unit"] or "", row.help, row.values, row.text)
     add_listed_values(option)
     return option
 
 
 def add_listed_values(option):
-    """The values that no table explains are at the end of the help, as `: text, json`."""
+    """The values that no table explains are at the end of the help, as `: blue, grey`."""
     if option.values or option.unit not in ("NAME", "LIST"):
         return
     found = re.search(r": ((?:[a-z][a-z0-9-]*, )+[a-z][a-z0-9-]*)(?:, or a file[a-z ]*)?(?: \[.*\])?$", option.help)

@@ -11,7 +11,7 @@ def write_completions(folder, commands):
 
 
 def names_of(option):
-    return ([f"-{option.letter}"] if option.letter else []) + [f"--{name}" for name in option.names]
+    return ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
 
 
 BASH = """\
@@ -140,7 +140,7 @@ def fish(commands):
         if command.argument:
             text += f"{when} -F\n"
         for option in command.options():
-            text += f"{when} " + " ".join(f"-l {name}" for name in option.names)
+            text += f"{when} " + f"-l {option.name}"
             text += f" -s {option.letter}" if option.letter else ""
             known = " ".join(value for value, _ in option.values)
             if option.takes_list:

@@ -63,7 +63,7 @@ def command_page(command):
 
 def option_entry(option):
     text = ".TP\n"
-    names = ([f"-{option.letter}"] if option.letter else []) + [f"--{name}" for name in option.names]
+    names = ([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"]
     text += "\\fB" + "\\fR, \\fB".join(map(escape, names)) + "\\fR"
     if option.unit:
         text += f" \\fI{escape(option.unit)}\\fR"

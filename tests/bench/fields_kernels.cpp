@@ -158,7 +158,7 @@ void filter_of_frames(benchmark::State& state, const std::string& name) {
     fields::FieldOptions options;
     options.filter = name;
     options.threads = 1;
-    if (!fields::find_filter(name).traits.flow) options.flow.method = "none";
+    if (!options.filter->traits.flow) options.flow.method = "none";
     std::int64_t done = 0;
     for (auto _ : state) {
         const fields::FrameReader read = [next = std::size_t{0}]() mutable -> fields::FrameJob {

@@ -119,7 +119,7 @@ def test_commands_of_pages_have_their_options(t):
         from command_help import read_commands
     finally:
         sys.path.pop(0)
-    known = {command.name: {f"--{name}" for option in command.options() for name in option.names} for command in read_commands(t.vvr_path)}
+    known = {command.name: {f"--{option.name}" for option in command.options()} for command in read_commands(t.vvr_path)}
     found = 0
     for page in [*t.source.glob("*.md"), *(t.source / "docs").glob("*.md"), *(path for path in (t.source / "docs" / "examples").rglob("*") if path.is_file())]:
         text = page.read_text().replace("\\\n", " ")

@@ -1,4 +1,4 @@
-"""What `vvr COMMAND --help` says is so: width, options, values, aliases and examples."""
+"""What `vvr COMMAND --help` says is so: width, options, values and examples."""
 
 import os
 import pathlib
@@ -97,22 +97,6 @@ def test_watch_help_has_no_options_that_need_an_end(t):
         (["--preset", "day"], "--preset: there is no 'day'"),
     ]:
         t.vvr("watch", "clip.avi", "-o", "out.png", *arguments).expect(1, text)
-
-
-def test_aliases_do_the_same(t):
-    t.clip()
-    for name, alias, value in [("--size", "--resolution", "80x60"), ("--transfer", "--colormap", "viridis"),
-                               ("--background", "--background-color", "#112233")]:
-        t.render("clip.avi", "--size", "80x60", name, value, output="name.png").expect(0)
-        t.render("clip.avi", "--size", "80x60", alias, value, output="alias.png").expect(0)
-        same = t.path("name.png").read_bytes() == t.path("alias.png").read_bytes()
-        check(same, f"{alias} is not {name}")
-        shown = re.search(rf"^  {name}, {alias} ", help_of(t, "render"), flags=re.MULTILINE)
-        check(shown, f"the help does not show {alias} beside {name}")
-    t.write("alias.toml", 'resolution = "70x50"\n')
-    t.vvr("render", "clip.avi", "-o", "out.png", "--config", "alias.toml").expect(0)
-    t.expect_picture(size=(70, 50))
-    t.render("clip.avi", "--resolutoin", "3x3").expect(1, "did you mean '--resolution'?")
 
 
 def test_times_are_written_alike_everywhere(t):

@@ -19,7 +19,7 @@ UNUSABLE = {  # option and value, and what the text has to say
     ("--start", "250"): "'250' has no unit: write 250f for frames or 250s for seconds",
     ("--start", "-1s"): "is not a time",
     ("--start", "00:99:00"): "is not a time",
-    ("--brick", "0"): "longer than nothing",
+    ("--brick", "0"): "length must be greater than 0",
     ("--window", "0"): "is not a whole number from 1 to 256",
     ("--radius", "1:0.5"): "the outer radius has to be larger",
     ("--radius", "1"): "two numbers with ':' between them",
@@ -67,7 +67,7 @@ def test_unknown_option(t):
     t.vvr("render", "--xyzzy=1", "a.avi").expect(1, "there is no option '--xyzzy';")
     t.vvr("doctor", "-z").expect(1, "there is no option '-z'")
     for option, text in (("-i", "an input has no option"), ("-ss", "--start TIME"), ("-y", "outputs are replaced"), ("-to", "--end TIME"),
-                         ("--add-region", "--roi AREA")):
+                         ("--add-region", "--roi AREA"), ("--resolution", "--size WxH")):
         t.vvr("render", option, "clip.avi", "-o", "out.png").expect(1, f"there is no option '{option}': ", text)
 
 

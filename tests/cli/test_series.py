@@ -158,7 +158,7 @@ def test_series_that_cannot_be(t):
     t.render("clip.avi", output="a.{brick}.{brick}.png").expect(1, "has two fields")
     t.render("clip.avi", output="a.{brick}.gif").expect(1, "its name takes no field")
     t.render("clip.avi", output="none/a.{brick}.png").expect(2, "there is no folder 'none'")
-    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick: a brick has to be longer than nothing")
+    t.render("clip.avi", "--brick", "0s", output="a.{brick}.png").expect(1, "--brick: length must be greater than 0")
     t.expect_files("clip.avi")
 
 

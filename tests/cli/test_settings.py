@@ -27,10 +27,12 @@ def given_back(t, clip, *options):
     t.render(clip, *options, "--report", "report.json", output="a.png").expect(0)
     settings = json.loads(t.path("report.json").read_text())["settings"]
     back = [f"--{name}={value}" for name, value in settings.items() if name not in FILES]
-    t.vvr("render", clip, "-o", "b.png", *back, "--report", "again.json").expect(0)
-    again = json.loads(t.path("again.json").read_text())["settings"]
-    check(again == settings, f"{settings}\nbecame\n{again}")
-    check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), f"{back} draws something else")
+    t.write("back.toml", "".join(f"{name} = '{value}'\n" for name, value in settings.items() if name not in FILES))
+    for given in (back, ["--config", "back.toml"]):
+        t.vvr("render", clip, "-o", "b.png", *given, "--report", "again.json").expect(0)
+        again = json.loads(t.path("again.json").read_text())["settings"]
+        check(again == settings, f"{settings}\nbecame\n{again}")
+        check(t.path("a.png").read_bytes() == t.path("b.png").read_bytes(), f"{given} draws something else")
     return settings
 
 

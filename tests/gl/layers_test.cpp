@@ -77,7 +77,7 @@ TEST_P(OneObjectASecond, EachPixelTellsItsObjectsFrame) {
     job.layout = look.layout;
     job.look.show = {app::Part::volume};
     job.look.opacity = look.opacity;
-    job.backend.name = "software";
+    job.backend.row = "software";
     job.output.path = "picture.exr";  // so with pixel data
     job.picture.size = {320, 240};
     job.picture.samples = look.samples;

@@ -2,7 +2,6 @@
 
 #include "core/base/choice.h"
 #include "core/fields/filter.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
@@ -58,8 +57,8 @@ std::span<const FilterRow> filters() {
     return rows;
 }
 
-const FilterRow& find_filter(std::string_view name) {
-    return choose(setting::filter.name, name, rows);
+const FilterRow& row_of(Name<FilterRow> name) {
+    return choose("filter", name.text, filters());
 }
 
 }  // namespace vvr::fields

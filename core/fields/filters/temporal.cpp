@@ -1,32 +1,27 @@
 #include <optional>
-#include <string>
 
-#include "core/base/choice.h"
 #include "core/fields/filter.h"
 #include "core/fields/illumination.h"
 #include "core/fields/planes.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
 
 class Temporal final : public Filter {
   public:
-    explicit Temporal(const FieldOptions& options)
-        : illumination_(choose(setting::illumination.name, options.illumination, illuminations())),
-          norm_(options.norm) {}
+    explicit Temporal(const FieldOptions& options) : illumination_(*options.illumination), norm_(*options.norm) {}
 
     Plane<std::uint8_t> operator()(const FilterInput& input) override {
         if (input.previous == nullptr) return Plane<std::uint8_t>(input.frame.grey.size());
         const IlluminationChange light =
             illumination_.compensates ? estimate_illumination(*input.previous, input.smooth) : IlluminationChange{};
         const std::optional<Planes> lit = illumination_.relit(*input.previous, input.smooth, light);
-        return find_norm(norm_, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
+        return norm_for(norm_, input.smooth).difference(input.smooth, lit ? *lit : *input.previous);
     }
 
   private:
     const IlluminationRow& illumination_;
-    std::string norm_;
+    const NormRow& norm_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "core/base/choice.h"
 #include "core/fields/flow.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
@@ -19,8 +18,8 @@ constexpr std::array solvers{
 };
 
 constexpr std::array derivatives{
-    DerivativeRow{"barron", "five points along x, y and t (Barron, Fleet and Beauchemin 1994)"},
-    DerivativeRow{"cube", "the cube of 2x2x2 pixels (Horn and Schunck 1981)"},
+    DerivativeRow{"barron", "five points along x, y and t (Barron, Fleet and Beauchemin 1994)", false},
+    DerivativeRow{"cube", "the cube of 2x2x2 pixels (Horn and Schunck 1981)", true},
 };
 
 }  // namespace
@@ -34,13 +33,20 @@ std::span<const SolverRow> flow_solvers() {
 }
 
 std::unique_ptr<FlowMethod> make_horn_schunck(const FlowOptions& options) {
-    const SolverRow& row = choose(setting::solver.name, options.solver, solvers);
-    SolverSettings settings = row.defaults;
+    SolverSettings settings = options.solver->defaults;
     if (options.alpha) settings.alpha = *options.alpha;
     if (options.iterations) settings.iterations = *options.iterations;
     if (options.pre_smooth) settings.pre_smooth = *options.pre_smooth;
-    settings.cube = choose(setting::derivatives.name, options.derivatives, derivatives).name == "cube";
-    return row.make(settings);
+    settings.cube = options.derivatives->cube;
+    return options.solver->make(settings);
+}
+
+const DerivativeRow& row_of(Name<DerivativeRow> name) {
+    return choose("derivatives", name.text, derivative_kinds());
+}
+
+const SolverRow& row_of(Name<SolverRow> name) {
+    return choose("solver", name.text, flow_solvers());
 }
 
 }  // namespace vvr::fields

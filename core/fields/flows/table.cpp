@@ -4,7 +4,6 @@
 
 #include "core/base/choice.h"
 #include "core/fields/flow.h"
-#include "core/fields/settings.h"
 
 namespace vvr::fields {
 namespace {
@@ -32,16 +31,16 @@ std::span<const FlowArea> flow_areas() {
 }
 
 bool is_whole_frame(const FlowOptions& options, std::int64_t frames) {
-    const std::int64_t most = choose(setting::flow_area.name, options.area, areas).whole_up_to;
+    const std::int64_t most = options.area->whole_up_to;
     return frames > 0 ? frames <= most : most == std::numeric_limits<std::int64_t>::max();
 }
 
 bool has_flow(const FlowOptions& options) {
-    return !choose(setting::flow.name, options.method, rows).is_none;
+    return !options.method->is_none;
 }
 
-std::string no_flow() {
-    return std::string(std::ranges::find_if(rows, &FlowRow::is_none)->name);
+const FlowRow& no_flow() {
+    return *std::ranges::find_if(rows, &FlowRow::is_none);
 }
 
 std::span<const FlowRow> flow_methods() {
@@ -49,7 +48,15 @@ std::span<const FlowRow> flow_methods() {
 }
 
 std::unique_ptr<FlowMethod> make_flow(const FlowOptions& options) {
-    return choose(setting::flow.name, options.method, rows).make(options);
+    return options.method->make(options);
+}
+
+const FlowArea& row_of(Name<FlowArea> name) {
+    return choose("flow-area", name.text, flow_areas());
+}
+
+const FlowRow& row_of(Name<FlowRow> name) {
+    return choose("flow", name.text, flow_methods());
 }
 
 }  // namespace vvr::fields

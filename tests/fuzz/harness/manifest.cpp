@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const store::Manifest again = store::parse_manifest(store::format_manifest(*manifest), "again");
     fuzz::require(again.frames == manifest->frames, "frames are read as they are written");
     for (const auto& [name, value] : again.settings) {
-        if (name == "filter") fields::find_filter(value);
+        if (name == "filter") fields::row_of(Name<fields::FilterRow>{value});
     }
     fuzz::require(again.settings.size() == manifest->settings.size(), "settings too");
     return 0;

@@ -24,14 +24,14 @@ const options::CommandHelp help{
     .text = "draw something",
     .arguments = "INPUT...",
     .arguments_text = "what is read, and every word of this sentence is short enough to be wrapped",
-    .options = {{options::Group::run, 'q', {"quiet"}, "", "say nothing", {}},
+    .options = {{options::Group::run, 'q', "quiet", "", "say nothing", {}},
                 {options::Group::look,
                  0,
-                 {"background", "background-color"},
+                 "background",
                  "COLOR",
                  "what is behind all, which takes a line of its own as its name is long [none]",
                  {}},
-                {options::Group::look, 0, {"theme"}, "NAME", "colours [light]", {{"light", "dark on white"}}}},
+                {options::Group::look, 0, "theme", "NAME", "colours [light]", {{"light", "dark on white"}}}},
     .examples = {{"vvr draw a b", "both"}}};
 
 TEST(Help, IsWrappedToAnyWidth) {
@@ -47,7 +47,7 @@ TEST(Help, HasGroupsInOrderValuesBelowOptionsAndExamplesLast) {
     const auto at = [&](const char* part) { return text.find(part); };
     EXPECT_LT(at("Usage: vvr draw INPUT... [OPTIONS]"), at("\nLook:\n"));
     EXPECT_LT(at("\nLook:\n"), at("\nRun:\n"));
-    EXPECT_LT(at("  --background, --background-color COLOR\n"), at("  --theme NAME"));
+    EXPECT_LT(at("  --background COLOR"), at("  --theme NAME"));
     EXPECT_LT(at("  --theme NAME"), at("light          dark on white"));
     EXPECT_LT(at("  -q, --quiet"), at("\nExamples:\n  # both\n  vvr draw a b\n"));
 }

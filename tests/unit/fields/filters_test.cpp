@@ -158,7 +158,7 @@ TEST(Norms, SayWhatDiffers) {
         return fields::Planes{Plane<std::uint8_t>({1, 1}, grey), Plane<Bgr>({1, 1}, colour)};
     };
     const auto differ = [&](std::string_view norm, const Bgr& a, const Bgr& b) {
-        return static_cast<int>(fields::find_norm(norm, of(a)).difference(of(a), of(b)).at(0, 0));
+        return static_cast<int>(Choice<fields::NormRow>(norm)->difference(of(a), of(b)).at(0, 0));
     };
     const Bgr blue{200, 100, 0};
     const Bgr red{0, 100, 200};
@@ -170,9 +170,9 @@ TEST(Norms, SayWhatDiffers) {
     EXPECT_NEAR(differ("hue", {0, 0, 100}, {0, 100, 0}), std::hypot(150, 86.6), 1);
     EXPECT_NEAR(differ("hue", {0, 0, 100}, {50, 50, 100}), 50, 1) << "less of the same hue";
     const fields::Planes grey{Plane<std::uint8_t>({1, 1}), {}};
-    EXPECT_THROW(fields::find_norm("hue", grey), Error);
-    EXPECT_NO_THROW(fields::find_norm("luminance", grey));
-    EXPECT_THROW(fields::find_norm("loudness", grey), Error);
+    EXPECT_THROW(fields::norm_for(*Choice<fields::NormRow>("hue"), grey), Error);
+    EXPECT_NO_THROW(fields::norm_for(*Choice<fields::NormRow>("luminance"), grey));
+    EXPECT_THROW(Choice<fields::NormRow>("loudness"), Error);
 }
 
 TEST(Filters, TemporalShowsWhatChangedSinceTheFrameBefore) {
@@ -258,7 +258,7 @@ std::vector<Plane<std::uint8_t>> seen_by(const fields::FilterRow& row, const Run
 
 TEST(Filters, BackgroundModelsSeeTheSameOnAnyThread) {
     for (const char* const name : {"mog2", "knn"}) {
-        const fields::FilterRow& row = fields::find_filter(name);
+        const fields::FilterRow& row = *Choice<fields::FilterRow>(name);
         const auto here = seen_by(row, [](const auto& work) { work(); });
         const auto elsewhere = seen_by(row, [](const auto& work) { std::thread(work).join(); });
         for (std::size_t i = 0; i < here.size(); ++i) {
@@ -297,7 +297,7 @@ TEST(Filters, ASecondOneGivesWhatItGivesAlone) {
             const std::vector<fields::Field> alone = fields_of(options, 6, with_colour);
             options.filter = first;
             const std::vector<fields::Field> without = fields_of(options, 6, with_colour);
-            options.second = row.name;
+            options.second = &row;
             const std::vector<fields::Field> both = fields_of(options, 6, with_colour);
             for (std::size_t f = 0; f < both.size(); ++f) {
                 ASSERT_TRUE(std::ranges::equal(both[f].second.pixels(), alone[f].scalar.pixels()))

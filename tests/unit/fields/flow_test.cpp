@@ -33,7 +33,7 @@ std::vector<fields::FlowOptions> all_methods() {
 }
 
 std::string name_of(const fields::FlowOptions& options) {
-    return options.method + " " + options.solver;
+    return std::string(options.method->name) + " " + std::string(options.solver->name);
 }
 
 void expect_finite(const fields::Flow& flow, Size size) {

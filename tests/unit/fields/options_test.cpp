@@ -6,15 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fields/seeds.h"
 #include "tests/support/errors.h"
 
 namespace vvr {
 namespace {
 
 std::string error_of(const std::function<void(fields::FieldOptions&)>& change) {
-    fields::FieldOptions options;
-    change(options);
-    return test::error_text(ErrorKind::usage, [&] { fields::validate(options); });
+    return test::error_text(ErrorKind::usage, [&] {
+        fields::FieldOptions options;
+        change(options);
+        fields::validate(options);
+    });
 }
 
 TEST(FieldOptions, DefaultsAreValid) {
@@ -58,11 +61,11 @@ TEST(FieldOptions, UnknownNames) {
 
 TEST(FieldOptions, SeedSelections) {
     for (const char* const good : {"all", "first:1", "first:0", "random:20", "random:20:7"}) {
-        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = good; }), "no error") << good;
+        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = fields::parse_seed_selection(good); }), "no error") << good;
     }
     for (const char* const bad :
          {"", "All", "first", "first:", "first:-1", "first:1x", "random:", "random:1:", "random:1:x"}) {
-        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = bad; }),
+        EXPECT_EQ(error_of([&](auto& o) { o.seeds.select = fields::parse_seed_selection(bad); }),
                   std::string("seed-select: '") + bad + "' is not one of: all, first:N, random:N, random:N:NUMBER");
     }
 }

@@ -83,7 +83,8 @@ TEST(Pipeline, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Pipeline, SeedsFollowTheWalker) {
-    const std::vector<fields::Field> fields = fields_of(30, {.seeds = {.grid = 6, .min_magnitude = 0.5}, .threads = 2});
+    const std::vector<fields::Field> fields =
+        fields_of(30, {.seeds = {.grid = 6, .min_magnitude = 0.5, .select = {}}, .threads = 2});
     ASSERT_GT(fields[15].seeds.size(), 4U);
     double u = 0;
     for (const fields::Seed& seed : fields[15].seeds) {

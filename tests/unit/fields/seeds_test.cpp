@@ -34,7 +34,7 @@ struct Example {
 
 TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
     const Example example;
-    const std::vector<fields::Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 3});
+    const std::vector<fields::Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 3, .select = {}});
     std::set<std::pair<float, float>> points;
     for (const fields::Seed& seed : seeds) {
         EXPECT_EQ(static_cast<int>(seed.x) % 10, 5);
@@ -47,16 +47,18 @@ TEST(Seeds, LieOnTheGridWhereTheObjectMoves) {
         points.insert({seed.x, seed.y});
     }
     EXPECT_EQ(points.size(), 3U * 3);
-    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0}).size(), 6U * 3);
-    EXPECT_TRUE(example.seeds({.grid = 10, .min_magnitude = 100}).empty());
-    EXPECT_EQ(example.seeds({.grid = 1, .min_magnitude = 0}).size(), 60U * 30) << "a grid of one is every pixel";
-    EXPECT_TRUE(example.seeds({.grid = 200, .min_magnitude = 0}).empty());
+    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = {}}).size(), 6U * 3);
+    EXPECT_TRUE(example.seeds({.grid = 10, .min_magnitude = 100, .select = {}}).empty());
+    EXPECT_EQ(example.seeds({.grid = 1, .min_magnitude = 0, .select = {}}).size(), 60U * 30)
+        << "a grid of one is every pixel";
+    EXPECT_TRUE(example.seeds({.grid = 200, .min_magnitude = 0, .select = {}}).empty());
 }
 
 TEST(Seeds, AreSortedByTheCriterion) {
     const Example example;
     const auto sorted = [&](const char* order, auto key) {
-        const std::vector<fields::Seed> seeds = example.seeds({.grid = 10, .min_magnitude = 0, .order = order});
+        const std::vector<fields::Seed> seeds =
+            example.seeds({.grid = 10, .min_magnitude = 0, .order = order, .select = {}});
         ASSERT_EQ(seeds.size(), 18U);
         for (std::size_t k = 1; k < seeds.size(); ++k) EXPECT_GE(key(seeds[k - 1]), key(seeds[k])) << order << " " << k;
     };
@@ -67,27 +69,31 @@ TEST(Seeds, AreSortedByTheCriterion) {
 
 TEST(Seeds, FirstTakesTheMostImportant) {
     const Example example;
-    const std::vector<fields::Seed> all = example.seeds({.grid = 10, .min_magnitude = 0});
-    const std::vector<fields::Seed> first = example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:5"});
+    const std::vector<fields::Seed> all = example.seeds({.grid = 10, .min_magnitude = 0, .select = {}});
+    const std::vector<fields::Seed> first =
+        example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:5")});
     ASSERT_EQ(first.size(), 5U);
     EXPECT_TRUE(std::equal(first.begin(), first.end(), all.begin()));
-    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:1000"}), all);
-    EXPECT_TRUE(example.seeds({.grid = 10, .min_magnitude = 0, .select = "first:0"}).empty());
+    EXPECT_EQ(example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:1000")}),
+              all);
+    EXPECT_TRUE(
+        example.seeds({.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("first:0")}).empty());
 }
 
 TEST(Seeds, RandomRepeatsWithItsNumber) {
     const Example example;
-    const fields::SeedOptions options{.grid = 4, .min_magnitude = 0, .select = "random:20"};
+    const fields::SeedOptions options{
+        .grid = 4, .min_magnitude = 0, .select = fields::parse_seed_selection("random:20")};
     const std::vector<fields::Seed> once = example.seeds(options);
     ASSERT_EQ(once.size(), 20U);
     EXPECT_EQ(example.seeds(options), once);
     EXPECT_NE(example.seeds(options, 1), once) << "another frame, other points";
     fields::SeedOptions other = options;
-    other.select = "random:20:2";
+    other.select = fields::parse_seed_selection("random:20:2");
     EXPECT_NE(example.seeds(other), once);
     for (std::size_t k = 1; k < once.size(); ++k) EXPECT_GE(once[k - 1].u, once[k].u) << "still in order";
-    other.select = "random:100000";
-    EXPECT_EQ(example.seeds(other).size(), example.seeds({.grid = 4, .min_magnitude = 0}).size());
+    other.select = fields::parse_seed_selection("random:100000");
+    EXPECT_EQ(example.seeds(other).size(), example.seeds({.grid = 4, .min_magnitude = 0, .select = {}}).size());
 }
 
 // Over many frames each of the 18 points is drawn about as often as any other.
@@ -95,7 +101,8 @@ TEST(Seeds, RandomIsFair) {
     const Example example;
     std::map<std::pair<float, float>, int> drawn;
     for (int frame = 0; frame < 3000; ++frame) {
-        for (const fields::Seed& s : example.seeds({.grid = 10, .min_magnitude = 0, .select = "random:3"}, frame)) {
+        for (const fields::Seed& s : example.seeds(
+                 {.grid = 10, .min_magnitude = 0, .select = fields::parse_seed_selection("random:3")}, frame)) {
             ++drawn[{s.x, s.y}];
         }
     }

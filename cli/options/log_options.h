@@ -4,6 +4,7 @@
 
 #include <spdlog/logger.h>
 
+#include "cli/log.h"
 #include "cli/options/command_line.h"
 
 namespace vvr::options {
@@ -12,8 +13,8 @@ namespace vvr::options {
 struct LogOptions {
     bool quiet = false;
     bool verbose = false;
-    std::string log_file;             ///< empty = none
-    std::string log_format = "text";  ///< "text" or "json"
+    std::string log_file;  ///< empty = none
+    Choice<cli::LogFormat> log_format = "text";
 };
 
 void add_log_options(CommandLine& line, LogOptions& options);
