@@ -233,20 +233,14 @@ TEST(Parts, HoldAllThatIsNotZeroWithItsMargin) {
 }
 
 TEST(FlowTable, UnknownNamesSayWhatThereIs) {
-    const auto text_of = [](const fields::FlowOptions& options) {
-        return test::error_text(ErrorKind::usage, [&] { fields::make_flow(options); });
-    };
     fields::FlowOptions options;
-    options.method = "horn-schunk";
-    EXPECT_EQ(text_of(options),
+    const auto text_of = [](const auto& change) { return test::error_text(ErrorKind::usage, change); };
+    EXPECT_EQ(text_of([&] { options.method = "horn-schunk"; }),
               "flow: there is no 'horn-schunk' (did you mean 'horn-schunck'?); it is one of: horn-schunck, dis, "
               "farneback, none");
-    options.method = "horn-schunck";
-    options.solver = "sor";
-    EXPECT_EQ(text_of(options), "solver: there is no 'sor'; it is one of: pyramid, jacobi");
-    options.solver = "jacobi";
-    options.derivatives = "cubes";
-    EXPECT_EQ(text_of(options), "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
+    EXPECT_EQ(text_of([&] { options.solver = "sor"; }), "solver: there is no 'sor'; it is one of: pyramid, jacobi");
+    EXPECT_EQ(text_of([&] { options.derivatives = "cubes"; }),
+              "derivatives: there is no 'cubes' (did you mean 'cube'?); it is one of: barron, cube");
     options.method = "none";
     EXPECT_EQ(fields::make_flow(options), nullptr);
 }
