@@ -19,6 +19,8 @@
 
 namespace vvr::gl {
 
+namespace {
+
 struct DeleteSync {
     const GladGLContext* gl = nullptr;
     void operator()(GLsync sync) const { gl->DeleteSync(sync); }
@@ -42,6 +44,8 @@ class Fence {
   private:
     std::unique_ptr<std::remove_pointer_t<GLsync>, DeleteSync> sync_;
 };
+
+}  // namespace
 
 std::vector<DrawnPart> drawing_order(const space::Layout& layout, const glm::dvec3& from,
                                      std::span<const bricks::PlacedCells> bricks, std::span<const double> standing) {

@@ -88,9 +88,9 @@ std::vector<ZoneChange> zone_changes(std::int64_t begin, std::int64_t end);
 
 /// The clock on a wall while a clip was recorded.
 struct Clock {
-    /// \param begins what it showed at second 0 of the clip, in seconds since 1970-01-01 00:00 on that clock, of
-    /// whatever
-    ///        zone
+    /// A clock of whatever zone.
+    /// \param begins what it showed at second 0 of the clip, in seconds since 1970-01-01 00:00
+    ///        on that clock
     Clock(std::int64_t begins) : begin(begins) {}
 
     /// When summer time began or ended.

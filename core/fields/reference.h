@@ -42,8 +42,8 @@ const ReferenceRow* find_reference(std::string_view name);
 
 /// The empty scene of a clip, after a row of the table or from a picture file, which is brought to the clip's field
 /// size. Where changes of light are made up for, so they are here; and frames of a camera that shakes are aligned.
-/// Leaves the clip at its first frame. \throws Error as validate_reference; io or not_video for a picture that can't be
-/// read
+/// Leaves the clip at its first frame.
+/// \throws Error as validate_reference; io or not_video for a picture that can't be read
 Reference make_reference(video::FrameSource& clip, const FieldOptions& options);
 
 /// \throws Error usage for what is neither in the table nor the name of a file

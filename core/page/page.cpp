@@ -27,11 +27,6 @@
 
 namespace vvr::page {
 
-/// Whose page it is: "back-door · Tue 17 Nov 2026, 07:15", with the minute of the end if that is another. Where the
-/// time of day is not known, the name alone. \param name of the camera, or of the clip where that is not known \param
-/// begin, end seconds of the clip
-std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end);
-
 namespace {
 
 constexpr std::array<std::string_view, 7> weekdays{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
@@ -58,8 +53,10 @@ struct Minute {
     }
 };
 
-}  // namespace
-
+/// Whose page it is: "back-door · Tue 17 Nov 2026, 07:15", with the minute of the end if that is another. Where the
+/// time of day is not known, the name alone.
+/// \param name of the camera, or of the clip where that is not known
+/// \param begin, end seconds of the clip
 std::string heading_of(const std::string& name, const WallClock& clock, double begin, double end) {
     if (!clock) return name;
     const Minute first(clock->at(begin));
@@ -68,8 +65,6 @@ std::string heading_of(const std::string& name, const WallClock& clock, double b
     if (last.day != first.day) return fmt::format("{} – {}, {}", heading, last.date(), last.time);
     return last.time == first.time ? heading : fmt::format("{}–{}", heading, last.time);
 }
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 
