@@ -78,7 +78,7 @@ void LiveObjects::decide(std::int64_t oldest) {
     std::erase_if(numbers_, [&](const auto& known) { return !tracks_.contains(known.first); });
     for (auto& [track, seen] : tracks_) {
         if (seen.decided) continue;
-        seen.decided = seen.last.seconds - seen.first.seconds >= events::EventOptions{}.least;
+        seen.decided = seen.last.seconds - seen.first.seconds >= events::thresholds.event.least;
         if (!seen.decided) seen.undecided = last_.frame + 1;
     }
 }

@@ -51,10 +51,10 @@ struct BrickCells {
 
 /// The cells of a brick.
 /// \param t_span the part of the window's t_C that the brick takes
-/// \param margin P-space units around what can be seen that belong to the cells too. A pixel is shaded at its centre
-/// and
-///        weighted by how much of it a polygon covers: with half of a pixel's diagonal, cells cover the whole of each
-///        pixel in whose centre something is seen, however the volume is cut.
+/// \param margin P-space units around what can be seen that belong to the cells too. A pixel is shaded at its
+///        centre, and weighted by how much of it a polygon covers. With half of a pixel's diagonal as the margin,
+///        cells cover the whole of each pixel in whose centre something is seen, however the volume
+///        is cut.
 BrickCells brick_cells(const BrickLayers& layers, double t_span, const space::Layout& layout, double margin = 0);
 
 /// The cells of a brick, and the part of the window's t_C that the brick takes.

@@ -110,7 +110,8 @@ struct Layer {
 };
 
 /// Joins a layer with the one after it; each voxel keeps the colour and the owner of the greater value, the first of
-/// two alike. \param values that say how two values join
+/// two alike.
+/// \param values that say how two values join
 void join(Layer& layer, const Layer& next, fields::Values values = fields::Values::strength);
 
 /// Pixels times frames in which a layer shows something that was not there, more than its two halves do: what is lost

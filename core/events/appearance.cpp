@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/events/event_options.h"
+
 namespace vvr::events {
 
 namespace {
@@ -47,7 +49,7 @@ Appearance::Appearance(const Patch& patch, const FrameView& sight) : looks_(1) {
         if (number++ % every != 0) return;
         const int part = std::clamp((j - patch.box.top) * parts / height, 0, parts - 1);
         const Bgr c = sight.at(i, j);
-        const int brightness = (c[0] + 2 * c[1] + c[2]) / 4;
+        const int brightness = fields::brightness_of(c);
         const std::array<const Place*, channels> places{
             &brightness_places[static_cast<std::size_t>(brightness)],
             &chroma_places[static_cast<std::size_t>(c[0] - brightness + 255)],
@@ -84,11 +86,10 @@ double distance(const Appearance& a, const Appearance& b) {
 
 namespace {
 
-constexpr int search = 3;          // pixels that an object may be off the place where motion leads
-constexpr double astray = 0.004;   // similarity that a squared pixel away from there must make good
-constexpr int most_samples = 100;  // pixels of a template that are compared
-constexpr int unlike = 72;         // levels of a channel at which two colours have nothing in common
+constexpr auto& limit = thresholds.merged;
+constexpr int unlike = limit.unlike;
 constexpr int own = unlike / 2;    // similarity of a pixel that is taken
+constexpr int most_samples = 100;  // pixels of a template that are compared
 
 /// 0 for two colours with nothing in common, `unlike` for the same.
 int similarity(const Bgr& a, const Bgr& b) {
@@ -147,7 +148,7 @@ Match place_at(const std::vector<Sample>& samples, const FrameView& sight, const
     }
     const double all = static_cast<double>(unlike) * static_cast<double>(std::max<std::size_t>(1, samples.size()));
     const double part = sum / all;
-    return {expected + off, part - against / all - astray * (off.x * off.x + off.y * off.y), part};
+    return {expected + off, part - against / all - limit.astray * (off.x * off.x + off.y * off.y), part};
 }
 
 /// Looks at every other pixel first, and then about the best of them.
@@ -161,8 +162,8 @@ Match best_match(const std::vector<Sample>& samples, const FrameView& sight, con
         best = place;
         best_off = off;
     };
-    for (int y = -search; y <= search; y += 2) {
-        for (int x = -search; x <= search; x += 2) look({x, y});
+    for (int y = -limit.search; y <= limit.search; y += 2) {
+        for (int x = -limit.search; x <= limit.search; x += 2) look({x, y});
     }
     const glm::ivec2 middle = best_off;
     for (int y = -1; y <= 1; ++y) {

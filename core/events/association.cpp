@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/events/event_options.h"
+
 namespace vvr::events {
 
 // Each row may also take a private column of cost `most`: then it stays without one.
@@ -65,34 +67,33 @@ std::vector<std::optional<int>> assign(const Plane<double>& costs, double most) 
 
 namespace {
 
-constexpr double never = 10;
-constexpr double like_size = 2.5;     // times by which the areas of one thing differ at most from frame to frame
-constexpr double shared_part = 0.15;  // of a track that falls on a blob in which it is not alone
-constexpr double wider = 1.15;        // times its usual size that an object is with its pieces
+constexpr auto& limit = thresholds.association;
 
 double ratio(double a, double b) {
     return std::max(a, b) / std::max(1.0, std::min(a, b));
 }
 
-double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look,
-               const EventOptions& options) {
+double cost_of(const PredictedTrack& track, int overlap, const Patch& blob, const Appearance& look) {
     const Patch& patch = *track.patch;
     const double looks = distance(*track.appearance, look);
     if (overlap > 0) {
         const double all = std::max(1, patch.area + blob.area - overlap);
         const double places = std::max(0.0, 1 - overlap / all);
-        return track.was_merged ? 0.5 * places + 0.8 * looks : 0.8 * places + 0.2 * looks;
+        return track.was_merged ? limit.merged_place * places + limit.merged_looks * looks
+                                : limit.place_weight * places + limit.looks_weight * looks;
     }
     const double length = std::max(track.usual_size.x, track.usual_size.y);
-    const double away = glm::distance(patch.centre + glm::dvec2(track.shift), blob.centre) / std::max(4.0, length);
-    if (away > options.gate || ratio(patch.area, blob.area) > like_size) return never;
-    return 0.5 + 0.25 * away / options.gate + 0.5 * looks;
+    const double away =
+        glm::distance(patch.centre + glm::dvec2(track.shift), blob.centre) / std::max(thresholds.least_length, length);
+    if (away > limit.gate || ratio(patch.area, blob.area) > limit.area_ratio) return never;
+    return limit.apart + limit.apart_place * away / limit.gate + limit.apart_looks * looks;
 }
 
 /// Whether a blob belongs to a track that goes on in `rest`: together they are no larger than it has been.
 bool is_fragment(const Patch& piece, const Patch& rest, const PredictedTrack& track) {
     const PixelBox whole = bounding_box(piece.box, rest.box);
-    return whole.width() <= wider * track.usual_size.x + 2 && whole.height() <= wider * track.usual_size.y + 2;
+    return whole.width() <= limit.fragment_size * track.usual_size.x + 2 &&
+           whole.height() <= limit.fragment_size * track.usual_size.y + 2;
 }
 
 }  // namespace
@@ -108,8 +109,7 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
     return counts;
 }
 
-Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks,
-                     const EventOptions& options) {
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks) {
     const std::size_t count = blobs.patches.size();
     Assignment result{std::vector<std::vector<std::size_t>>(count), std::vector<std::optional<std::size_t>>(count),
                       std::vector<std::optional<std::size_t>>(count)};
@@ -122,17 +122,17 @@ Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs,
         if (std::ranges::max(overlap[k]) == 0) overlap[k] = overlaps_of(*tracks[k].patch, {}, blobs);
         for (std::size_t b = 0; b < count; ++b) {
             costs.at(static_cast<int>(b), static_cast<int>(k)) =
-                cost_of(tracks[k], overlap[k][b], blobs.patches[b], looks[b], options);
+                cost_of(tracks[k], overlap[k][b], blobs.patches[b], looks[b]);
         }
     }
-    const std::vector<std::optional<int>> assigned = assign(costs, options.merge_cost);
+    const std::vector<std::optional<int>> assigned = assign(costs, limit.cost);
     for (std::size_t k = 0; k < tracks.size(); ++k) {
         if (assigned[k]) result.tracks[static_cast<std::size_t>(*assigned[k])].push_back(k);
     }
     for (std::size_t k = 0; k < tracks.size(); ++k) {
         if (assigned[k]) continue;
         const auto most = std::ranges::max_element(overlap[k]);
-        if (*most < shared_part * tracks[k].patch->area) continue;
+        if (*most < limit.shared_part * tracks[k].patch->area) continue;
         result.tracks[static_cast<std::size_t>(most - overlap[k].begin())].push_back(k);
     }
 

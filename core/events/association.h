@@ -6,10 +6,12 @@
 
 #include "core/base/plane.h"
 #include "core/events/appearance.h"
-#include "core/events/event_options.h"
 #include "core/events/patch.h"
 
 namespace vvr::events {
+
+/// A cost that nothing is worth.
+inline constexpr double never = 10;
 
 /// Gives each row at most one column, so that the sum of the costs is the least that there is (the Hungarian method
 /// with potentials, after Kuhn and Munkres: O(rows² · columns)).
@@ -40,7 +42,6 @@ std::vector<int> overlaps_of(const Patch& patch, const glm::ivec2& shift, const 
 /// Who gets none shares the blob that it falls on. A blob that nobody took is a piece of the track that it lies in, or
 /// something new.
 /// \param looks of the blobs
-Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks,
-                     const EventOptions& options);
+Assignment associate(std::span<const PredictedTrack> tracks, const Blobs& blobs, std::span<const Appearance> looks);
 
 }  // namespace vvr::events

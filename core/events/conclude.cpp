@@ -10,15 +10,18 @@
 
 #include "core/events/patch.h"
 #include "core/events/path.h"
-#include "core/events/tracklet.h"
+#include "core/events/trajectory.h"
 
 namespace vvr::events {
 
 namespace {
 
-/// One object: its tracklets in order of time, and what is known of it.
+constexpr auto& limit = thresholds.event;
+constexpr auto& things = thresholds.thing;
+
+/// One object, and what is known of it.
 struct Candidate {
-    std::vector<std::size_t> parts;  // places of its tracklets
+    std::vector<std::size_t> tracks;
     Tracklet whole;
     EventKind kind = EventKind::moved;
     bool wanted = true;
@@ -31,12 +34,14 @@ enum class Evidence { there, gone, light };
 
 class Conclusion {
   public:
-    Conclusion(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
-               const EventOptions& options)
-        : tracklets_(std::move(tracklets)), span_(span), scene_(scene), options_(options) {}
+    Conclusion(Trajectories trajectories, const Span& span, const fields::Planes& scene, const EventOptions& options)
+        : span_(span), scene_(scene), options_(options), object_of_(std::move(trajectories.of_track)) {
+        for (Trajectory& one : trajectories.all) {
+            candidates_.push_back({std::move(one.tracks), std::move(one.whole)});
+        }
+    }
 
     std::vector<Event> run() {
-        join();
         look_at_ends();
         for (Candidate& candidate : candidates_) judge(candidate);
         absorb_fragments();
@@ -48,85 +53,11 @@ class Conclusion {
     }
 
   private:
-    void join() {
-        std::ranges::stable_sort(tracklets_, {},
-                                 [](const Tracklet& t) { return std::pair(t.begin.at.frame, t.number); });
-        const auto next = link(tracklets_, options_);
-        std::vector<bool> follows(tracklets_.size());
-        for (const auto& n : next) {
-            if (n) follows[*n] = true;
-        }
-        for (std::size_t k = 0; k < tracklets_.size(); ++k) {
-            if (follows[k]) continue;
-            Candidate candidate{{k}, tracklets_[k]};
-            for (auto n = next[k]; n; n = next[*n]) {
-                candidate.parts.push_back(*n);
-                append(tracklets_[*n], candidate.whole);
-            }
-            for (const std::size_t part : candidate.parts) object_of_[tracklets_[part].number] = candidates_.size();
-            candidates_.push_back(std::move(candidate));
-        }
-        for (std::size_t k = 0; k < candidates_.size(); ++k) begin_with_group(k);
-    }
-
-    static void append(const Tracklet& later, Tracklet& whole) {
-        const double first_part = whole.seconds();
-        const double later_part = later.seconds();
-        const double all = std::max(1e-6, first_part + later_part);
-        const auto mean = [&](double a, double b) { return (a * first_part + b * later_part) / all; };
-        whole.seen = mean(whole.seen, later.seen);
-        whole.flicker = mean(whole.flicker, later.flicker);
-        whole.continuous = mean(whole.continuous, later.continuous);
-        whole.area = mean(whole.area, later.area);
-        whole.length = mean(whole.length, later.length);
-        whole.size = glm::max(whole.size, later.size);
-        whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
-        whole.box = bounding_box(whole.box, later.box);
-        while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {
-            whole.path.pop_back();
-            whole.areas.pop_back();
-        }
-        whole.path.insert(whole.path.end(), later.path.begin(), later.path.end());
-        whole.areas.insert(whole.areas.end(), later.areas.begin(), later.areas.end());
-        whole.stays.insert(whole.stays.end(), later.stays.begin(), later.stays.end());
-        if (later.settled) whole.settled = later.settled;
-        whole.stood_from_start = whole.stood_from_start && later.stood_from_start;
-        if (later.portrait && (!whole.portrait || later.portrait->score > whole.portrait->score)) {
-            whole.portrait = later.portrait;
-        }
-        whole.into = later.into;
-        whole.end = later.end;
-    }
-
-    /// Two came as one and part: whoever got a new number then was there before, in the other's blob.
-    void begin_with_group(std::size_t k) {
-        Tracklet& own = candidates_[k].whole;
-        if (!own.from || own.area_of_parent <= 0 || own.stood_from_start || own.seconds() < 2 * options_.least) return;
-        const double times = own.area_of_parent / std::max(1.0, own.area);
-        if (times < least_group || times > most_group) return;
-        const auto found = object_of_.find(*own.from);
-        if (found == object_of_.end() || found->second == k) return;
-        const Tracklet& other = candidates_[found->second].whole;
-        std::vector<PathPoint> before;
-        for (std::size_t p = 0; p < other.path.size(); ++p) {
-            if (other.path[p].at.frame >= own.begin.at.frame) break;
-            before.push_back(other.path[p]);
-            if (other.areas[p] > 0 && other.areas[p] < small_part * own.area_of_parent) before.clear();
-        }
-        if (before.empty()) return;
-        own.path.insert(own.path.begin(), before.begin(), before.end());
-        own.areas.insert(own.areas.begin(), before.size(), 0);
-        own.begin.at = before.front().at;
-        own.begin.place = before.front().place;
-        own.from.reset();
-        own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
-    }
-
     const Stretch& stretch_of(const Tracklet& own) const { return span_.stretches[own.stretch]; }
 
     /// Whether it was there when its stretch began: what it did before nobody knows.
     bool was_there_first(const Tracklet& own) const {
-        return own.begin.at.seconds - stretch_of(own).first.seconds < options_.stay;
+        return own.begin.at.seconds - stretch_of(own).first.seconds < thresholds.stationary.stay;
     }
 
     /// Marks what stands at the ends of its stretch, before ghosts are set right.
@@ -136,7 +67,8 @@ class Conclusion {
             Candidate& candidate = candidates_[k];
             const Tracklet& own = candidate.whole;
             candidate.from_first = was_there_first(own);
-            candidate.to_last = own.stood_to_end && stretch_of(own).last.seconds - own.end.at.seconds < options_.stay;
+            candidate.to_last =
+                own.stood_to_end && stretch_of(own).last.seconds - own.end.at.seconds < thresholds.stationary.stay;
             in_stretch_[own.stretch].push_back(k);
         }
     }
@@ -153,7 +85,7 @@ class Conclusion {
     static bool is_at_same_place(const Tracklet& a, const Tracklet& b) {
         if (!a.settled || !b.settled) return false;
         const double off = glm::distance(a.settled->patch.centre, b.settled->patch.centre);
-        return off < same_place * std::max(4.0, b.length);
+        return off < thresholds.stationary.same_place * std::max(thresholds.least_length, b.length);
     }
 
     /// Whether it was there from the first to the last frame, as far as there are any.
@@ -161,7 +93,7 @@ class Conclusion {
         if (!candidate.from_first || !candidate.to_last) return false;
         for (std::size_t k = 0; k < span_.stretches.size(); ++k) {
             const Stretch& stretch = span_.stretches[k];
-            const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * options_.stay;
+            const bool can_settle = stretch.last.seconds - stretch.first.seconds >= 2 * thresholds.stationary.stay;
             if (k != candidate.whole.stretch && can_settle && !stood_in(k, candidate.whole, true)) return false;
         }
         return true;
@@ -171,28 +103,25 @@ class Conclusion {
         const Tracklet& own = candidate.whole;
         if (scene_.empty()) return Evidence::there;
         const Settled& settled = *own.settled;
-        const double empty = edge_strength(settled.patch, span_.field, [&](int i, int j) -> int {
-            if (scene_.colour.empty()) return scene_.grey.at(i, j);
-            const Bgr& c = scene_.colour.at(i, j);
-            return (c[0] + 2 * c[1] + c[2]) / 4;
-        });
+        const double empty = edge_strength(settled.patch, {scene_.grey, scene_.grey, scene_.colour});
         // Of a camera that shakes the empty scene is not sharp everywhere.
         if (options_.scene_is_learnt && was_always_there(candidate)) return Evidence::light;
-        if (settled.edges > ghost_ratio * empty && settled.edges >= least_edges) return Evidence::there;
-        if (empty > ghost_ratio * settled.edges && empty >= least_edges) return Evidence::gone;
-        return settled.edges >= 2 * least_edges ? Evidence::there : Evidence::light;
+        if (settled.edges > things.edge_ratio * empty && settled.edges >= things.edges) return Evidence::there;
+        if (empty > things.edge_ratio * settled.edges && empty >= things.edges) return Evidence::gone;
+        return settled.edges >= 2 * things.edges ? Evidence::there : Evidence::light;
     }
 
     void judge(Candidate& candidate) {
         const Tracklet& own = candidate.whole;
-        const double needed = options_.own_lengths * own.length *
-                              (1 + options_.flicker_lengths * std::min(3.0, own.flicker / options_.flicker));
-        const bool went = own.moved >= needed && own.seen >= options_.seen_part;
+        const double needed =
+            limit.own_lengths * own.length *
+            (1 + limit.flicker_lengths * std::min(limit.most_flicker, own.flicker / thresholds.pixel.flicker));
+        const bool went = own.moved >= needed && own.seen >= limit.seen_part;
         const bool stands_only = own.settled && own.stood_from_start;
         const bool jumps =
-            own.continuous < options_.continuous || (!own.settled && straightness_of(own.path) < options_.steady_way);
+            own.continuous < limit.continuous || (!own.settled && straightness_of(own.path) < limit.steady_way);
         const bool inside = !own.begin.at_border && !own.end.at_border && !own.settled;
-        const double least = !inside ? options_.least : own.from ? options_.least_fragment : options_.least_inside;
+        const double least = !inside ? limit.least : own.from ? limit.least_fragment : limit.least_inside;
         candidate.wanted = own.seconds() >= least && !jumps && (went || own.settled);
         if (!candidate.wanted) return;
         if (!stands_only) {
@@ -227,7 +156,7 @@ class Conclusion {
         own.in_scene = true;
         own.begin.at = own.gone;
         own.end.at = stretch_of(own).last;
-        if (own.seconds() < options_.stay) candidate.wanted = false;
+        if (own.seconds() < thresholds.stationary.stay) candidate.wanted = false;
         own.from = own.into;
         own.into.reset();
         own.path = {{own.begin.at, own.settled->patch.centre}, {own.end.at, own.settled->patch.centre}};
@@ -263,9 +192,9 @@ class Conclusion {
             const PixelBox both = intersection(near, *own);
             if (both.empty()) continue;
             const double all = std::max(1.0, static_cast<double>(own->width()) * own->height());
-            if (both.width() * both.height() >= piece_inside * all) ++inside;
+            if (both.width() * both.height() >= thresholds.fragment.inside * all) ++inside;
         }
-        return inside >= piece_shared * samples;
+        return inside >= thresholds.fragment.shared * samples;
     }
 
     void absorb_fragments() {
@@ -284,7 +213,7 @@ class Conclusion {
                 const bool apart = piece.whole.begin.at.frame > whole.whole.end.at.frame ||
                                    piece.whole.end.at.frame < whole.whole.begin.at.frame;
                 if (apart) continue;
-                const bool small = 2 * size_of(order[b]) <= size_of(order[a]);
+                const bool small = size_of(order[b]) <= thresholds.fragment.size * size_of(order[a]);
                 if (!piece.wanted || (!small && !piece.whole.stood_from_start)) continue;
                 if (is_fragment_of(piece.whole, whole.whole)) piece.wanted = false;
             }
@@ -296,7 +225,7 @@ class Conclusion {
         constexpr int samples = 8;
         const PixelBox& place = thing.settled->patch.box;
         for (int n = 0; n <= samples; ++n) {
-            const double seconds = thing.begin.at.seconds + just_after - n * (just_after + just_before) / samples;
+            const double seconds = thing.begin.at.seconds + things.after - n * (things.after + things.before) / samples;
             const double frames = (seconds - thing.begin.at.seconds) / span_.seconds_per_frame();
             const std::optional<PixelBox> box = box_at(bearer, seconds, thing.begin.at.frame + std::llround(frames));
             if (box && box->inflated(1 + box->width(), 1 + box->height() / 2).intersects(place)) return true;
@@ -326,7 +255,7 @@ class Conclusion {
             return;
         }
         // Of few frames per second somebody may come and go between two.
-        if (was_there_first(own) || span_.seconds_per_frame() > most_between) return;
+        if (was_there_first(own) || span_.seconds_per_frame() > things.most_between) return;
         bool any = false;
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t other = 0; other < candidates_.size(); ++other) {
@@ -410,7 +339,7 @@ class Conclusion {
             if (own.in_scene && own.settled) {
                 event.in_scene = ScenePatch{own.settled->patch.box, own.settled->patch.values};
             }
-            for (const std::size_t part : candidate.parts) event.tracks.push_back(tracklets_[part].number);
+            event.tracks = std::move(candidate.tracks);
             events.push_back(std::move(event));
         }
         for (std::size_t p = 0; p < events.size(); ++p) {
@@ -421,19 +350,6 @@ class Conclusion {
         return events;
     }
 
-    static constexpr double piece_inside = 0.6;  // of a piece's box that lies in that of the whole
-    static constexpr double piece_shared = 0.7;  // of its time
-    static constexpr double same_place = 0.5;    // of a thing's length, by which it is off where it was before a gap
-    static constexpr double least_group = 1.4;   // times a group is larger than one of it
-    static constexpr double most_group = 3.3;
-    static constexpr double small_part = 0.7;    // of a group's area: then it was not the group yet
-    static constexpr double just_before = 3;     // seconds before a thing comes to light in which its bearer was there
-    static constexpr double just_after = 0.5;    // and after
-    static constexpr double most_between = 0.5;  // seconds from frame to frame
-    static constexpr double ghost_ratio = 1.3;   // by which the edges must be stronger on one side
-    static constexpr double least_edges = 10;    // grey levels; weaker ones are those of light and noise
-
-    std::vector<Tracklet> tracklets_;
     Span span_;
     const fields::Planes& scene_;
     EventOptions options_;
@@ -446,7 +362,7 @@ class Conclusion {
 
 std::vector<Event> conclude(std::vector<Tracklet> tracklets, const Span& span, const fields::Planes& scene,
                             const EventOptions& options) {
-    return Conclusion(std::move(tracklets), span, scene, options).run();
+    return Conclusion(join(std::move(tracklets)), span, scene, options).run();
 }
 
 }  // namespace vvr::events

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/events/event_options.h"
+
 namespace vvr::events {
 
 std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& choice) {
@@ -29,8 +31,6 @@ std::vector<Event> choose_events(std::vector<Event> events, const EventChoice& c
 
 namespace {
 
-constexpr int small_part = 8;  // of the long side
-constexpr std::int64_t many = 12;
 constexpr int cells = 12;  // per side of the picture
 constexpr int window = cells / 3;
 
@@ -71,7 +71,7 @@ std::pair<Corner, std::int64_t> fullest(const std::array<std::int64_t, cells * c
 }  // namespace
 
 std::optional<Clutter> find_clutter(std::span<const Event> events, Size field) {
-    const int most = std::max(field.width, field.height) / small_part;
+    const int most = std::max(field.width, field.height) / thresholds.clutter.size;
     std::array<std::int64_t, cells * cells> counts{};
     std::vector<const Event*> small;
     for (const Event& event : events) {
@@ -82,7 +82,7 @@ std::optional<Clutter> find_clutter(std::span<const Event> events, Size field) {
     }
     const auto [corner, inside] = fullest(counts);
     const std::int64_t count = std::ssize(small);
-    if (count < many || 2 * count < std::ssize(events) || 2 * inside < count) return std::nullopt;
+    if (count < thresholds.clutter.least || 2 * count < std::ssize(events) || 2 * inside < count) return std::nullopt;
 
     std::optional<Clutter> scraps;
     for (const Event* event : small) {

@@ -19,17 +19,13 @@ bool touches(const Patch& a, const Patch& b, int reach) {
     return false;
 }
 
-constexpr double small_part = 0.3;  // of the largest in a blob: a smaller one is not looked for in it
-constexpr double room = 0.75;       // of what several are together, that a blob must have for none to hide another
-
 }  // namespace
 
 EventFinder::EventFinder(Size field, const EventOptions& options)
     : options_(options),
       field_(field),
-      reach_(std::max(1, std::max(field.width, field.height) / 192)),
-      min_area_(std::max(4, field.width * field.height / 5000)),
-      flicker_(options.flicker_memory) {}
+      reach_(std::max(1, std::max(field.width, field.height) / thresholds.blob.reach)),
+      min_area_(std::max(thresholds.blob.pixels, field.width * field.height / thresholds.blob.area)) {}
 
 TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
     if (next_frame_++ == 0) first_ = now;
@@ -56,7 +52,7 @@ TrackedFrame EventFinder::add(const FrameView& sight, const Moment& now) {
 
 /// Numbers skip the frames that a recording, or a stream, has lost. Of a slow rate none is skipped.
 bool EventFinder::follows_gap(const Moment& now) const {
-    return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= options_.no_signal;
+    return now.frame > last_.frame + 1 && now.seconds - last_.seconds >= thresholds.no_signal;
 }
 
 void EventFinder::restart() {
@@ -72,8 +68,8 @@ Plane<std::uint8_t> EventFinder::without_stationary(const FrameView& sight, cons
     for (Track& track : tracks_) {
         if (!track.stands()) continue;
         const double part = track.visible_part(field);
-        if (part < options_.visible) continue;
-        const bool alone = part >= options_.undisturbed;
+        if (part < thresholds.stationary.visible) continue;
+        const bool alone = part >= thresholds.stationary.undisturbed;
         track.update_stationary(sight, now, alone);
         // Its rim is never quite still. Where somebody is about it, that rim may be theirs.
         const int rim = alone ? reach_ + 1 : 0;
@@ -99,7 +95,7 @@ Assignment EventFinder::associate_movers(const Blobs& blobs, std::span<const App
         expected.push_back(
             {&track.patch(), track.shift_at(now), &track.look(), track.state() == State::merged, track.usual_size()});
     }
-    Assignment assignment = associate(expected, blobs, looks, options_);
+    Assignment assignment = associate(expected, blobs, looks);
     for (auto& chosen : assignment.tracks) {
         for (std::size_t& k : chosen) k = movers[k];
     }
@@ -136,7 +132,8 @@ void EventFinder::track_occluded(const FrameView& sight, Blobs& blobs, std::vect
         for_each_pixel(track.patch(),
                        [&](int i, int j, std::uint8_t) { covered += sight.field.at(i, j) != 0 ? 1 : 0; });
         const bool uncovered = 2 * covered < track.patch().area;
-        if (uncovered || now.seconds - track.seen().seconds > options_.stationary_occluded_after) end(track, true, now);
+        if (uncovered || now.seconds - track.seen().seconds > thresholds.stationary.occluded_after)
+            end(track, true, now);
     }
 }
 
@@ -226,7 +223,7 @@ void EventFinder::update_tracks(const FrameView& sight, const Blobs& blobs, std:
         if (went_on[k] || !track.follows_blobs()) continue;
         track.miss(now);
         if (track.is_leaving()) end(track, false, now);
-        if (now.seconds - track.seen().seconds > options_.lost_after) end(track, false, now);
+        if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, false, now);
     }
     std::ranges::move(begun, std::back_inserter(tracks_));
 }
@@ -241,8 +238,12 @@ void EventFinder::begin(const Patch& blob, const Appearance& look, std::optional
         const bool own = !parent || tracks_[*parent].from() == track.number();
         if (own && track.stands() && touches(blob, track.patch(), 2 * reach_ + 2)) from = track.number();
     }
-    Track& track = begun.emplace_back(next_++, from, field_, options_);
-    if (parent) track.set_parent(tracks_[*parent].usual_area(), tracks_[*parent].state() == State::moving);
+    Origin origin{from};
+    if (parent) {
+        origin.area = tracks_[*parent].usual_area();
+        origin.was_alone = tracks_[*parent].state() == State::moving;
+    }
+    Track& track = begun.emplace_back(next_++, origin, field_);
     track.see(blob, look, sight, flicker_, now);
 }
 
@@ -259,21 +260,21 @@ void EventFinder::share(const Patch& blob, std::span<const std::size_t> chosen, 
         templates.push_back(&tracks_[k].appearance_template());
         expected.push_back(tracks_[k].template_shift_at(now));
     }
-    const bool has_room = blob.area >= room * together;
+    const bool has_room = blob.area >= thresholds.merged.room * together;
     const std::vector<TemplateMatch> shares = split_blob(blob, sight, templates, expected);
     for (std::size_t n = 0; n < chosen.size(); ++n) {
         Track& track = tracks_[chosen[n]];
         track.set_near(tracks_[chosen[n == 0 ? chosen.size() - 1 : 0]].number());
         // Anything small is like some part of a person.
-        const bool is_small = track.current_area() < small_part * largest;
+        const bool is_small = track.current_area() < thresholds.merged.searched * largest;
         if (is_small) {
             track.miss_merged(now);
-            if (now.seconds - track.seen().seconds > options_.lost_after) end(track, true, now);
+            if (now.seconds - track.seen().seconds > thresholds.track.lost_after) end(track, true, now);
             continue;
         }
         const bool found = track.update_merged(shares[n], blob, has_room, sight, now);
         if (track.is_outside() || track.is_leaving()) end(track, false, now);
-        if (!found && now.seconds - track.seen().seconds > options_.occluded_after) end(track, true, now);
+        if (!found && now.seconds - track.seen().seconds > thresholds.merged.occluded_after) end(track, true, now);
     }
 }
 
@@ -305,7 +306,7 @@ void EventFinder::end(Track& track, bool taken, const Moment& now) {
     Tracklet tracklet = track.finish(taken ? track.near() : std::nullopt, now);
     tracklet.stretch = stretches_.size() - 1;
     // Rain and leaves would fill the memory of a stream that lasts for days.
-    const bool jumps = !tracklet.settled && tracklet.continuous < options_.continuous;
+    const bool jumps = !tracklet.settled && tracklet.continuous < thresholds.event.continuous;
     if (certain && !jumps) ended_.push_back(std::move(tracklet));
 }
 

@@ -1,10 +1,12 @@
 #include "core/events/patch.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/cv_view.h"
+#include "core/events/event_options.h"
 
 namespace vvr::events {
 
@@ -87,6 +89,28 @@ Blobs find_blobs(const Plane<std::uint8_t>& field, const glm::ivec2& reach, int 
         }
     }
     return blobs;
+}
+
+double edge_strength(const Patch& patch, const FrameView& sight) {
+    constexpr int across = thresholds.blob.edge;
+    const Size picture = sight.field.size();
+    double sum = 0;
+    int count = 0;
+    const auto at = [&](int i, int j) {
+        return sight.brightness(std::clamp(i, 0, picture.width - 1), std::clamp(j, 0, picture.height - 1));
+    };
+    for_each_pixel(patch, [&](int i, int j, std::uint8_t) {
+        const bool left = patch.at(i - 1, j) == 0;
+        const bool right = patch.at(i + 1, j) == 0;
+        const bool above = patch.at(i, j - 1) == 0;
+        const bool below = patch.at(i, j + 1) == 0;
+        if (!left && !right && !above && !below) return;
+        const int dx = left || right ? std::abs(at(i + across, j) - at(i - across, j)) : 0;
+        const int dy = above || below ? std::abs(at(i, j + across) - at(i, j - across)) : 0;
+        sum += std::max(dx, dy);
+        ++count;
+    });
+    return sum / std::max(1, count);
 }
 
 void add_runs(const Patch& patch, std::size_t track, FrameLabels& labels) {

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <span>
 
+#include "core/events/event_options.h"
+
 namespace vvr::events {
 
 namespace {
@@ -39,7 +41,7 @@ void Flicker::add(const Plane<std::uint8_t>& field, const Moment& now) {
     }
     std::ranges::copy(values, before.begin());
     if (now.seconds - faded_ < fade_each) return;
-    const int factor = static_cast<int>(256 * std::exp((faded_ - now.seconds) / memory_));
+    const int factor = static_cast<int>(256 * std::exp((faded_ - now.seconds) / thresholds.pixel.memory));
     for (std::uint8_t& count : counts) count = static_cast<std::uint8_t>(count * factor / 256);
     faded_ = now.seconds;
 }
@@ -54,7 +56,6 @@ double Flicker::of(const Patch& patch) const {
 
 namespace {
 
-constexpr int tolerance = 40;  // levels of a difference that is doubled: 20 grey levels
 // A field as it was takes back half of one that was otherwise: what is otherwise every second time is not steady.
 constexpr std::size_t miss = 2;
 constexpr std::size_t at_once = 64;  // pixels; most of a field is nothing, and quickly known to be
@@ -68,7 +69,7 @@ bool nothing(std::span<const std::uint8_t> values) {
 }  // namespace
 
 bool Steadiness::alike(std::uint8_t value, std::uint8_t level) {
-    return value != 0 && std::abs(int{value} - int{level}) <= tolerance;
+    return value != 0 && std::abs(int{value} - int{level}) <= thresholds.pixel.level;
 }
 
 void Steadiness::add(const Plane<std::uint8_t>& field, const Moment& now) {

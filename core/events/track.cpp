@@ -12,25 +12,8 @@ namespace vvr::events {
 
 namespace {
 
-constexpr double recent = 0.8;  // seconds over which the velocity is measured: about one step of a walker
-// A patch that becomes so much larger or smaller from one field to the next has met or lost something.
-constexpr double abrupt = 1.5;
-constexpr double grows_in = 2;      // seconds over which a larger size becomes the usual one
-constexpr double shrinks_in = 8;    // and a smaller one: it may be half hidden for that long
-constexpr double comes_back = 1.6;  // times its least area by which a blob is too large for who was leaving
-constexpr double too_much = 1.5;
-constexpr double unlike = 0.3;          // distance of looks of different people
-constexpr double enough = 0.35;         // of its usual area, which it has to itself in a shared blob: then it is there
-constexpr double sure = 0.3;            // similarity within a shared blob that is more than chance
-constexpr double part_of_parent = 0.5;  // of whom it came out of: a smaller one was carried
-constexpr double apart = 0.6;           // of the longer side of a thing, by which parts of it may be apart
-constexpr double rolls_out = 1;         // seconds for which something of one colour may look steady before it stops
-constexpr double no_jump = 0.3;         // of the smaller box that is common with where it was, or should be
-constexpr double goes_on = 0.5;         // lengths in `stay` seconds that are more than swaying
-constexpr double portrait_each = 0.2;   // seconds
-constexpr double in_company = 0.3;      // worth of a portrait with others in it; who is never alone has no better one
-constexpr double cut_off = 0.25;        // worth of a portrait that the border of the picture cuts
-constexpr double part_of_the_way = 0.25;  // by which a place within a shared blob corrects the velocity
+constexpr auto& limit = thresholds.track;
+constexpr auto& stationary = thresholds.stationary;
 
 double part_alike(const Patch& patch, const Plane<std::uint8_t>& field) {
     int alike = 0;
@@ -54,7 +37,7 @@ bool goes_over(const PixelBox& a, const PixelBox& b) {
     const PixelBox both = intersection(a, b);
     if (both.empty()) return false;
     const int smaller = std::min(a.width() * a.height(), b.width() * b.height());
-    return both.width() * both.height() >= no_jump * smaller;
+    return both.width() * both.height() >= limit.overlap * smaller;
 }
 
 double mean_gradient(const Patch& patch, const FrameView& sight) {
@@ -74,21 +57,16 @@ double mean_gradient(const Patch& patch, const FrameView& sight) {
 
 }  // namespace
 
-Track::Track(std::size_t number, std::optional<std::size_t> from, Size field, const EventOptions& options)
-    : number_(number), from_(from), field_(field), options_(options), stays_(options.stay) {}
-
 bool Track::touches_border(const PixelBox& box) const {
     return box.left <= 1 || box.top <= 1 || box.right >= field_.width - 1 || box.bottom >= field_.height - 1;
 }
 
 glm::ivec2 Track::shift_at(const Moment& now) const {
-    const glm::dvec2 place = place_ + velocity_ * (now.seconds - place_at_.seconds);
-    return glm::ivec2(glm::round(place - patch_.centre));
+    return glm::ivec2(glm::round(expected_at(now) - patch_.centre));
 }
 
 glm::ivec2 Track::template_shift_at(const Moment& now) const {
-    const glm::dvec2 place = place_ + velocity_ * (now.seconds - place_at_.seconds);
-    return glm::ivec2(glm::round(place - template_.patch.centre));
+    return glm::ivec2(glm::round(expected_at(now) - template_.patch.centre));
 }
 
 PixelBox Track::moved_box_at(const Moment& now) const {
@@ -113,38 +91,35 @@ void Track::record_position(const Moment& now, const PixelBox& box, const glm::d
 }
 
 bool Track::is_replaced_by(const Patch& blob) const {
-    return is_leaving() && blob.area > comes_back * least_at_border_ + 10 && touches_border(blob.box);
+    return is_leaving() && blob.area > limit.replaced * least_at_border_ + limit.replaced_pixels &&
+           touches_border(blob.box);
 }
 
 void Track::see(const Patch& patch, const Appearance& look, const FrameView& sight, const Flicker& flicker,
                 const Moment& now) {
     const double growth = static_cast<double>(patch.area) / std::max(1, patch_.area);
-    if (state_ == State::merged || growth > abrupt || growth < 1 / abrupt) recent_.clear();
+    if (state_ == State::merged || growth > limit.abrupt || growth < 1 / limit.abrupt) recent_.clear();
     recent_.push_back({now, patch.centre});
-    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > recent) recent_.pop_front();
+    while (recent_.size() > 2 && now.seconds - recent_.front().at.seconds > limit.velocity) recent_.pop_front();
     const double span = now.seconds - recent_.front().at.seconds;
     if (span > 0) velocity_ = (patch.centre - recent_.front().place) / span;
-    if (!begun_ && span >= 0.5 * recent) {
-        begin_.velocity = velocity_;
-        begun_ = true;
-    }
+    if (!first_velocity_ && span >= 0.5 * limit.velocity) first_velocity_ = velocity_;
     if (sightings_ > 0 && (goes_over(patch_.box, patch.box) || goes_over(moved_box_at(now), patch.box))) ++continuous_;
     const glm::dvec2 size(patch.box.width(), patch.box.height());
     const double since = now.seconds - seen_.seconds;
     const auto follow = [&](double& usual, double value) {
-        const double in = value > usual ? grows_in : shrinks_in;
+        const double in = value > usual ? limit.grows_in : limit.shrinks_in;
         usual += (sightings_ == 0 ? 1 : std::clamp(since / in, 0.0, 0.5)) * (value - usual);
     };
     follow(usual_size_.x, size.x);
     follow(usual_size_.y, size.y);
     follow(usual_area_, patch.area);
-    const bool at_border = touches_border(patch.box);
-    const double area = patch.area;
-    if (!at_border) was_inside_ = true;
-    if (!at_border || !was_inside_) {
-        least_at_border_ = 0;
-    } else {
-        least_at_border_ = least_at_border_ > 0 ? std::min(least_at_border_, area) : area;
+    if (!touches_border(patch.box)) {
+        crossing_ = Crossing::inside;
+    } else if (crossing_ != Crossing::entering) {
+        const double area = patch.area;
+        least_at_border_ = crossing_ == Crossing::leaving ? std::min(least_at_border_, area) : area;
+        crossing_ = Crossing::leaving;
     }
     place_ = patch.centre;
     place_at_ = now;
@@ -160,20 +135,22 @@ void Track::see(const Patch& patch, const Appearance& look, const FrameView& sig
     take_portrait(sight, patch, now);
 }
 
-void Track::move_to(const glm::dvec2& place) {
+void Track::move_to(const glm::dvec2& place, const Moment& now) {
     patch_ = translated(std::move(patch_), glm::ivec2(glm::round(place - patch_.centre)));
     place_ = place;
+    place_at_ = now;
 }
 
 bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool has_room, const FrameView& sight,
                           const Moment& now) {
     state_ = State::merged;
     const double time = now.seconds - place_at_.seconds;
-    const glm::dvec2 expected = place_ + velocity_ * time;
-    const bool alike = share.similarity >= sure;
-    const bool found =
-        alike || (has_room && share.patch.area >= enough * usual_area_ && share.patch.area <= too_much * usual_area_ &&
-                  distance(look_, Appearance(share.patch, sight)) < unlike);
+    const glm::dvec2 expected = expected_at(now);
+    constexpr auto& merged = thresholds.merged;
+    const bool alike = share.similarity >= merged.similarity;
+    const bool found = alike || (has_room && share.patch.area >= merged.least_share * usual_area_ &&
+                                 share.patch.area <= limit.abrupt * usual_area_ &&
+                                 distance(look_, Appearance(share.patch, sight)) < merged.looks);
     const glm::dvec2 found_at = alike ? template_.patch.centre + glm::dvec2(share.shift) : share.patch.centre;
     glm::dvec2 place = found ? found_at : expected;
     // Hidden within the blob, it may leave the picture and nothing else.
@@ -183,45 +160,42 @@ bool Track::update_merged(const TemplateMatch& share, const Patch& blob, bool ha
         const glm::dvec2 high(blob.box.right - 1, blob.box.bottom - 1);
         place = glm::clamp(place, low, high);
     }
-    if (found && time > 0) velocity_ += part_of_the_way * (found_at - expected) / std::max(time, 0.2);
-    if (!found && place != expected) velocity_ *= 0.8;
-    move_to(place);
-    place_at_ = now;
+    if (found && time > 0) velocity_ += merged.correction * (found_at - expected) / std::max(time, 0.2);
+    if (!found && place != expected) velocity_ *= merged.slowing;
+    move_to(place, now);
     pixels_ = share.patch;
     recent_.clear();
     if (found) {
         record_position(now, patch_.box, place, patch_.area);
-        take_portrait(sight, patch_, now, in_company);
+        take_portrait(sight, patch_, now, thresholds.portrait.merged);
     }
     return found;
 }
 
 void Track::miss(const Moment& now) {
     if (state_ != State::merged) state_ = State::unseen;
-    const double time = now.seconds - place_at_.seconds;
-    move_to(place_ + velocity_ * time);
-    place_at_ = now;
+    move_to(expected_at(now), now);
 }
 
 bool Track::is_steady(const Steadiness::Pixel& pixel, const Moment& now) const {
-    return pixel.level != 0 && now.seconds - std::max(pixel.since.seconds, risen_.seconds) >= options_.stay;
+    return pixel.level != 0 && now.seconds - std::max(pixel.since.seconds, risen_.seconds) >= stationary.stay;
 }
 
 bool Track::has_settled(const Steadiness& steadiness, const Flicker& flicker, const Moment& now) const {
     // What is of one colour looks steady while it goes through its own place.
     const double length = std::max(usual_size_.x, usual_size_.y);
-    if (glm::length(velocity_) * options_.stay > goes_on * length) return false;
+    if (glm::length(velocity_) * stationary.stay > stationary.sways * length) return false;
     int steady = 0;
     for_each_pixel(patch_, [&](int i, int j, std::uint8_t) {
         if (is_steady(steadiness.at(i, j), now)) ++steady;
     });
-    return steady >= options_.settled_part * patch_.area && flicker.of(patch_) < options_.flicker;
+    return steady >= stationary.settled_part * patch_.area && flicker.of(patch_) < thresholds.pixel.flicker;
 }
 
 void Track::settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now) {
-    const bool young = now.seconds - first_.seconds < 2 * options_.stay;
-    const bool small = patch_.area < part_of_parent * area_of_parent_;
-    const bool out_of_another = from_.has_value() && (young || small);
+    const bool young = now.seconds - first_.seconds < 2 * stationary.stay;
+    const bool small = patch_.area < stationary.carried * origin_.area;
+    const bool out_of_another = origin_.track.has_value() && (young || small);
     std::vector<Moment> since;
     patch_ = part_of(patch_, [&](int i, int j) {
         const Steadiness::Pixel& pixel = steadiness.at(i, j);
@@ -240,26 +214,26 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
         box_ = patch_.box;
         low_ = high_ = patch_.centre;
         begin_ = {still, patch_.centre, {}, touches_border(patch_.box)};
+        if (first_velocity_) *first_velocity_ = glm::dvec2();
         path_ = Path();
         path_.add(first_, patch_.centre, patch_.area);
-        stays_ = Stays(options_.stay);
+        stays_ = Stays(stationary.stay);
         portrait_.reset();
         sightings_ = static_cast<int>(now.frame - still.frame);
-        stood_from_start_ = true;
+        state_ = State::appeared;
     } else {
         // It was where it settled from the first moment: a ghost, or something that appeared there.
         const double moved_by = glm::distance(low_, high_);
-        stood_from_start_ = moved_by < 0.5 * std::max(usual_size_.x, usual_size_.y);
+        const bool was_near = moved_by < stationary.near_place * std::max(usual_size_.x, usual_size_.y);
+        state_ = was_near ? State::appeared : State::standing;
         if (still.frame < first_.frame) still = first_;
         // What is of one colour was steady a little before it stopped.
         const auto& open = stays_.open();
-        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < rolls_out) {
+        if (open && open->first.frame > still.frame && open->first.seconds - still.seconds < stationary.rolls_out) {
             still = open->first;
         }
     }
-    settled_ = Settled{patch_, still_since,
-                       edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); })};
-    state_ = State::standing;
+    settled_ = Settled{patch_, still_since, edge_strength(patch_, sight)};
     velocity_ = {};
     place_ = patch_.centre;
     place_at_ = now;
@@ -270,9 +244,9 @@ void Track::settle(const Steadiness& steadiness, const FrameView& sight, const M
 
 bool Track::belongs_to(const Track& other) const {
     const PixelBox& larger = patch_.area > other.patch_.area ? patch_.box : other.patch_.box;
-    const int reach = 3 + static_cast<int>(apart * std::max(larger.width(), larger.height()));
+    const int reach = 3 + static_cast<int>(stationary.apart * std::max(larger.width(), larger.height()));
     return patch_.box.inflated(reach, reach).intersects(other.patch_.box) &&
-           std::abs(settled_->since.seconds - other.settled_->since.seconds) <= options_.stay;
+           std::abs(settled_->since.seconds - other.settled_->since.seconds) <= stationary.stay;
 }
 
 void Track::add_part(const Track& part, const FrameView& sight) {
@@ -282,7 +256,7 @@ void Track::add_part(const Track& part, const FrameView& sight) {
     stay_.place = patch_.centre;
     stay_.box = patch_.box;
     settled_->patch = patch_;
-    settled_->edges = edge_strength(patch_, sight.field.size(), [&](int i, int j) { return sight.brightness(i, j); });
+    settled_->edges = edge_strength(patch_, sight);
     portrait_.reset();
     portrait_due_ = 0;
 }
@@ -302,18 +276,12 @@ void Track::update_stationary(const FrameView& sight, const Moment& now, bool al
     }
 }
 
-void Track::end_stay() {
-    if (!stands()) return;
-    stays_.add_exactly(stay_);
-    state_ = State::moving;
-}
-
 void Track::resume_motion(const Moment& now) {
     risen_ = now;
     // What is of one colour hides for a while that it goes: it covers itself.
     stay_.last = last_whole_;
-    end_stay();
-    stood_from_start_ = false;
+    stays_.add_exactly(stay_);
+    state_ = State::moving;
 }
 
 void Track::join(const Track& piece) {
@@ -323,8 +291,8 @@ void Track::join(const Track& piece) {
 
 void Track::take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth) {
     if (now.seconds < portrait_due_) return;
-    portrait_due_ = now.seconds + portrait_each;
-    if (touches_border(patch.box)) worth *= cut_off;
+    portrait_due_ = now.seconds + thresholds.portrait.every;
+    if (touches_border(patch.box)) worth *= thresholds.portrait.cut_off;
     const double score =
         worth * std::sqrt(static_cast<double>(patch.area)) * std::sqrt(1 + mean_gradient(patch, sight));
     if (!portrait_ || score > portrait_->score) portrait_ = Portrait{now, patch.box, score};
@@ -334,10 +302,11 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     Tracklet result;
     result.stood_to_end = stands();
     result.gone = now;
-    end_stay();
+    result.stood_from_start = state_ == State::appeared;
+    if (stands()) stays_.add_exactly(stay_);
     state_ = State::over;
     result.number = number_;
-    result.from = from_;
+    result.from = origin_.track;
     result.into = into;
     result.begin = begin_;
     result.begin.at = first_;
@@ -345,23 +314,20 @@ Tracklet Track::finish(std::optional<std::size_t> into, const Moment& now) {
     result.path = path_.points();
     result.areas = path_.areas();
     result.end = {seen_, result.path.empty() ? place_ : result.path.back().place, velocity_, touches_border(last_box)};
-    if (!begun_) result.begin.velocity = velocity_;
+    result.begin.velocity = first_velocity_.value_or(velocity_);
     result.length = std::max(usual_size_.x, usual_size_.y);
     result.size = usual_size_;
     result.area = usual_area_;
-    result.area_of_parent = parent_was_alone_ ? area_of_parent_ : 0;
+    result.area_of_parent = origin_.was_alone ? origin_.area : 0;
     const auto frames = static_cast<double>(seen_.frame - first_.frame + 1);
     result.seen = std::min(1.0, sightings_ / std::max(1.0, frames));
     result.continuous = alone_ > 1 ? static_cast<double>(continuous_) / (alone_ - 1) : 1;
     result.moved = glm::distance(low_, high_);
     result.flicker = flicker_sum_ / std::max(1, flicker_count_);
-    const double way = length_of(result.path);
-    result.straight = way > 0 ? glm::distance(result.path.front().place, result.path.back().place) / way : 0;
     result.box = box_;
     result.look = look_;
     result.stays = stays_.finish();
     result.settled = std::move(settled_);
-    result.stood_from_start = stood_from_start_;
     result.portrait = portrait_;
     return result;
 }

@@ -19,18 +19,33 @@ enum class State {
     merged,    ///< it shares a blob with others
     unseen,    ///< no blob is where it should be
     standing,  ///< its pixels have kept their values: it is known by them, whoever stands about it
+    appeared,  ///< the same, and it has only been seen to stand: nobody saw it come
     over,      ///< it has ended
+};
+
+/// Where a track is in its way across the border of the picture.
+enum class Crossing {
+    entering,  ///< it was never clear of the border
+    inside,    ///< it is clear of it
+    leaving,   ///< it was, and touches it
+};
+
+/// Out of whom a track came.
+struct Origin {
+    std::optional<std::size_t> track{};  ///< its number
+    double area = 0;                     ///< what was usual of the blob that it left, pixels
+    bool was_alone = false;              ///< in that blob
 };
 
 /// An object that is being followed from field to field.
 class Track {
   public:
-    Track(std::size_t number, std::optional<std::size_t> from, Size field, const EventOptions& options);
+    Track(std::size_t number, const Origin& origin, Size field) : number_(number), origin_(origin), field_(field) {}
 
     std::size_t number() const { return number_; }
-    std::optional<std::size_t> from() const { return from_; }
+    std::optional<std::size_t> from() const { return origin_.track; }
     State state() const { return state_; }
-    bool stands() const { return state_ == State::standing; }
+    bool stands() const { return state_ == State::standing || state_ == State::appeared; }
     bool is_over() const { return state_ == State::over; }
     bool follows_blobs() const { return !stands() && !is_over(); }
 
@@ -49,7 +64,7 @@ class Track {
     std::optional<std::size_t> near() const { return near_; }
 
     /// Whether it has been seen for long enough to be more than a piece of something.
-    bool is_confirmed() const { return seen_.seconds - first_.seconds >= options_.least; }
+    bool is_confirmed() const { return seen_.seconds - first_.seconds >= thresholds.event.least; }
 
     /// Whether motion has led its middle out of the picture.
     bool is_outside() const {
@@ -58,7 +73,7 @@ class Track {
     }
 
     /// Whether it began at the border of the picture, out of nobody.
-    bool entered_at_border() const { return !from_ && begin_.at_border; }
+    bool entered_at_border() const { return !origin_.track && begin_.at_border; }
 
     /// Where it will be, as a shift of its patch: whole pixels.
     glm::ivec2 shift_at(const Moment& now) const;
@@ -69,13 +84,11 @@ class Track {
 
     /// Who is in front of it, or about it.
     void set_near(std::optional<std::size_t> number) { near_ = number; }
-    void set_parent(double area, bool was_alone) {
-        area_of_parent_ = area;
-        parent_was_alone_ = was_alone;
-    }
 
     /// Whether it has all but left the picture.
-    bool is_leaving() const { return least_at_border_ > 0 && least_at_border_ < nearly_gone_share * usual_area_; }
+    bool is_leaving() const {
+        return crossing_ == Crossing::leaving && least_at_border_ < thresholds.track.leaving_share * usual_area_;
+    }
 
     /// Whether it is leaving, and this blob is somebody else who comes in at the same place.
     bool is_replaced_by(const Patch& blob) const;
@@ -106,7 +119,7 @@ class Track {
     /// If it came out of another, as a bag does, it began when it became still.
     void settle(const Steadiness& steadiness, const FrameView& sight, const Moment& now);
 
-    /// Both stand: whether they are parts of one thing, which came to rest side by side within `options.stay`.
+    /// Both stand: whether they are parts of one thing, which came to rest side by side within `stationary.stay`.
     bool belongs_to(const Track& other) const;
 
     /// It stands, and so does this part of it.
@@ -131,20 +144,17 @@ class Track {
     void drop() { state_ = State::over; }
 
   private:
-    static constexpr double nearly_gone_share = 0.3;  ///< of its usual area that is still seen at the border
-
     void record_position(const Moment& now, const PixelBox& box, const glm::dvec2& place, int area);
-    void move_to(const glm::dvec2& place);
+    glm::dvec2 expected_at(const Moment& now) const { return place_ + velocity_ * (now.seconds - place_at_.seconds); }
+    void move_to(const glm::dvec2& place, const Moment& now);
     PixelBox moved_box_at(const Moment& now) const;
-    void end_stay();
     bool is_steady(const Steadiness::Pixel& pixel, const Moment& now) const;
     void take_portrait(const FrameView& sight, const Patch& patch, const Moment& now, double worth = 1);
     bool touches_border(const PixelBox& box) const;
 
     std::size_t number_;
-    std::optional<std::size_t> from_;
+    Origin origin_;
     Size field_;
-    EventOptions options_;
     State state_ = State::moving;
     std::optional<std::size_t> near_;
 
@@ -164,23 +174,20 @@ class Track {
     int flicker_count_ = 0;
     glm::dvec2 usual_size_{};  ///< of its box of late
     double usual_area_ = 0;
-    double least_at_border_ = 0;  ///< its least area since it has touched the border of the picture; 0 = it does not
-    bool was_inside_ = false;     ///< whether it was ever seen clear of the border
-    double area_of_parent_ = 0;
-    bool parent_was_alone_ = false;
-    glm::dvec2 place_{};     ///< where its middle is, also while it is not seen
-    Moment place_at_;        ///< when it was there
-    glm::dvec2 velocity_{};  ///< field pixels per second
+    Crossing crossing_ = Crossing::entering;
+    double least_at_border_ = 0;  ///< its least area while it has been leaving
+    glm::dvec2 place_{};          ///< where its middle is, also while it is not seen
+    Moment place_at_;             ///< when it was there
+    glm::dvec2 velocity_{};       ///< field pixels per second
     std::deque<PathPoint> recent_;
     TrackEnd begin_;
-    bool begun_ = false;  ///< whether the velocity at the beginning is known
+    std::optional<glm::dvec2> first_velocity_;  ///< once it is known
     std::optional<Settled> settled_;
-    bool stood_from_start_ = false;
     Stay stay_;
     Moment risen_;       ///< when it last rose
     Moment last_whole_;  ///< when it was last seen to stand with nobody in front of it
     Path path_;
-    Stays stays_;
+    Stays stays_{thresholds.stationary.stay};
     std::optional<Portrait> portrait_;
     double portrait_due_ = 0;  ///< seconds: when to look for a better one
 };

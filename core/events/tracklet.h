@@ -2,12 +2,10 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/events/appearance.h"
 #include "core/events/event.h"
-#include "core/events/event_options.h"
 
 namespace vvr::events {
 
@@ -41,7 +39,6 @@ struct Tracklet {
     double continuous = 1;      ///< share of its sightings in which it was where motion led, and had not jumped
     double moved = 0;           ///< the diagonal of the box about all its places
     double flicker = 0;         ///< how often its pixels came and went, the mean over its life
-    double straight = 0;        ///< the distance between its ends, by the length of its way
     PixelBox box;               ///< of all its places
     Appearance look;
     std::vector<PathPoint> path;
@@ -57,14 +54,5 @@ struct Tracklet {
 
     double seconds() const { return end.at.seconds - begin.at.seconds; }
 };
-
-/// What it costs to take `later` for the same object as `earlier`: by the gap, by how far it is from where motion led,
-/// and by looks. `EventOptions::link_cost` or more means that it is another.
-double link_cost(const Tracklet& earlier, const Tracklet& later, const EventOptions& options);
-
-/// Joins tracklets to objects: each is followed by at most one, the cheapest for all of them together (the assignment
-/// form of Zhang, Li and Nevatia's min-cost flow, 2008).
-/// \returns for each tracklet the place of the one that follows it
-std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets, const EventOptions& options);
 
 }  // namespace vvr::events

@@ -16,6 +16,11 @@ struct Planes {
     bool empty() const { return grey.empty(); }
 };
 
+/// How bright a colour is, 0 to 255: near luma, in whole numbers.
+inline int brightness_of(const Bgr& colour) {
+    return (colour[0] + 2 * colour[1] + colour[2]) / 4;
+}
+
 /// Smooths a picture with a Gaussian of `sigma` pixels; 0 leaves it as it is. Camera noise differs from pixel to pixel:
 /// at the default of 0.7 it falls to a third, and objects keep their outlines.
 Planes smoothed(const Plane<std::uint8_t>& grey, const Plane<Bgr>& colour, double sigma);

@@ -39,7 +39,8 @@ std::span<const ReferenceRow> reference_kinds();
 
 /// The empty scene of a clip, after a row of the table or from a picture file, which is brought to the clip's field
 /// size. Where changes of light are made up for, so they are here; and frames of a camera that shakes are aligned.
-/// Leaves the clip at its first frame. \throws Error io or not_video for a picture that can't be read
+/// Leaves the clip at its first frame.
+/// \throws Error io or not_video for a picture that can't be read
 Reference make_reference(video::FrameSource& clip, const FieldOptions& options);
 
 /// The median of every pixel over pictures, channel by channel: what was seen in more than half of them. With an

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/fields/planes.h"
 #include "core/image/picture.h"
 
 namespace vvr::glance {
@@ -21,7 +22,7 @@ Plane<Bgr> paled(Plane<Bgr> picture, const image::Rgba& towards) {
     const std::array<float, 3> background{towards.b * 255, towards.g * 255, towards.r * 255};
     for (int j = 0; j < picture.height(); ++j) {
         for (Bgr& pixel : picture.row(j)) {
-            const int grey = (pixel[0] + 2 * pixel[1] + pixel[2]) / 4;
+            const int grey = fields::brightness_of(pixel);
             for (std::size_t c = 0; c < 3; ++c) {
                 const auto greyer = static_cast<float>(pixel[c] + grey) / 2;
                 pixel[c] = static_cast<std::uint8_t>(std::lerp(background[c], greyer, 0.6F));

@@ -20,8 +20,9 @@ struct WarpRow {
 void warp_row(const WarpRow& row);
 
 /// Makes derivatives and the change of a warped row into g and g_t such that g·w + g_t = 0 asks for the whole flow w,
-/// not only for what is missing from (u, v). All three are 0 where nothing is known. \param gx, gy derivatives;
-/// aligned, as `gt` \param gt out
+/// not only for what is missing from (u, v). All three are 0 where nothing is known.
+/// \param gx, gy derivatives; aligned, as `gt`
+/// \param gt out
 void whole_change(const float* u, const float* v, const float* change, const float* known, float* gx, float* gy,
                   float* gt, int width);
 

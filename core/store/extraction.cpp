@@ -20,6 +20,7 @@
 #include "core/base/file_io.h"
 #include "core/base/plane.h"
 #include "core/fields/flo_file.h"
+#include "core/fields/planes.h"
 #include "core/fields/seed_list.h"
 #include "core/fields/settings.h"
 #include "core/image/atomic_file.h"
@@ -50,12 +51,14 @@ std::vector<std::byte> encode_grey(const Plane<std::uint8_t>& plane) {
     return encode(plane.size(), 1, plane.pixels());
 }
 
+/// The same in colour.
 std::vector<std::byte> encode_colour(const Plane<Bgr>& plane) {
     Plane<Bgr> rgb = plane;
     swap_red_and_blue(rgb);
     return encode(plane.size(), 3, {rgb.pixels().front().data(), 3 * rgb.pixels().size()});
 }
 
+/// \throws Error io for a file that can't be read, that isn't 8-bit with one channel, or has another size
 Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<std::uint8_t>::for_overwrite(size);
@@ -63,6 +66,7 @@ Plane<std::uint8_t> read_grey(const std::filesystem::path& path, Size size) {
     return plane;
 }
 
+/// The same for three channels.
 Plane<Bgr> read_colour(const std::filesystem::path& path, Size size) {
     check_is_file(path.string(), most_bytes::data);
     auto plane = Plane<Bgr>::for_overwrite(size);
@@ -341,9 +345,8 @@ fields::FieldSummary StoredFields::read(const fields::FieldNeeds& needs, const f
     if (some.manifest.colour && some.manifest.reference) {
         summary.reference.colour = read_colour(some.folder / stored::reference, field_size());
         summary.reference.grey = Plane<std::uint8_t>(field_size());
-        std::ranges::transform(
-            summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
-            [](const Bgr& bgr) { return static_cast<std::uint8_t>((bgr[0] + 2 * bgr[1] + bgr[2]) / 4); });
+        std::ranges::transform(summary.reference.colour.pixels(), summary.reference.grey.pixels().begin(),
+                               [](const Bgr& bgr) { return static_cast<std::uint8_t>(fields::brightness_of(bgr)); });
     }
     for (const Part& part : parts_) {
         for (const StoredFrame& stored : part.manifest.frames) {

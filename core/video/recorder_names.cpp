@@ -11,16 +11,7 @@
 
 #include "core/base/wall_clock.h"
 
-// Which camera a file's folders tell.
 namespace vvr::video {
-
-/// The folders before the first that is a date, else the first folder after the date that is neither date nor hour;
-/// empty where there is none.
-/// \param skipped bytes at the front of `path` whose folders are no camera; whether one is a date counts all the same
-std::string camera_of_folders(std::string_view path, std::size_t skipped = 0);
-
-/// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
-bool is_generic_name(std::string_view name);
 
 namespace {
 
@@ -54,8 +45,9 @@ constexpr std::array<std::string_view, 39> common_words{
     "nvr",     "pxl",     "rec",     "record", "recording", "recordings", "schedule",   "screen recording",
     "sdalarm", "segment", "timer",   "vid",    "video",     "videos",     "wp"};
 
-}  // namespace
-
+/// The folders before the first that is a date, else the first folder after the date that is neither date nor hour;
+/// empty where there is none.
+/// \param skipped bytes at the front of `path` whose folders are no camera; whether one is a date counts all the same
 std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     std::string camera;
     bool dated = false;
@@ -78,6 +70,7 @@ std::string camera_of_folders(std::string_view path, std::size_t skipped) {
     return camera;
 }
 
+/// Whether a name says what a file is and not which camera it is of: "VID", "clip 7", "recordings", "001".
 bool is_generic_name(std::string_view name) {
     constexpr std::string_view counts = "0123456789-_. #()";
     while (!name.empty() && counts.find(name.back()) != std::string_view::npos) name.remove_suffix(1);
@@ -86,8 +79,6 @@ bool is_generic_name(std::string_view name) {
     std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return std::ranges::binary_search(common_words, word);
 }
-
-namespace {
 
 enum class Zone { local, utc };
 

@@ -17,14 +17,6 @@
 
 namespace vvr::fields {
 
-/// Derivatives of two frames of which the second is moved back by `flow`, such that the linear equations of them have
-/// the whole flow as their solution, not only what is missing from it. Where the flow leads out of the picture all
-/// are 0: nothing is known there.
-///
-/// \param here part `part` of the first frame; `flow` is of its size
-void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part,
-                        PlaneStack& result);
-
 namespace {
 
 constexpr int border = 2;
@@ -52,8 +44,11 @@ class WideRows {
     Size size_;
 };
 
-}  // namespace
-
+/// Derivatives of two frames of which the second is moved back by `flow`, such that the linear equations of them have
+/// the whole flow as their solution, not only what is missing from it. Where the flow leads out of the picture all
+/// are 0: nothing is known there.
+///
+/// \param here part `part` of the first frame; `flow` is of its size
 void warped_derivatives(const Plane<float>& here, const Plane<float>& next, const Flow& flow, const Rect& part,
                         PlaneStack& result) {
     const Size size = here.size();
@@ -80,8 +75,6 @@ void warped_derivatives(const Plane<float>& here, const Plane<float>& next, cons
                               result.row(along_y, j), result.row(along_t, j), size.width);
     }
 }
-
-namespace {
 
 // The coarsest scale: a picture of less holds nothing that can be followed.
 constexpr int smallest_side = 24;

@@ -10,7 +10,7 @@
 #include "core/events/event.h"
 #include "core/events/patch.h"
 #include "core/events/pixel_history.h"
-#include "core/events/tracklet.h"
+#include "core/events/trajectory.h"
 
 namespace vvr {
 namespace {
@@ -122,7 +122,7 @@ events::Assignment associate_with(const Stage& stage, const std::vector<events::
     const events::Blobs blobs = events::find_blobs(stage.field, {1, 1}, 4);
     std::vector<events::Appearance> looks;
     for (const events::Patch& patch : blobs.patches) looks.emplace_back(patch, stage.sight());
-    return events::associate(tracks, blobs, looks, {});
+    return events::associate(tracks, blobs, looks);
 }
 
 TEST(Associate, FollowsMotionAndBeginsWhatIsNew) {
@@ -209,7 +209,7 @@ events::Tracklet tracklet(std::size_t number, double begin, double end, double x
 TEST(Link, JoinsWhatGoesOnBehindAPostAndNothingElse) {
     std::vector<events::Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100), tracklet(2, 5, 9, 62, 20)};
     all[2].look = tracked({10, 10, 18, 30}, blue).look;
-    const auto next = events::link(all, {});
+    const auto next = events::link(all);
     EXPECT_EQ(next[0], 1U);
     EXPECT_FALSE(next[1]);
     EXPECT_FALSE(next[2]);
@@ -218,7 +218,7 @@ TEST(Link, JoinsWhatGoesOnBehindAPostAndNothingElse) {
 TEST(Link, DoesNotJoinWhoLeftThePictureWithWhoComesIn) {
     std::vector<events::Tracklet> all{tracklet(0, 0, 4, 10, 50), tracklet(1, 5, 9, 60, 100)};
     all[0].end.at_border = true;
-    EXPECT_FALSE(events::link(all, {})[0]);
+    EXPECT_FALSE(events::link(all)[0]);
 }
 
 TEST(Link, IsQuickOverDays) {
@@ -229,13 +229,13 @@ TEST(Link, IsQuickOverDays) {
     }
     // Each even one ends where motion leads on, and the next begins there.
     for (std::size_t k = 1; k < all.size(); k += 2) all[k].begin.place.x = 60;
-    const auto next = events::link(all, {});
+    const auto next = events::link(all);
     EXPECT_EQ(next[0], 1U);
     EXPECT_EQ(next[19'998], 19'999U);
 }
 
 TEST(Flicker, CountsComingAndGoing) {
-    events::Flicker flicker(20);
+    events::Flicker flicker;
     Plane<std::uint8_t> on(size);
     on.at(5, 5) = 100;
     const Plane<std::uint8_t> off(size);

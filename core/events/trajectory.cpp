@@ -1,0 +1,199 @@
+#include "core/events/trajectory.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/events/association.h"
+#include "core/events/event_options.h"
+
+namespace vvr::events {
+
+namespace {
+
+constexpr auto& limit = thresholds.link;
+
+/// A link that is possible.
+struct Candidate {
+    std::size_t earlier;
+    std::size_t later;
+    double cost;
+};
+using Candidates = std::vector<Candidate>;
+
+Candidates candidates_of(std::span<const Tracklet> tracklets) {
+    std::vector<std::size_t> order(tracklets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto begin_of = [&](std::size_t k) { return tracklets[k].begin.at.seconds; };
+    std::ranges::stable_sort(order, {}, begin_of);
+    Candidates candidates;
+    for (std::size_t earlier = 0; earlier < tracklets.size(); ++earlier) {
+        const double end = tracklets[earlier].end.at.seconds;
+        const double latest = end + std::max(thresholds.stationary.occluded_after, limit.seconds);
+        auto place = std::ranges::lower_bound(order, end - limit.overlap, {}, begin_of);
+        for (; place != order.end() && begin_of(*place) <= latest; ++place) {
+            if (*place == earlier) continue;
+            const double cost = link_cost(tracklets[earlier], tracklets[*place]);
+            if (cost < limit.cost) candidates.push_back({earlier, *place, cost});
+        }
+    }
+    return candidates;
+}
+
+/// Candidates that share no tracklet with those of another group: each group can be decided on its own.
+std::vector<Candidates> groups_of(const Candidates& candidates, std::size_t tracklets) {
+    // A tracklet is two nodes: its end, where others follow, and its beginning.
+    std::vector<std::size_t> parent(2 * tracklets);
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t k) {
+        while (parent[k] != k) k = parent[k] = parent[parent[k]];
+        return k;
+    };
+    for (const Candidate& c : candidates) parent[root(c.earlier)] = root(tracklets + c.later);
+    std::map<std::size_t, Candidates> groups;
+    for (const Candidate& c : candidates) groups[root(c.earlier)].push_back(c);
+    std::vector<Candidates> result;
+    for (auto& [number, group] : groups) result.push_back(std::move(group));
+    return result;
+}
+
+}  // namespace
+
+double link_cost(const Tracklet& earlier, const Tracklet& later) {
+    if (earlier.stretch != later.stretch) return never;
+    const double gap = later.begin.at.seconds - earlier.end.at.seconds;
+    if (gap < -limit.overlap || later.begin.at.frame <= earlier.begin.at.frame) return never;
+    const double areas = std::max(earlier.area, later.area) / std::max(1.0, std::min(earlier.area, later.area));
+    if (areas > limit.area_ratio) return never;
+    const double looks = distance(earlier.look, later.look) / limit.looks;
+    if (earlier.stood_from_start || later.stood_from_start) {
+        // A thing stays where it is; nobody's way begins with it.
+        const bool both = earlier.stood_to_end && later.stood_from_start;
+        const double off =
+            glm::distance(earlier.end.place, later.begin.place) / std::max(thresholds.least_length, later.length);
+        return both && off < thresholds.stationary.same_place && gap <= limit.seconds ? off : never;
+    }
+    if (looks > 1) return never;
+    const bool same_group = earlier.into && (later.from == earlier.into);
+    if (same_group && gap < thresholds.stationary.occluded_after) return limit.group_looks * looks;
+    if (gap > limit.seconds) return never;
+    if ((earlier.end.at_border || later.begin.at_border) && gap > limit.border) return never;
+    const double length = std::max({thresholds.least_length, earlier.length, later.length});
+    const double ahead = std::clamp(gap, 0.0, limit.straight);
+    const glm::dvec2 forth = earlier.end.place + ahead * earlier.end.velocity;
+    const glm::dvec2 back = later.begin.place - ahead * later.begin.velocity;
+    const double away = std::min(glm::distance(forth, later.begin.place), glm::distance(earlier.end.place, back));
+    const double speed =
+        std::max({glm::length(earlier.end.velocity), glm::length(later.begin.velocity), limit.least_speed * length});
+    const double reach = limit.reach * length + limit.reach_speed * speed * std::max(0.0, gap);
+    if (away > reach) return never;
+    return limit.place_weight * away / reach + limit.gap_weight * std::max(0.0, gap) / limit.seconds +
+           limit.looks_weight * looks;
+}
+
+std::vector<std::optional<std::size_t>> link(std::span<const Tracklet> tracklets) {
+    std::vector<std::optional<std::size_t>> next(tracklets.size());
+    for (const Candidates& group : groups_of(candidates_of(tracklets), tracklets.size())) {
+        // The rows and columns of a group are few, however long the clip is.
+        std::map<std::size_t, int> rows;
+        std::map<std::size_t, int> columns;
+        for (const Candidate& c : group) {
+            rows.try_emplace(c.earlier, static_cast<int>(rows.size()));
+            columns.try_emplace(c.later, static_cast<int>(columns.size()));
+        }
+        Plane<double> costs({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, never);
+        for (const Candidate& c : group) costs.at(columns[c.later], rows[c.earlier]) = c.cost;
+        std::vector<std::size_t> place_of(columns.size());
+        for (const auto& [later, column] : columns) place_of[static_cast<std::size_t>(column)] = later;
+        const auto chosen = assign(costs, limit.cost);
+        for (const auto& [earlier, row] : rows) {
+            const auto& column = chosen[static_cast<std::size_t>(row)];
+            if (column) next[earlier] = place_of[static_cast<std::size_t>(*column)];
+        }
+    }
+    return next;
+}
+
+namespace {
+
+void append(const Tracklet& later, Tracklet& whole) {
+    const double first_part = whole.seconds();
+    const double later_part = later.seconds();
+    const double all = std::max(1e-6, first_part + later_part);
+    const auto mean = [&](double a, double b) { return (a * first_part + b * later_part) / all; };
+    whole.seen = mean(whole.seen, later.seen);
+    whole.flicker = mean(whole.flicker, later.flicker);
+    whole.continuous = mean(whole.continuous, later.continuous);
+    whole.area = mean(whole.area, later.area);
+    whole.length = mean(whole.length, later.length);
+    whole.size = glm::max(whole.size, later.size);
+    whole.moved = std::max({whole.moved, later.moved, glm::distance(whole.begin.place, later.end.place)});
+    whole.box = bounding_box(whole.box, later.box);
+    while (!whole.path.empty() && whole.path.back().at.frame >= later.path.front().at.frame) {
+        whole.path.pop_back();
+        whole.areas.pop_back();
+    }
+    whole.path.insert(whole.path.end(), later.path.begin(), later.path.end());
+    whole.areas.insert(whole.areas.end(), later.areas.begin(), later.areas.end());
+    whole.stays.insert(whole.stays.end(), later.stays.begin(), later.stays.end());
+    if (later.settled) whole.settled = later.settled;
+    whole.stood_from_start = whole.stood_from_start && later.stood_from_start;
+    if (later.portrait && (!whole.portrait || later.portrait->score > whole.portrait->score)) {
+        whole.portrait = later.portrait;
+    }
+    whole.into = later.into;
+    whole.end = later.end;
+}
+
+/// Two came as one and part: whoever got a new number then was there before, in the other's blob.
+void begin_with_group(std::size_t k, Trajectories& trajectories) {
+    constexpr auto& group = thresholds.group;
+    Tracklet& own = trajectories.all[k].whole;
+    if (!own.from || own.area_of_parent <= 0 || own.stood_from_start || own.seconds() < 2 * thresholds.event.least) {
+        return;
+    }
+    const double times = own.area_of_parent / std::max(1.0, own.area);
+    if (times < group.least || times > group.most) return;
+    const auto found = trajectories.of_track.find(*own.from);
+    if (found == trajectories.of_track.end() || found->second == k) return;
+    const Tracklet& other = trajectories.all[found->second].whole;
+    std::vector<PathPoint> before;
+    for (std::size_t p = 0; p < other.path.size(); ++p) {
+        if (other.path[p].at.frame >= own.begin.at.frame) break;
+        before.push_back(other.path[p]);
+        if (other.areas[p] > 0 && other.areas[p] < group.share * own.area_of_parent) before.clear();
+    }
+    if (before.empty()) return;
+    own.path.insert(own.path.begin(), before.begin(), before.end());
+    own.areas.insert(own.areas.begin(), before.size(), 0);
+    own.begin.at = before.front().at;
+    own.begin.place = before.front().place;
+    own.from.reset();
+    own.moved = std::max(own.moved, glm::distance(own.begin.place, own.end.place));
+}
+
+}  // namespace
+
+Trajectories join(std::vector<Tracklet> tracklets) {
+    std::ranges::stable_sort(tracklets, {}, [](const Tracklet& t) { return std::pair(t.begin.at.frame, t.number); });
+    const auto next = link(tracklets);
+    std::vector<bool> follows(tracklets.size());
+    for (const auto& n : next) {
+        if (n) follows[*n] = true;
+    }
+    Trajectories trajectories;
+    for (std::size_t k = 0; k < tracklets.size(); ++k) {
+        if (follows[k]) continue;
+        Trajectory trajectory{{tracklets[k].number}, tracklets[k]};
+        for (auto n = next[k]; n; n = next[*n]) {
+            trajectory.tracks.push_back(tracklets[*n].number);
+            append(tracklets[*n], trajectory.whole);
+        }
+        for (const std::size_t track : trajectory.tracks) trajectories.of_track[track] = trajectories.all.size();
+        trajectories.all.push_back(std::move(trajectory));
+    }
+    for (std::size_t k = 0; k < trajectories.all.size(); ++k) begin_with_group(k, trajectories);
+    return trajectories;
+}
+
+}  // namespace vvr::events
