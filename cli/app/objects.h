@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/bricks/owners.h"
 #include "core/bricks/volume.h"
@@ -12,8 +14,19 @@
 #include "core/events/event.h"
 #include "core/events/patch.h"
 
-// Whose the voxels of a volume are.
+// What is told of objects, and whose the voxels of a volume are.
 namespace vvr::app {
+
+/// The events that a picture, a page and a report tell of.
+struct ToldEvents {
+    std::vector<events::Event> events;
+    std::vector<std::size_t> numbers;  ///< by which people know them
+    std::vector<int> colours;          ///< as `colours_of` gives them
+};
+
+/// Those of a clip that were there at some time from `begin` to `end`, with the part of their paths that lies in it.
+/// Their numbers are their places among all, plus 1.
+ToldEvents told_in(std::span<const events::Event> events, double begin, double end);
 
 /// Of a clip that has ended: an object's colour and number are those of its event.
 bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);

@@ -5,9 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "cli/app/objects.h"
 #include "core/fields/motion.h"
-#include "core/fields/reference.h"
 #include "core/fields/settings.h"
 
 namespace vvr::app {
@@ -21,13 +19,6 @@ bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan
     room.keep_owners = plan.colours_objects();
     room.nonuniform = plan.nonuniform;
     return room;
-}
-
-/// What counts as an event.
-events::EventOptions event_options(const Plan& plan) {
-    events::EventOptions options;
-    options.scene_is_learnt = plan.job.fields.reference.row() != nullptr;
-    return options;
 }
 
 /// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
@@ -114,7 +105,8 @@ Gathering::Gathering(const Plan& plan, bricks::VolumeOptions room, fields::Field
     : seen{bricks::Volume(plan.clip.field_size, with_contents(room, plan, needs))},
       keeps_crops_(plan.products.portraits || plan.shows(Part::portraits)),
       paint_(plan) {
-    if (plan.finds_objects) finder.emplace(plan.clip.field_size, event_options(plan));
+    if (plan.finds_objects)
+        finder.emplace(plan.clip.field_size, events::EventOptions{.scene_is_learnt = plan.reference != nullptr});
 }
 
 const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const fields::Field& field, bool moves) {

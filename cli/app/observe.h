@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "cli/app/objects.h"
 #include "cli/app/observer.h"
 #include "cli/app/plan.h"
-#include "cli/app/told_events.h"
 #include "cli/app/volume_paint.h"
 #include "core/bricks/owners.h"
 #include "core/bricks/volume.h"

@@ -240,6 +240,7 @@ Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose) {
     Plan plan{.filter = &filter,
               .colour = &colour,
               .second = second,
+              .reference = job.fields.reference.row(),
               .transfer = transfer,
               .drawn_transfer = transfer.scaled(job.look.opacity),
               .second_transfer = transfer_or(job.look, second_own.empty() ? "viridis" : second_own)};

@@ -10,6 +10,7 @@
 #include "cli/app/input.h"
 #include "cli/app/job.h"
 #include "core/fields/filter.h"
+#include "core/fields/reference.h"
 
 // What is to be done: a job, checked against the footage that was opened for it.
 namespace vvr::app {
@@ -62,12 +63,13 @@ struct Plan {
     SlidingWindow window{};  ///< of a series
     const fields::FilterRow* filter = nullptr;
     const ColourRow* colour = nullptr;
-    const fields::FilterRow* second = nullptr;  ///< whose values have the colours; null = none
-    bool finds_objects = false;                 ///< the run follows them
-    bool nonuniform = false;                    ///< room along the arc goes where something moves
-    scene::TransferFunction transfer;           ///< of the filter's values
-    scene::TransferFunction drawn_transfer;     ///< with the opacity
-    scene::TransferFunction second_transfer;    ///< whose colours the second filter's values have
+    const fields::FilterRow* second = nullptr;        ///< whose values have the colours; null = none
+    const fields::ReferenceRow* reference = nullptr;  ///< null where it is a picture file
+    bool finds_objects = false;                       ///< the run follows them
+    bool nonuniform = false;                          ///< room along the arc goes where something moves
+    scene::TransferFunction transfer;                 ///< of the filter's values
+    scene::TransferFunction drawn_transfer;           ///< with the opacity
+    scene::TransferFunction second_transfer;          ///< whose colours the second filter's values have
     std::shared_ptr<const space::Layout> layout{};
     scene::GlyphOptions glyphs{};
     gl::RenderOptions picture{};  ///< but for the camera

@@ -155,9 +155,9 @@ class LivePictures {
 
     /// Whether the scene may still hold what stood there when the stream began.
     bool is_learning(const Observation& seen) const {
-        const fields::ReferenceRow* const row = plan_.job.fields.reference.row();
         constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
-        return row != nullptr && row->adapts && seen.end().frame < first_look + fields::RunningReference::ghost_frames;
+        return plan_.reference != nullptr && plan_.reference->adapts &&
+               seen.end().frame < first_look + fields::RunningReference::ghost_frames;
     }
 
     const Plan& plan_;

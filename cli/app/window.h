@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 
-#include "cli/app/objects.h"
 #include "cli/app/observe.h"
 
 namespace vvr::app {
