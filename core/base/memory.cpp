@@ -41,7 +41,7 @@ bool is_out_of_memory(const std::exception& error) {
         return system->code() == std::errc::resource_unavailable_try_again ||
                system->code() == std::errc::not_enough_memory;
     }
-    // TBB has no exception type for failing to start a thread.
+    // TBB has no type of its own for a thread that it can't have.
     return std::string_view(error.what()).starts_with("pthread_create has failed");
 }
 
