@@ -121,15 +121,16 @@ TEST_F(Store, AListIsSharedByAllFrames) {
         });
         return seeds;
     };
-    const std::vector<fields::Seed> all = seeds_of({.min_magnitude = 0}, false);
+    const std::vector<fields::Seed> all = seeds_of({.min_magnitude = 0, .select = {}}, false);
     ASSERT_EQ(all.size(), 5U) << "each frame that has a flow";
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(all[i].x, 1);
         EXPECT_EQ(all[i].u, 0.1F);
         EXPECT_EQ(all[i].v, 2.F * static_cast<float>(i)) << "the flow of its own frame";
     }
-    EXPECT_EQ(seeds_of({.min_magnitude = 5}, false).size(), 2U) << "of frames 6 and 8";
-    EXPECT_EQ(seeds_of({.min_magnitude = 0}, true).size(), 5U) << "there is something in each frame at this point";
+    EXPECT_EQ(seeds_of({.min_magnitude = 5, .select = {}}, false).size(), 2U) << "of frames 6 and 8";
+    EXPECT_EQ(seeds_of({.min_magnitude = 0, .select = {}}, true).size(), 5U)
+        << "there is something in each frame at this point";
 }
 
 TEST(ManifestText, ReadsWhatItWrote) {
