@@ -52,7 +52,7 @@ struct SeedOptions {
     double min_magnitude = 0.3;  ///< pixels per frame
     Choice<SeedAreaRow> area = "object";
     Choice<SeedOrderRow> order = "magnitude";
-    SeedSelection select;
+    SeedSelection select{};
 };
 
 /// Where the empty scene comes from.
