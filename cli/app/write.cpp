@@ -171,7 +171,7 @@ void Writer::write(FinishedPicture&& finished) {
     image::Picture& picture = finished.picture;
     const image::Metadata record = record_of(finished.drawn);
     if (taken_) taken_(picture, record);
-    if (!output.golden.path.empty()) last_ = {picture.pixels, picture.encoding, {}};
+    if (!output.golden.path.empty()) last_ = {picture.pixels};
     files_.add_thumbnail(picture);
     page::Moments moments = watched_ == nullptr ? page::Moments{} : watched_->take();
     if (!moments.problem.empty()) {
