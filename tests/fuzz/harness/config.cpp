@@ -18,8 +18,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     app.add_option("--match", list);
     app.add_flag("--quiet", flag);
     const auto commands = [&app] {
-        return std::vector<options::CommandNames>{{"render", options::configurable_names(app)},
-                                                  {"info", {"threshold"}}};
+        return std::vector<options::CommandNames>{{"render", [&app] { return options::configurable_names(app); }},
+                                                  {"info", [] { return std::vector<std::string>{"threshold"}; }}};
     };
     app.config_formatter(std::make_shared<options::ConfigFile>(app, "render", "vvr.toml", commands));
     std::istringstream input{std::string(fuzz::text_of(data, size))};
