@@ -85,8 +85,9 @@ constexpr std::size_t idle_share = 4;
 Volume::Volume(Size size, const VolumeOptions& options)
     : size_(size), options_(options), merger_(options.values), next_thinning_(options.capacity * options.step) {
     if (options.capacity < 2 || options.step < 1 || options.seed_interval < 1) {
-        throw Error(ErrorKind::usage, fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
-                                                  options.capacity, options.step));
+        throw Error(ErrorKind::usage,
+                    fmt::format("a volume needs room for 2 layers and a step of 1 frame, not {} and {}",
+                                options.capacity, options.step));
     }
 }
 
@@ -116,7 +117,9 @@ void Volume::add(const fields::Field& field, const Plane<Bgr>& colour, std::span
     OwnerPlane owner = owners_in(owners, scalar);
     Layer layer{field.index,   field.index,       1,      field.pts,       field.pts, 0,
                 moves ? 1 : 0, std::move(scalar), colour, std::move(owner)};
-    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step && layers() == options_.capacity) merge_pairs();
+    if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
+        layers() == options_.capacity)
+        merge_pairs();
     if (!options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step) {
         join(layers_.back(), layer, options_.values);
     } else {
@@ -168,7 +171,9 @@ void Volume::insert_track(std::size_t track, const PixelBox& box, const Plane<st
 
 void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double apart) {
     while (count > 0) {
-        if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step && layers() == options_.capacity) merge_pairs();
+        if (!options_.nonuniform && !layers_.empty() && layers_.back().frames == options_.step &&
+            layers() == options_.capacity)
+            merge_pairs();
         const bool goes_on = !options_.nonuniform && !layers_.empty() && layers_.back().frames < options_.step;
         const std::int64_t room = goes_on ? options_.step - layers_.back().frames : options_.step;
         const std::int64_t taken = options_.nonuniform ? count : std::min(count, room);
@@ -181,7 +186,8 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
             layer.last_pts = last_pts;
         } else {
             add_layer({index, index + taken - 1, taken, pts, last_pts, taken, 0, SparsePlane(size_),
-                       coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{}, options_.keep_owners ? OwnerPlane(size_) : OwnerPlane{}});
+                       coloured_ ? Plane<Bgr>(size_) : Plane<Bgr>{},
+                       options_.keep_owners ? OwnerPlane(size_) : OwnerPlane{}});
         }
         index += taken;
         count -= taken;
@@ -192,7 +198,8 @@ void Volume::add_gap(std::int64_t index, std::int64_t count, double pts, double 
 
 void Volume::settle() {
     if (!options_.nonuniform) return;
-    while (layers() > options_.capacity) merger_.merge_cheapest(layers_, static_cast<std::size_t>(options_.capacity) / idle_share);
+    while (layers() > options_.capacity)
+        merger_.merge_cheapest(layers_, static_cast<std::size_t>(options_.capacity) / idle_share);
     for (;;) {
         const auto idle = static_cast<std::size_t>(std::ranges::count_if(layers_, is_idle));
         if (idle == layers_.size() || idle * idle_share <= layers_.size() || !merger_.merge_idle(layers_)) return;
