@@ -75,8 +75,9 @@ bool has_read_error(const std::string& name) {
 bool is_playlist(const Input& input) {
     constexpr std::size_t looked_at = 4096;
     std::string begin(looked_at + AVPROBE_PADDING_SIZE, '\0');
+    const std::string path = input.url.substr(std::min(input.url.size(), std::string_view("file:").size()));
     const auto got = input.file ? ::pread(input.file->get(), begin.data(), looked_at, 0)
-                                : std::ifstream(input.name, std::ios::binary).read(begin.data(), looked_at).gcount();
+                                : std::ifstream(path, std::ios::binary).read(begin.data(), looked_at).gcount();
     if (got <= 0) return false;
     const AVProbeData data{input.name.c_str(), reinterpret_cast<unsigned char*>(begin.data()), static_cast<int>(got),
                            nullptr};
