@@ -18,7 +18,7 @@ void check_samples(const GladGLContext& gl, int samples) {
     const GLint most = std::min(max_drawn, max_sampled);
     if (samples <= most) return;
     throw Error(
-        ErrorCode::option_value_out_of_range,
+        ErrorCode::limit,
         fmt::format("samples {}: this OpenGL has at most {} per pixel; choose {} or fewer", samples, most, most),
         {"samples"});
 }

@@ -42,7 +42,8 @@ bool is_out_of_memory(const std::exception& error) {
         return system->code() == std::errc::resource_unavailable_try_again ||
                system->code() == std::errc::not_enough_memory;
     }
-    // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their own.
+    // oneTBB throws a plain runtime_error if it can't start a thread; all other exceptions here have types of their
+    // own.
     return typeid(error) == typeid(std::runtime_error);
 }
 

@@ -15,7 +15,7 @@ def test_backend_that_is_not_there(t):
     t.clip()
     t.render("clip.avi", "--backend", "egl", "--device", "99").expect(
         4, "no OpenGL context from backend egl, device 99; tried egl: asked for EGL device 99 but there ",
-        "; `vvr doctor` says how to fix it\n")
+        "; `vvr doctor` says how to fix it [opengl-unavailable]\n")
     t.expect_files("clip.avi")
 
 
