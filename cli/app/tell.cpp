@@ -111,7 +111,7 @@ void tell_warnings(const Drawn& drawn, Observer& observer) {
         observer.info(
             fmt::format("room along the arc goes where something moves: {} without motion are drawn short, in {}",
                         labels::format_duration(idle), counted(std::ssize(composed.squeezed), "place")));
-    } else if (seen.volume.step() > 1) {
+    } else if (seen.volume.step() > 1 && !seen.volume.is_nonuniform()) {
         observer.info(fmt::format("{} share a layer, as the clip is longer than the window",
                                   counted(seen.volume.step(), "frame")));
     }

@@ -138,7 +138,7 @@ def test_parts_of_each_night(t):
         t.path(name).write_bytes(t.path("2026-11-20_22-00-00.avi").read_bytes())
     t.zone("UTC")
     files = sorted(path.name for path in t.path(".").glob("*.avi"))
-    t.vvr("render", *files, "-o", "out.png", "--size", "640x480", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
+    t.vvr("render", *files, "-o", "out.png", "--size", "1000x700", "--between", "22:00-05:00", "--report", "r.json").expect(0, "in 2 parts")
     report = json.loads(t.path("r.json").read_text())
     check(report["frames"]["used"] == 200 + 100 + 200, f"{report['frames']}")
     check("left out, no signal" in texts_of(report["labels"]), f"{texts_of(report['labels'])}")
