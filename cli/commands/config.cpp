@@ -99,12 +99,12 @@ class Config final : public Command {
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {
         const options::ConfigChoice& choice = line.config();
         if (names_.size() > 1)
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::input_unsuitable,
                         fmt::format("'{}' is one argument too many; `vvr config` takes one COMMAND", names_[1]));
         std::string text = file_line(choice);
         if (names_.empty() && !preset_.empty()) {
             throw Error(
-                ErrorKind::usage,
+                ErrorCode::option_needs_another,
                 fmt::format("--preset: name the COMMAND of which you ask: vvr config render --preset {}", preset_));
         }
         if (names_.empty()) {

@@ -83,9 +83,10 @@ class Cut final : public Command {
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
-        if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the piece goes with -o FILE");
+        if (job_.path.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the piece goes with -o FILE");
         if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
-            throw Error(ErrorKind::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
+            throw Error(ErrorCode::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
         }
         cli::Console console(environment);
         const std::stop_source stop;

@@ -44,7 +44,8 @@ class Extract final : public Command {
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
-        if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
+        if (job_.folder.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the files go with -o DIR");
         app::require_input(job_.input);
         job_.settings = options::shown(line.values(std::array{options::Group::input, options::Group::fields}));
         cli::Console console(environment);

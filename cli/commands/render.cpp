@@ -54,7 +54,7 @@ class Render final : public Command {
         const std::string& last = names.back();
         if (std::filesystem::exists(last, none)) return;
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::output_missing,
             fmt::format("no output, and there is no input '{0}'; if that is where the picture goes: -o '{0}'", last));
     }
 

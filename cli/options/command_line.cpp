@@ -235,7 +235,7 @@ void CommandLine::path(Group group, std::filesystem::path& target, const Setting
         group, setting, target.string(),
         [&target, refuses](const std::string& given) {
             if (refuses && given == "-") {
-                throw Error(ErrorKind::usage,
+                throw Error(ErrorCode::option_value,
                             "'-' is standard input or output, which this can't be; ./- is a file of that name");
             }
             target = given;
@@ -320,10 +320,10 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         throw Error(error.code(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
                     error.about());
     } catch (const CLI::FileError&) {
-        throw Error(ErrorKind::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
+        throw Error(ErrorCode::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
                                                config_name, impl_->config.why));
     } catch (const CLI::ParseError& error) {
-        throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
+        throw Error(ErrorCode::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
     }
     refuse_leftovers();
     refuse_two_outputs();
@@ -348,8 +348,9 @@ void CommandLine::refuse_two_outputs() const {
         const auto other = std::ranges::find_if(
             option->results(), [&](const std::string& value) { return value != option->results().front(); });
         if (other == option->results().end()) continue;
-        throw Error(ErrorKind::usage, fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
-                                                  option->get_lnames().front(), option->results().front(), *other));
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
+                                option->get_lnames().front(), option->results().front(), *other));
     }
 }
 
@@ -360,21 +361,22 @@ void CommandLine::refuse_leftovers() const {
     if (leftovers.empty()) return;
     const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
     if (option == leftovers.end()) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many; `{} --help` lists what it takes",
-                                                  leftovers.front(), app.get_name()));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is one argument too many; `{} --help` lists what it takes", leftovers.front(),
+                                app.get_name()));
     }
     const std::string name = option->substr(0, option->find('='));
     for (const Setting& setting : impl_->absent) {
         if (name != fmt::format("--{}", setting.name)) continue;
-        throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live_reason));
+        throw Error(ErrorCode::option_unknown, fmt::format("{}: {}", name, setting.not_live_reason));
     }
     const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
     if (elsewhere != std::end(options_elsewhere)) {
-        throw Error(ErrorKind::usage, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
-                                                  elsewhere->second, app.get_name()));
+        throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
+                                                           elsewhere->second, app.get_name()));
     }
-    throw Error(ErrorKind::usage, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
-                                              did_you_mean(name, option_names(app)), app.get_name()));
+    throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
+                                                       did_you_mean(name, option_names(app)), app.get_name()));
 }
 
 std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {

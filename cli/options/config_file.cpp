@@ -72,8 +72,9 @@ void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<Co
     for (const CommandNames& row : commands) names.push_back(row.command);
     const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
     if (std::ranges::find(names, section) != names.end()) return;
-    throw Error(ErrorKind::usage, fmt::format("the config file '{}' has a section [{}], and there is no such command{}",
-                                              file_, section, did_you_mean(section, names)));
+    throw Error(ErrorCode::config_invalid,
+                fmt::format("the config file '{}' has a section [{}], and there is no such command{}", file_, section,
+                            did_you_mean(section, names)));
 }
 
 void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
@@ -86,8 +87,8 @@ void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNa
     }
     const std::string whose = item.parents.empty() ? std::string("which no command has")
                                                    : fmt::format("which `vvr {}` does not have", item.parents.front());
-    throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
-                                              did_you_mean(item.name, names)));
+    throw Error(ErrorCode::config_invalid, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
+                                                       did_you_mean(item.name, names)));
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {

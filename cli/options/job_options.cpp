@@ -67,7 +67,7 @@ void add_brick_options(CommandLine& line, app::RenderJob& job) {
     app::BrickOptions& options = job.bricks;
     line.value(Group::bricks, setting::brick, "", [&options](const std::string& given) {
         const app::Time length = parse_time(given);
-        if (length.value <= 0) throw Error(ErrorKind::usage, "length must be greater than 0");
+        if (length.value <= 0) throw Error(ErrorCode::option_value_out_of_range, "length must be greater than 0");
         options.length = length;
     });
     app::each_brick_setting(job, AddOption{line, Group::bricks});
@@ -148,8 +148,9 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
                [&job](const std::string& given) {
                    job.seed_flags = fields::SeedFlags::parse(given);
                    if (job.seed_flags) return;
-                   throw Error(ErrorKind::usage, fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick",
-                                                             given, fields::SeedFlags::most));
+                   throw Error(ErrorCode::option_value,
+                               fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick", given,
+                                           fields::SeedFlags::most));
                });
     add_brick_options(line, job);
     add_view_options(line, job);
@@ -168,7 +169,7 @@ image::Metadata shown(const std::vector<OptionValue>& values) {
 
 void finish(const CommandLine& line, app::RenderJob& job, bool series) {
     if (line.has(setting::brick) && line.has(setting::window) && !series) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write "
                     "a series: -o out.{brick:4}.png");
     }
@@ -256,7 +257,7 @@ glm::vec4 parse_colour(const std::string& text) {
     unsigned value = 0;
     const char* const end = text.data() + text.size();
     const bool hex = text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
-    if (!hex) throw Error(ErrorKind::usage, fmt::format("'{}': a colour is #rrggbb, or none", text));
+    if (!hex) throw Error(ErrorCode::option_value, fmt::format("'{}': a colour is #rrggbb, or none", text));
     return {static_cast<float>(value >> 16 & 255U) / 255, static_cast<float>(value >> 8 & 255U) / 255,
             static_cast<float>(value & 255U) / 255, 1};
 }
@@ -273,10 +274,11 @@ app::StartTime parse_start_time(const std::string& text) {
         if (text == word) return {from};
     }
     if (const auto seconds = parse_date_time(text)) return {From::given, *seconds};
-    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is "
-                                              "'recorded', 'container', 'modified' or 'none'. To begin later in the "
-                                              "clip, take --start",
-                                              text));
+    throw Error(ErrorCode::option_value,
+                fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is "
+                            "'recorded', 'container', 'modified' or 'none'. To begin later in the "
+                            "clip, take --start",
+                            text));
 }
 
 void add_start_time_option(CommandLine& line, app::StartTime& start) {

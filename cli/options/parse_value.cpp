@@ -16,8 +16,8 @@ namespace {
 
 constexpr double longest_clip = 1e9;
 
-[[noreturn]] void refuse(std::string_view text, std::string_view wanted) {
-    throw Error(ErrorKind::usage, fmt::format("'{}' is not {}", text, wanted));
+[[noreturn]] void refuse(std::string_view text, std::string_view wanted, ErrorCode code = ErrorCode::option_value) {
+    throw Error(code, fmt::format("'{}' is not {}", text, wanted));
 }
 
 /// All of `text` as a number, whatever the locale.
@@ -100,13 +100,19 @@ std::optional<double> seconds_of(std::string_view text) {
 
 double parse_number(std::string_view text, Range range) {
     const auto value = number_within(text, range);
-    if (!value) refuse(text, fmt::format("a number from {} to {}", range.low, range.high));
+    if (!value) {
+        refuse(text, fmt::format("a number from {} to {}", range.low, range.high),
+               number<double>(text) ? ErrorCode::option_value_out_of_range : ErrorCode::option_value);
+    }
     return *value;
 }
 
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high) {
     const auto value = number<std::int64_t>(text);
-    if (!value || *value < low || *value > high) refuse(text, fmt::format("a whole number from {} to {}", low, high));
+    if (!value || *value < low || *value > high) {
+        refuse(text, fmt::format("a whole number from {} to {}", low, high),
+               value ? ErrorCode::option_value_out_of_range : ErrorCode::option_value);
+    }
     return *value;
 }
 
@@ -118,7 +124,8 @@ Size parse_size(std::string_view text) {
     for (const std::int64_t side : {*width, *height}) {
         const auto [least, most] = setting::size.range;
         if (static_cast<double>(side) < least || static_cast<double>(side) > most) {
-            refuse(text, fmt::format("a size from {0}x{0} to {1}x{1}", least, most));
+            refuse(text, fmt::format("a size from {0}x{0} to {1}x{1}", least, most),
+                   ErrorCode::option_value_out_of_range);
         }
     }
     return {static_cast<int>(*width), static_cast<int>(*height)};
@@ -151,7 +158,8 @@ double parse_duration(std::string_view text, Range range) {
     const auto seconds = alone ? alone : seconds_of(text);
     if (!seconds) refuse(text, "a length of time like 90s, 1h30m, 00:01:30 or 2d");
     if (*seconds < range.low || *seconds > range.high)
-        refuse(text, fmt::format("a length of time from {}s to {}s", range.low, range.high));
+        refuse(text, fmt::format("a length of time from {}s to {}s", range.low, range.high),
+               ErrorCode::option_value_out_of_range);
     return *seconds;
 }
 
@@ -187,8 +195,8 @@ app::Time parse_time(std::string_view text) {
     if (alone && *alone == 0) return {0, app::Time::Unit::seconds};
     if (alone) {
         const bool whole = *alone == std::floor(*alone);
-        throw Error(ErrorKind::usage, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
-                                                  whole ? fmt::format("{}f for frames or ", text) : ""));
+        throw Error(ErrorCode::option_value, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
+                                                         whole ? fmt::format("{}f for frames or ", text) : ""));
     }
     const auto seconds = seconds_of(text);
     if (!seconds) refuse(text, "a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame");
