@@ -67,7 +67,7 @@ void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
                [&options](const std::string& given) { options.timeout = parse_whole_seconds(given); });
     line.value(workers, text::max_memory, std::string(text::max_memory.default_text),
                [&options](const std::string& given) {
-                   constexpr std::int64_t least = 200'000'000;  // of a worker with the smallest clip
+                   constexpr std::int64_t least = 200'000'000;  // what a worker needs for the smallest clip
                    options.max_memory = parse_bytes(given);
                    if (*options.max_memory >= least) return;
                    throw Error(ErrorCode::option_value_out_of_range,

@@ -19,7 +19,7 @@ const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
     return option != nullptr && option->get_configurable() ? option : nullptr;
 }
 
-/// What the preset of a config file sets, where neither the file nor the command line does.
+/// Adds the options of the config file's preset that the file does not set. The command line wins over both.
 void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
     const auto named = std::ranges::find(items, std::string(setting::preset.name), &CLI::ConfigItem::name);
     const CLI::Option* const option = option_of(app, std::string(setting::preset.name));
@@ -32,7 +32,7 @@ void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
     }
 }
 
-/// The file without its comments. CLI11 would end a value at each #, in quotes too, as of a colour.
+/// The file without comments. CLI11 would take any # for a comment, even the one of a quoted colour.
 std::istringstream without_comments(std::istream& input) {
     std::string text;
     for (std::string line; std::getline(input, line); text += line + '\n') {

@@ -17,7 +17,7 @@ namespace vvr::options {
 
 namespace {
 
-/// Puts a place in a clip into that member of a span which counts in its unit.
+/// Stores a time in the member of the span that has its unit.
 void set_start(video::FrameSpan& span, const app::Time& time) {
     const bool seconds = time.unit == app::Time::Unit::seconds;
     span.start = seconds ? time.value : 0;
@@ -32,7 +32,7 @@ void set_end(video::FrameSpan& span, const app::Time& time) {
     }
 }
 
-/// Adds the option of a setting, by the type of its value.
+/// Adds an option for a setting, according to the type of its value.
 struct AddOption {
     CommandLine& line;
     Group group;
@@ -127,7 +127,7 @@ void add_seed_options(CommandLine& line, fields::SeedOptions& options) {
 }
 
 void add_preset_option(CommandLine& line, Group group) {
-    line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
+    line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // applied before parsing
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {
@@ -174,11 +174,11 @@ void finish(const CommandLine& line, app::RenderJob& job, bool series) {
                     "a series: -o out.{brick:4}.png");
     }
     job.settings = shown(line.values(picture_groups));
-    // What stands there can be given back: --brick decides how many bricks there are.
+    // Recorded settings must be valid as options again: with --brick, don't record --window.
     if (line.has(setting::brick) && !series)
         std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
     job.given = shown(line.given(std::array{Group::input, Group::fields}));
-    // These are about the render, not about the fields that an extraction holds.
+    // These settings concern the render, not the fields of an extraction.
     std::erase_if(job.given, [](const auto& given) {
         return given.first == setting::step.name || given.first == setting::seeds.name ||
                given.first == setting::names.name || given.first == setting::join.name ||
@@ -241,7 +241,7 @@ std::string text_of(const app::Parts& shown) {
     return text;
 }
 
-/// The transfer functions that themes have, and filters that have one of their own.
+/// The transfer functions of themes, and the filters that have their own.
 std::string default_transfers() {
     std::string text =
         defaults_of(scene::themes(), [](const scene::Theme& theme) { return std::string(theme.transfer); });
@@ -251,7 +251,7 @@ std::string default_transfers() {
     return text;
 }
 
-/// A colour multiplied by its opacity.
+/// Premultiplied with its opacity.
 glm::vec4 parse_colour(const std::string& text) {
     if (text == "none") return glm::vec4(0);
     unsigned value = 0;

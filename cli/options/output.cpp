@@ -68,7 +68,7 @@ std::set<events::EventKind> parse_kinds(const std::string& list) {
     return kinds;
 }
 
-/// Whether both name one file, be it there or not.
+/// Whether both paths name the same file. It need not exist.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
     if (std::filesystem::equivalent(a, b, none)) return true;
@@ -78,11 +78,11 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return !a.empty() && !b.empty() && whole(a) == whole(b);
 }
 
-/// An output, and the option that names it.
+/// An output and the option that names it.
 struct Named {
     const char* option;
     const std::filesystem::path& path;
-    const char* better;  ///< a name to take instead
+    const char* better;  ///< a name to suggest instead
 };
 
 void check_names(const app::OutputOptions& options) {
@@ -95,7 +95,7 @@ void check_names(const app::OutputOptions& options) {
                              {"--diff", options.golden.comparison.diff, "diff.png"}};
     for (const Named& a : outputs) {
         for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
-            // What a golden picture is compared with, and where the difference goes, is for that group to check.
+            // check_golden checks these pairs.
             if (&a - outputs > 3 || !same_file(a.path, b.path)) continue;
             throw Error(ErrorCode::options_conflict,
                         fmt::format("{} and {} both name '{}'; give the {} a name of its own, such as {}", a.option,
@@ -104,7 +104,7 @@ void check_names(const app::OutputOptions& options) {
     }
 }
 
-/// What standard output can take: one picture, or the report.
+/// Standard output can hold one picture or the report, not both.
 void check_standard_output(const app::OutputOptions& options) {
     if (!is_standard_output(options.path)) return;
     if (is_standard_output(options.report)) {
@@ -118,7 +118,7 @@ void check_standard_output(const app::OutputOptions& options) {
     }
 }
 
-/// Names every kind of file that there is, which the codec of pictures can't.
+/// The error lists all output formats; that of the picture codec would list only its own.
 void check_extension(const std::filesystem::path& path) {
     if (is_standard_output(path) || app::is_page(path) || image::is_animation(path)) return;
     std::vector<std::string> known = image::picture_file_extensions();
@@ -132,7 +132,7 @@ void check_extension(const std::filesystem::path& path) {
                             did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
-/// The page and the thumbnail beside a picture.
+/// Checks the files written beside a picture, such as page and thumbnail.
 void check_companions(const app::OutputOptions& options) {
     if (!options.page.empty() && !app::is_page(options.page)) {
         throw Error(ErrorCode::output_format_unknown,
@@ -171,7 +171,7 @@ void check_companions(const app::OutputOptions& options) {
 void check_golden(const app::GoldenOptions& options) {
     check(options.comparison);
     if (!options.path.empty()) {
-        // A folder that can only be read is good enough to compare with.
+        // A read-only folder will do for a comparison.
         return options.bless ? image::check_picture_path(options.path) : image::check_picture_extension(options.path);
     }
     if (options.bless)
@@ -311,7 +311,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What makes a file the same one, whatever its names: links are followed.
+/// Identifies a file whatever its names. Symbolic links are followed.
 using FileId = std::pair<dev_t, ino_t>;
 
 std::optional<FileId> id_of(const fs::path& path) {
@@ -320,13 +320,13 @@ std::optional<FileId> id_of(const fs::path& path) {
     return FileId{status.st_dev, status.st_ino};
 }
 
-/// The files that are there already and that a run would write, each with the option and the name that was given.
+/// The existing files that a run would overwrite, each with its option and the name given.
 class Outputs {
   public:
     void add(const OptionValue& option, const fs::path& path) {
         std::error_code none;
         if (fs::is_directory(path, none)) {
-            // An older extraction in it is replaced as a whole; a folder of anything else is refused.
+            // An older extraction is replaced as a whole. Any other folder is refused elsewhere.
             if (!fs::exists(path / "manifest.json", none)) return;
             fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, none);
             for (; !none && entry != fs::recursive_directory_iterator(); entry.increment(none)) put(*entry, option);
@@ -338,7 +338,7 @@ class Outputs {
 
     bool empty() const { return files_.empty(); }
 
-    /// \param given the name by which the user gave what is read
+    /// \param given the user's name for the input
     void refuse(const fs::path& read, const std::string& given) const {
         const std::optional<FileId> id = id_of(read);
         if (!id) return;
@@ -357,7 +357,7 @@ class Outputs {
         }
     }
 
-    /// What is there of a series or an animation.
+    /// The existing files of a series or an animation.
     static std::vector<fs::path> files_of_pattern(const fs::path& path) {
         std::vector<fs::path> files;
         try {
@@ -370,7 +370,7 @@ class Outputs {
                 if (pattern.may_be(entry->path().filename().string())) files.push_back(entry->path());
             }
         } catch (const Error&) {
-            return {};  // who takes the name says what is wrong with it
+            return {};  // a check of the name itself reports the error
         }
         return files;
     }

@@ -20,7 +20,7 @@ constexpr double longest_clip = 1e9;
     throw Error(code, fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// All of `text` as a number, whatever the locale.
+/// Parses the whole text as a number, independent of the locale.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
     Number value{};
@@ -45,7 +45,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     return parts;
 }
 
-/// `00:01:30`: only the last part may have a fraction, and only the first may be 60 or more.
+/// `00:01:30`. Only the last part may have a fraction, and only the first may be 60 or more.
 std::optional<double> clock_seconds(std::string_view text) {
     const auto parts = split(text, ':');
     if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<double> clock_seconds(std::string_view text) {
     return seconds <= longest_clip ? std::optional(seconds) : std::nullopt;
 }
 
-/// `1h30m`: units from the largest to the smallest, each once; only the last number may have a fraction.
+/// `1h30m`. Units from largest to smallest, each at most once; only the last number may have a fraction.
 std::optional<double> unit_seconds(std::string_view text) {
     constexpr std::pair<char, double> units[] = {{'d', 86400}, {'h', 3600}, {'m', 60}, {'s', 1}};
     double seconds = 0;
@@ -204,7 +204,7 @@ app::Time parse_time(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_date_time(std::string_view text) {
-    constexpr std::size_t date = 10;  // characters of 2026-11-22
+    constexpr std::size_t date = 10;  // length of 2026-11-22
     if (text.size() <= date || (text[date] != ' ' && text[date] != 'T')) return std::nullopt;
     const auto parts = split(text.substr(0, date), '-');
     const auto clock = time_of_day(text.substr(date + 1));
@@ -228,7 +228,7 @@ std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text)
         return video::RequestedTime{*clock, false, std::string(text)};
     }
     if (const auto seconds = parse_date_time(text)) return video::RequestedTime{*seconds, true, std::string(text)};
-    // Dates that are none, and dates alone.
+    // An invalid date, or a date without a time.
     if (text.size() > 4 && text[4] == '-') refuse(text, forms);
     return parse_time(text);
 }
