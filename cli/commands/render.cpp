@@ -45,7 +45,7 @@ class Render final : public Command {
     }
 
   private:
-    /// `vvr render clip.avi out.png`: the last name is that of a file which is to be made.
+    /// Detects `vvr render clip.avi out.png`: the last name is a missing file, probably meant as the output.
     void check_meant_output() const {
         const app::OutputOptions& output = job_.output;
         const std::vector<std::string>& names = job_.input.names;

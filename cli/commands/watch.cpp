@@ -18,7 +18,7 @@ namespace {
 class Watch final : public Command {
   public:
     Watch() {
-        // A reference that needs the whole clip would have to wait for the end.
+        // A live stream can't have a reference that needs the whole clip.
         job_.fields.reference =
             std::string(std::ranges::find_if(fields::reference_kinds(), &fields::ReferenceRow::adapts)->name);
     }
