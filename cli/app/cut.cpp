@@ -31,8 +31,9 @@ constexpr double little = 0.002;  // seconds; less than any frame lasts, more th
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
     std::error_code none;
     if (!fs::equivalent(path, input, none)) return;
-    throw Error(ErrorKind::usage, fmt::format("'{}' is the {} itself, '{}'; give the piece a name of its own",
-                                              path.string(), what, input.string()));
+    throw Error(ErrorCode::output_replaces_input,
+                fmt::format("'{}' is the {} itself, '{}'; give the piece a name of its own", path.string(), what,
+                            input.string()));
 }
 
 /// Times as people type them.
@@ -54,7 +55,7 @@ const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>&
     const std::string what = count == 0   ? "has no events"
                              : count == 1 ? "has 1 event; choose that"
                                           : fmt::format("has {} events; choose 1 to {}", count, count);
-    throw Error(ErrorKind::usage, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
+    throw Error(ErrorCode::event_unknown, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
                 {"event"});
 }
 
@@ -71,7 +72,7 @@ Selection find_event(const CutJob& job, const Footage& footage, Observer& observ
     const fields::FilterRow& filter = *job.search.fields.filter;
     if (!filter.traits.shows_object) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter.name),
             {"filter"});
     }
@@ -139,12 +140,12 @@ void check_unit(const CutJob& job, const Footage& footage, const Time& time, std
     if (time.unit == Time::Unit::seconds || time.value == 0) return;
     if (job.margin > 0) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("margin is in seconds, and {} {} is a frame; give a time such as 12.5s", option, time.value),
             {"margin"});
     }
     if (footage.is_single) return;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value,
                 fmt::format("{} {} is a frame, and the frames of a recording of several files are not counted without "
                             "decoding it; give a time such as 12.5s",
                             option, time.value),
@@ -166,7 +167,7 @@ video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
     const double least = job.to ? job.to->value : 0;
     const bool same_unit = job.to && (!job.from || job.from->unit == job.to->unit);
     if (same_unit && least <= (job.from ? job.from->value : 0)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::span_empty,
                     fmt::format("the piece is empty: it ends at {}{} and does not begin before that", least,
                                 job.to->unit == Time::Unit::seconds ? " s" : ", a frame,"),
                     {"from", "to"});
@@ -193,7 +194,7 @@ fs::path named(const CutJob& job, const Selection& selection, const FootagePart&
     const video::Input input = video::open_input(first.file.path);
     const std::string_view ending = job.exact ? exact_extension() : video::extension_for(input, job.search.input.rate);
     if (ending.empty()) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::input_unsuitable,
                     fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
                                 first.file.path),
                     {"exact"});

@@ -21,13 +21,13 @@ namespace {
 void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     if (!job.part) return;
     if (job.fields.span != video::FrameSpan{}) {
-        throw Error(ErrorKind::usage, "part says where to begin and to end; leave out the start and the end",
+        throw Error(ErrorCode::options_conflict, "part says where to begin and to end; leave out the start and the end",
                     {"part", setting::start.name, setting::end.name});
     }
     const auto [part, count] = *job.part;
     if (clip.frames < count) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::option_value_out_of_range,
             fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part, count,
                         clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
             {"part", setting::start.name, setting::end.name});
@@ -53,7 +53,7 @@ void extract(ExtractJob job, Observer& observer) {
     std::string day_times;
     job.fields.span = resolve_span(job.fields.span, job.start_time, clip->info(), day_times);
     if (!job.fields.span.parts.empty()) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("between: '{}' has {} of it, and an extraction is of one stretch; give --start and "
                                 "--end as well, with dates",
                                 clip->info().name, counted(std::ssize(job.fields.span.parts), "part")),

@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
     throw Error(
-        ErrorKind::usage,
+        ErrorCode::input_unsuitable,
         fmt::format("report '{}' {}; make one with: vvr render CLIP --report report.json", report.string(), what),
         {"report"});
 }
@@ -85,7 +85,8 @@ constexpr double slack = 0.0005;  // seconds; times are rounded
 /// Only a file with times can be cut.
 void check_single(const std::string& name) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
     };
     std::error_code none;
     if (name == "-") refuse("stdin, which can't be cut");
@@ -122,7 +123,7 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 [[noreturn]] void refuse_report(const std::string& report, std::size_t event, const std::vector<std::string>& needed,
                                 const std::vector<std::string>& missing, const Footage& footage) {
     const bool is_one = needed.size() == 1;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::input_unsuitable,
                 fmt::format("event {} of report '{}' lies in '{}'; by size and digest {} not among what was given, "
                             "'{}': give {}, or a report of what was given",
                             event, report, fmt::join(needed, "', '"),
@@ -167,7 +168,7 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
             problems.emplace_back(error.what());
         }
     }
-    if (places.empty()) throw Error(ErrorKind::not_video, problems.front());
+    if (places.empty()) throw Error(ErrorCode::not_video, problems.front());
     report_warnings(footage.recording.warnings, problems, observer);
     return places;
 }

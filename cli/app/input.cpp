@@ -56,7 +56,7 @@ void report_warnings(const std::vector<std::string>& warnings, const std::vector
 
 void require_whole(const video::VideoInfo& info) {
     if (info.left_out.files == 0) return;
-    throw Error(ErrorKind::partial,
+    throw Error(ErrorCode::partial,
                 fmt::format("'{}' is not in the result as a whole: {}", info.name, video::text_of(info.left_out)));
 }
 
@@ -84,14 +84,14 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     });
     const char* const command = of_seeds ? "seeds" : "extract";
     if (others.size() == 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it",
                                 others.front().first, image::value_of(job.given, others.front().first), folder,
                                 others.front().second, command),
                     {others.front().first});
     }
     const std::string preset = image::value_of(job.settings, "preset");
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::extraction_unsuitable,
                 fmt::format("'{}' was extracted with other settings than are asked for: {}; leave these out, or run "
                             "`vvr {}{}` with them",
                             folder, list, command, preset.empty() ? "" : fmt::format(" --preset {}", preset)));
@@ -101,7 +101,7 @@ OpenedFields open_extracted(const RenderJob& job) {
     const fields::FilterRow* const second = job.look.colour->filter;
     if (second != nullptr) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::extraction_unsuitable,
             fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
                         "colour",
                         second->name, job.input.names.front()),
@@ -109,7 +109,7 @@ OpenedFields open_extracted(const RenderJob& job) {
     }
     const std::vector<std::string>& folders = job.input.names;
     if (job.fields.span.asked != video::RequestedSpan{}) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
                                 folders.front()),
                     {setting::start.name, setting::end.name, setting::between.name});
@@ -140,7 +140,7 @@ ClipFacts OpenedFields::facts() const {
 
 void require_frames(std::int64_t frames, const video::VideoInfo& info) {
     if (frames > 0) return;
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::no_frame,
                 fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", info.name));
 }
 
@@ -160,14 +160,16 @@ bool wants_colour(const RenderJob& job) {
 
 void require_input(const InputOptions& options) {
     if (options.names.empty()) {
-        throw Error(ErrorKind::usage, "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
+        throw Error(ErrorCode::input_missing,
+                    "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
     }
 }
 
 const std::string& only_input(const InputOptions& options) {
     require_input(options);
     if (options.names.size() > 1) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
     }
     return options.names.front();
 }
@@ -208,7 +210,7 @@ void check_has_end(const video::VideoInfo& info, Observer& observer) {
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
     if (std::ranges::find(of_files, protocol) == of_files.end()) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::input_unsuitable,
             fmt::format("'{}' is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS "
                         "-t 60 -c copy piece.mkv` records a piece that can be drawn",
                         info.name));

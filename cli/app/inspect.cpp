@@ -53,7 +53,7 @@ Moment find_frame(video::FrameSource& clip, const Time& time) {
     const bool shown =
         by_number ? time.value <= static_cast<double>(found.frame) : time.value <= found.seconds || time.value < end;
     if (past || shown) return found;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value_out_of_range,
                 fmt::format("frame: '{}' has {}, the last at {:.3f} s; choose an earlier one", clip.info().name,
                             counted(found.frame + 1, "frame"), found.seconds),
                 {"frame"});
@@ -210,8 +210,8 @@ Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {
     while (const auto frame = clip.next()) {
         if (frame->index >= moment.frame) return video::picture_of(scale(*frame));
     }
-    throw Error(ErrorKind::not_video, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
-                                                  clip.info().name, moment.frame));
+    throw Error(ErrorCode::no_frame, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
+                                                 clip.info().name, moment.frame));
 }
 
 /// Regions as polygons; a page can't change a picture.

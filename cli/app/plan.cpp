@@ -47,14 +47,14 @@ const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
     const ColourRow& asked = *look.colour;
     if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
                         job.fields.filter->name),
             {setting::colour.name, setting::filter.name});
     }
     const bool second_flow = asked.filter != nullptr && asked.filter->traits.flow;
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
                                 asked.name, job.fields.flow.method->name),
                     {setting::colour.name, setting::flow.name});
@@ -117,7 +117,7 @@ double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
     if (bricks.length && bricks.length->unit == Time::Unit::frames) return bricks.length->value;
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value,
                     fmt::format("brick of {} s: '{}' does not say how many frames it has per second; give the length "
                                 "of a brick in frames, for example {:.0f}f",
                                 bricks.length->value, info.name, default_frames),
@@ -217,7 +217,7 @@ void check_memory(const Extent& extent) {
     const std::int64_t there = machine_memory();
     if (there <= 0 || extent.bytes <= there) return;
     throw Error(
-        ErrorKind::limit,
+        ErrorCode::memory_too_small,
         fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
                     "picture, smaller fields or fewer layers",
                     static_cast<double>(extent.bytes) / 1e9, static_cast<double>(there) / 1e9),

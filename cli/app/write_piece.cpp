@@ -58,7 +58,7 @@ const Encoding& encoding_for(const fs::path& path) {
     for (const video::ContainerRow& row : video::containers()) {
         if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
     }
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': an exact piece can't be a {}, or its encoder is not installed; choose "
                             "{}",
                             path.string(), container.name, fmt::join(others, ", ")),
@@ -129,7 +129,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
     std::optional<double> over;
     for (const FootagePart& part : job.parts) {
         if (part.overlaps) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::input_unsuitable,
                         fmt::format("'{}' begins before the file before it ends, so a copy would show some time twice; "
                                     "cut it exactly, which encodes the video anew",
                                     part.file.path),
