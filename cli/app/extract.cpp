@@ -17,7 +17,7 @@ namespace vvr::app {
 
 namespace {
 
-/// Turns a part's number into the frames where it begins and ends. The last part has no end: headers lie.
+/// Converts the part's number to a span of frames. The last part has no end, as the header's length can be wrong.
 void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     if (!job.part) return;
     if (job.fields.span != video::FrameSpan{}) {
@@ -68,7 +68,7 @@ void extract(ExtractJob job, Observer& observer) {
     std::int64_t frames = 0;
     const fields::FieldSummary summary =
         fields::compute_fields(*clip, job.fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
-            // Not before there is something to write: an older extraction stays if this one comes to nothing.
+            // Create the folder only now, so that an older extraction stays if this one fails early.
             if (!folder) folder.emplace(job.folder, flow_every, job.colour);
             folder->add(*frame, field);
             observer.frames(++frames, expected);

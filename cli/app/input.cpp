@@ -45,7 +45,7 @@ std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer) {
-    constexpr std::size_t told = 5;  // files; a disk that fails may spoil thousands
+    constexpr std::size_t told = 5;  // problems logged at most; a failing disk may cause thousands
     for (const std::string& warning : warnings) observer.warn(warning);
     const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
     for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
@@ -62,11 +62,11 @@ void require_whole(const video::VideoInfo& info) {
 
 namespace {
 
-// What `vvr seeds` can do again on a stored flow.
+// Settings that `vvr seeds` can change on a stored flow.
 constexpr std::array settings_of_seeds{setting::grid.name, setting::min_magnitude.name, setting::seed_area.name,
                                        setting::seed_order.name, setting::seed_select.name};
 
-/// What was asked for has to be what an extraction has.
+/// Checks that the settings given agree with the extraction's.
 void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     const std::string& folder = job.input.names.front();
     image::Metadata others;
@@ -152,7 +152,7 @@ fields::FieldOptions field_options_of(const RenderJob& job) {
 
 bool wants_colour(const RenderJob& job) {
     const ColourRow& colour = *job.look.colour;
-    // Objects are found by colour too, not only if the picture happens to show some.
+    // Objects are found by colour too; this must not depend on what the picture shows.
     return job.fields.filter->traits.colour || fields::needs_reference(field_options_of(job)) ||
            job.look.show.any(&PartRow::needs_pictures) || colour.needs_pictures ||
            (colour.filter != nullptr && colour.filter->traits.colour);
@@ -206,7 +206,7 @@ std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::F
 void check_has_end(const video::VideoInfo& info, Observer& observer) {
     if (!video::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
     const std::string protocol = info.name.substr(0, info.name.find(':'));
-    // Of these a file can come without its length being known.
+    // With these protocols, a finite file may have no known length.
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
     if (std::ranges::find(of_files, protocol) == of_files.end()) {
         throw Error(

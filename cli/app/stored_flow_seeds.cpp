@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lists of a run. Without `keep` they go again, and with them the folder if it is new.
+/// The folder for the lists of a run. The destructor removes the lists, and a new folder, unless keep() was called.
 class SeedFolder {
   public:
     explicit SeedFolder(fs::path folder) : folder_(std::move(folder)) {
@@ -69,7 +69,7 @@ class SeedFolder {
     bool kept_ = false;
 };
 
-/// The number at the end of a name.
+/// The number at the end of a file name.
 std::int64_t frame_of(const fs::path& file) {
     const std::string name = file.stem().string();
     const std::size_t digits = name.find_last_not_of("0123456789") + 1;
@@ -81,7 +81,7 @@ std::int64_t frame_of(const fs::path& file) {
                             file.string()));
 }
 
-/// Flow alone: where objects are isn't known.
+/// These files have flow only; objects are unknown.
 void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
     std::map<std::int64_t, fs::path> files;
     std::error_code error;
