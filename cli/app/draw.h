@@ -11,7 +11,7 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 
-// From a composition to its picture. All of it is done on the thread that owns the context (cli/app/render_thread.h).
+// Draws compositions. Call these functions on the thread that owns the context (cli/app/render_thread.h).
 namespace vvr::app {
 
 /// The OpenGL objects that draw the pictures of a plan. Create, use and close them on the same thread.

@@ -14,7 +14,7 @@
 #include "core/events/event.h"
 #include "core/events/patch.h"
 
-// What is told of objects, and whose the voxels of a volume are.
+// The events that outputs show, and the mapping from voxels to objects.
 namespace vvr::app {
 
 /// The events that a picture, a page and a report show.

@@ -16,7 +16,7 @@
 #include "core/glance/portraits.h"
 #include "core/video/frame.h"
 
-// What is seen of a clip.
+// Reading a clip into an observation.
 namespace vvr::app {
 
 /// A frame and its number, counted from the start of the volume.

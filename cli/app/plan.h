@@ -12,7 +12,7 @@
 #include "core/fields/filter.h"
 #include "core/fields/reference.h"
 
-// What is to be done: a job, checked against the footage that was opened for it.
+// The plan of a run: a job that was checked against the opened footage.
 namespace vvr::app {
 
 /// The purpose of a run, beyond the files named by its output.

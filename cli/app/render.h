@@ -4,7 +4,8 @@
 #include "cli/app/observer.h"
 #include "cli/app/write.h"
 
-/// The application: a job in; pictures, a page, a report and the comparison with a golden picture out.
+/// The whole application: a job as input; pictures, a page, a report and the comparison with a golden picture as
+/// output.
 namespace vvr::app {
 
 /// Facts about a run for the caller.

@@ -5,7 +5,7 @@
 #include "core/fields/settings.h"
 #include "core/space/layout.h"
 
-/// The settings of a RenderJob beside those of its fields.
+/// The settings of a RenderJob, except those of its fields.
 namespace vvr::setting {
 
 inline constexpr Setting step{

@@ -6,7 +6,7 @@
 #include "cli/app/drawn.h"
 #include "cli/app/observer.h"
 
-// What people are told of a run.
+// Texts for people about a run.
 namespace vvr::app {
 
 /// The result of a run in one line.
