@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view clear_line = "\r\033[K";
 
 void write_stderr(std::string_view text) {
-    // A terminal that went away is no reason to stop.
+    // Ignore write errors: the run goes on without its terminal.
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 

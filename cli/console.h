@@ -14,23 +14,23 @@
 
 namespace vvr::cli {
 
-/// What main hands to every command.
+/// What main passes to every command.
 struct Environment {
-    spdlog::logger& log;  ///< to people, on stderr
+    spdlog::logger& log;  ///< for people, on stderr
     Signals& signals;
-    bool quiet = false;  ///< nothing is said unless it fails
+    bool quiet = false;  ///< log errors only
 };
 
-/// Writes `text`, data for the user, to stdout. A reader that has seen enough, as `head` has, is no error.
+/// Writes `text` to stdout. A closed pipe is not an error, as when `head` has read enough.
 /// \throws Error io
 void print(std::string_view text);
 
-/// A bar on stderr that shows how far a run is.
+/// A progress bar on stderr.
 class Progress {
   public:
-    /// \param total frames that are expected, 0 = unknown
+    /// \param total number of frames expected; 0 = unknown
     Progress(std::string what, std::int64_t total);
-    /// Removes the bar, so that a line can be written.
+    /// Erases the bar, so that a line can be written.
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -45,13 +45,13 @@ class Progress {
     Clock::time_point next_ = Clock::now();
 };
 
-/// Whether stderr is a terminal on which a bar can be drawn.
+/// Whether stderr is a terminal that can show a progress bar.
 bool stderr_is_terminal();
 
-/// Shows a run to people: a bar, and lines in the log. Signals wait for files that are being written.
+/// Shows the progress of a run: a bar, and lines in the log. Holds back signals while files are written.
 class Console final : public app::Observer {
   public:
-    /// \param bar whether a bar shows how far the run is; only a terminal gets one, and only where others are not quiet
+    /// \param bar whether to show a progress bar. It is shown only on a terminal, and not with --quiet.
     Console(const Environment& environment, bool bar = true);
 
     void frames(std::int64_t done, std::int64_t expected) override;

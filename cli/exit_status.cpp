@@ -45,7 +45,7 @@ std::optional<ErrorCode> code_of_status(int status) {
 
 namespace {
 
-/// Whether a text begins with a setting's name, as errors about one do: "threshold: 300 is not between 0 and 255".
+/// Whether the text begins with the setting's name, such as "threshold: 300 is not between 0 and 255".
 bool begins_with(const std::string& text, const std::string& name) {
     if (!text.starts_with(name) || text.size() == name.size()) return false;
     return text[name.size()] == ':' || text[name.size()] == ' ';
@@ -71,7 +71,7 @@ namespace {
 constexpr std::string_view out_of_memory =
     "out of memory; try a smaller --field-size, --size or --window (`vvr info` estimates the need)";
 
-/// What std::terminate does. Where libraries are loaded or clean up, nothing that they throw can be caught.
+/// The handler for std::terminate. Exceptions thrown while libraries are loaded or unloaded can't be caught.
 [[noreturn]] void end_program() {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);

@@ -10,41 +10,40 @@
 
 namespace vvr::cli {
 
-/// What the program says to the shell. A run that SIGINT, SIGTERM or SIGHUP ends dies of that signal, which a shell
-/// shows as 130, 143 or 129.
+/// The exit status of the program. SIGINT, SIGTERM and SIGHUP kill it instead, which a shell shows as 130, 143 or 129.
 enum class ExitStatus {
     done = 0,
-    usage = 1,      ///< the command line or a config file
+    usage = 1,      ///< an error in the command line or a config file
     io = 2,         ///< a file can't be read or written
     not_video = 3,  ///< the input is not usable video
-    backend = 4,    ///< no OpenGL backend, or OpenGL failed; or no sandbox where one is required
+    backend = 4,    ///< no OpenGL backend, or OpenGL failed; or a required sandbox is not available
     limit = 5,      ///< out of memory, or over a stated limit
     partial = 6,    ///< some of several inputs failed
-    differs = 7,    ///< a picture differs from its golden one, or there is none
+    differs = 7,    ///< a picture differs from its reference, or the reference is missing
     bug = 70,       ///< an error that vvr should have foreseen
 };
 
 ExitStatus exit_status(ErrorKind kind);
 
-/// The general code of what ends with a status; nothing where no error does.
+/// The general error code for an exit status; nothing if the status is not an error.
 std::optional<ErrorCode> code_of_status(int status);
 
-/// A text with the options of the settings that it is about: `threshold: 300 ...` becomes `--threshold: 300 ...`, and
-/// what the text does not begin with follows in brackets.
+/// The text with its settings as options: `threshold: 300 ...` becomes `--threshold: 300 ...`. Settings with which the
+/// text doesn't begin are appended in brackets.
 std::string with_flags(const std::string& text, const RelatedSettings& about);
 
-/// What came of a run.
+/// The outcome of a run.
 struct Outcome {
     ExitStatus status = ExitStatus::done;
-    std::optional<ErrorCode> code{};  ///< of the error that ended it; none = nothing was thrown
+    std::optional<ErrorCode> code{};  ///< of the error that ended the run; none = no error
     std::string text{};               ///< of that error, for people
 };
 
-/// Runs `action`; whatever it throws becomes a line for people, a code and an exit status. The one place that does so.
+/// Runs `action`. Turns any exception into a log line, an error code and an exit status; nothing else does that.
 Outcome report_errors(spdlog::logger& log, const std::function<ExitStatus()>& action);
 
-/// Makes a program that a library ends with std::terminate, for want of memory or of a thread, end with status 5 and
-/// its line. What is half written then has a hidden name, and goes at the next run.
+/// Handles std::terminate, which libraries call when they lack memory or can't start a thread: prints an error and
+/// exits with status 5. A partly written file then has a hidden name, and the next run removes it.
 void install_terminate_handler();
 
 }  // namespace vvr::cli

@@ -27,8 +27,8 @@ namespace vvr::cli {
 
 namespace {
 
-/// Appends lines to a file, each in one write, so that several programs can share it. When the file at its path is
-/// another than the one that is open, or there is none any more, it is opened anew.
+/// Appends lines to a file. Each line is one write, so several programs can share the file. Opens the file again if it
+/// has been moved or deleted.
 class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   public:
     /// \throws Error io
@@ -72,7 +72,7 @@ bool LogFile::is_still_there() const {
            open.st_ino == named.st_ino;
 }
 
-// A line that can't be written is lost: no picture is to fail for it.
+// A failed write loses the line; a log must not make a picture fail.
 void LogFile::sink_it_(const spdlog::details::log_msg& message) {
     if (fd_ < 0 || !is_still_there()) {
         if (fd_ >= 0) ::close(fd_);
@@ -83,7 +83,7 @@ void LogFile::sink_it_(const spdlog::details::log_msg& message) {
     [[maybe_unused]] const auto written = fd_ < 0 ? 0 : ::write(fd_, line.data(), line.size());
 }
 
-/// Marks warnings; other lines speak for themselves.
+/// Marks warnings. Other lines have no mark.
 class WarningFlag : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -97,13 +97,13 @@ std::string payload_of(const spdlog::details::log_msg& message) {
     return shown_text(redact_secrets({message.payload.data(), message.payload.size()}));
 }
 
-/// The name of the code of an error's line, null for other lines. A line of spdlog has room for where in the source it
-/// is from, which no line of ours says: log_error puts the name there.
+/// The name of an error's code; null for other lines. log_error stores it in spdlog's source location, which we don't
+/// use otherwise.
 const char* code_of(const spdlog::details::log_msg& message) {
     return message.source.funcname;
 }
 
-/// What is said, as a terminal and a log may show it: names in it may be anybody's.
+/// The message, made safe for terminals and logs: names in it are untrusted. The code's name follows.
 class SaidText : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -114,7 +114,7 @@ class SaidText : public spdlog::custom_flag_formatter {
     std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<SaidText>(); }
 };
 
-/// A line is an object with its time (UTC), level and message.
+/// A JSON object with time (UTC), level and message.
 class JsonLines : public spdlog::formatter {
   public:
     void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
@@ -164,7 +164,7 @@ class KeptWarnings final : public spdlog::sinks::base_sink<std::mutex> {
     std::vector<std::string> texts_;
 };
 
-constexpr std::size_t on_stderr = 0;  // among the sinks
+constexpr std::size_t on_stderr = 0;  // index in sinks()
 
 }  // namespace
 

@@ -14,39 +14,39 @@
 
 namespace vvr::cli {
 
-/// A logger to stderr, each line `vvr: text`, or `vvr: warning: text`.
+/// A logger to stderr. Its lines are `vvr: text` or `vvr: warning: text`.
 std::shared_ptr<spdlog::logger> make_log();
 
-/// Says what went wrong. A line for people ends with the code's name in square brackets, as a compiler's warnings do; a
-/// line of JSON has it as `code`.
+/// Logs an error. A plain line ends with the code's name in square brackets, as a compiler's warnings do; a JSON line
+/// has it as the member `code`.
 void log_error(spdlog::logger& log, ErrorCode code, std::string_view text);
 
-/// How much a logger says on stderr.
+/// How much the logger writes to stderr.
 enum class Verbosity { quiet, normal, verbose };
 
 void set_verbosity(spdlog::logger& log, Verbosity verbosity);
 
-/// One row of the table of formats.
+/// A row of the table of formats.
 struct LogFormat {
     std::string_view name;
     std::string_view help;
-    /// \param timed whether a line for people begins with its time
+    /// \param timed whether plain lines begin with the time
     std::unique_ptr<spdlog::formatter> (*make)(bool timed);
 };
 
 std::span<const LogFormat> log_formats();
 const LogFormat& row_of(Name<LogFormat> name);
 
-/// The form of the lines on stderr.
+/// Sets the format of the lines on stderr.
 void set_format(spdlog::logger& log, const LogFormat& format);
 
-/// Sends all lines, however much is said on stderr, to the end of a file too. A file that is moved away or deleted, as
-/// logrotate does, is made anew at the next line.
-/// \throws Error io when it can't be written
+/// Also appends to a file, at least at the normal level whatever the level of stderr. If the file is moved or deleted,
+/// as by logrotate, the next line creates it again.
+/// \throws Error io when the file can't be written
 void add_file(spdlog::logger& log, const std::string& path, const LogFormat& format);
 
-/// Keeps the warnings that are said from now on, however much is said on stderr.
-/// \returns what gives them
+/// Collects all warnings from now on, whatever the level of stderr.
+/// \returns a function that returns them
 std::function<std::vector<std::string>()> keep_warnings(spdlog::logger& log);
 
 }  // namespace vvr::cli

@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
         return vvr::commands::run_command(std::vector<std::string>(argv + 1, argv + argc), environment);
     });
     if (parent) vvr::workers::tell_parent(*parent, {outcome.code, outcome.text, warnings()});
-    // A library that could not be loaded for want of memory leaves the loader locked, for which its end would wait.
+    // Don't run the exit handlers: a library that failed to load for lack of memory leaves the loader locked.
     if (outcome.status == vvr::cli::ExitStatus::limit) ::_exit(static_cast<int>(outcome.status));
     return static_cast<int>(outcome.status);
 }

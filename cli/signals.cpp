@@ -23,14 +23,14 @@ Signals::Signals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         if (!ignored(signal)) sigaddset(&set_, signal);
     }
-    // Threads inherit the mask of the one that starts them, so from here on only the waiter sees these signals.
+    // Threads inherit the signal mask, so from now on only the waiter receives these signals.
     pthread_sigmask(SIG_BLOCK, &set_, nullptr);
     waiter_ = std::jthread([this](const std::stop_token& stop) { wait(stop); });
 }
 
 Signals::~Signals() {
     waiter_.request_stop();
-    // The waiter sleeps in sigwait; one of its own signals wakes it.
+    // The waiter is blocked in sigwait; send it one of its signals.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         if (sigismember(&set_, signal) == 1) {
             pthread_kill(waiter_.native_handle(), signal);
@@ -67,7 +67,7 @@ void Signals::wait(const std::stop_token& stop) {
     }
     const auto nothing_half_written = hold();
     std::signal(signal, SIG_DFL);
-    // No other one of them: the destructor's signal may be pending.
+    // Unblock only this signal: another one may be pending from the destructor.
     sigset_t this_one{};
     sigemptyset(&this_one);
     sigaddset(&this_one, signal);

@@ -9,10 +9,11 @@
 
 namespace vvr::cli {
 
-/// SIGINT, SIGTERM and SIGHUP end the program at once, except while a file is being written: then they wait for it.
-/// So a file is whole or not there. A signal that whoever started vvr ignores stays ignored.
+/// SIGINT, SIGTERM and SIGHUP end the program at once, but not while a file is being written, so a file is complete or
+/// absent. Signals that vvr inherits as ignored stay ignored. SIGPIPE and SIGXFSZ become errors of the failing
+/// write.
 ///
-/// Has to be made before any other thread. SIGPIPE and SIGXFSZ become errors of the write that caused them.
+/// Create it before any other thread.
 class Signals {
   public:
     Signals();
@@ -20,10 +21,10 @@ class Signals {
     Signals(const Signals&) = delete;
     Signals& operator=(const Signals&) = delete;
 
-    /// Signals wait until the lock is gone.
+    /// Holds signals back while the lock exists.
     [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
-    /// What a signal calls before it ends the program, on a thread of its own; an empty function takes it back.
+    /// Sets the function that runs before a signal ends the program, on another thread; an empty function removes it.
     void set_exit_hook(std::function<void()> exit_hook);
 
   private:
@@ -42,7 +43,7 @@ class Signals {
     std::jthread waiter_;
 };
 
-/// While it lives, the first signal calls `stop`, on another thread, and the program goes on; the next one ends it.
+/// While it exists, the first signal calls `stop` on another thread and the program goes on; the second signal ends it.
 class GracefulShutdown {
   public:
     GracefulShutdown(Signals& signals, std::function<void()> stop) : signals_(signals) {
@@ -55,7 +56,7 @@ class GracefulShutdown {
     GracefulShutdown(const GracefulShutdown&) = delete;
     GracefulShutdown& operator=(const GracefulShutdown&) = delete;
 
-    /// Whether there was a signal.
+    /// Whether a signal has arrived.
     bool asked() const { return asked_; }
 
   private:

@@ -10,11 +10,11 @@ struct LibraryVersion {
     std::string version;
 };
 
-/// Of the libraries that vvr was built with: to ask them, they would have to be loaded.
+/// The versions with which vvr was built. Asking the libraries would need to load them.
 std::vector<LibraryVersion> library_versions();
 
-/// vvr and its libraries, a line each. Asking OpenGL for its renderer takes longer than everything else that a
-/// version could say, so that is left to `vvr doctor`.
+/// The versions of vvr and its libraries, one per line. OpenGL's renderer is left to `vvr doctor`, as asking for it
+/// takes longer than all the rest.
 std::string version_text();
 
 }  // namespace vvr::cli

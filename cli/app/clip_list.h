@@ -8,8 +8,8 @@
 
 namespace vvr::app {
 
-/// The files of an input in order, with camera, begin and what told it; empty for what has none, as a stream or
-/// pictures.
+/// The files of an input in order, each with its camera, start time, and the source of that time. Empty for inputs
+/// without them, such as a stream or pictures.
 std::vector<video::Segment> list_clips(const InputOptions& options);
 
 /// "camera gate, 2026-11-21 20:00:00 UTC by file name (Frigate)"

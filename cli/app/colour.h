@@ -9,19 +9,19 @@
 
 namespace vvr::app {
 
-/// One row of the table of colours: where those of the volume come from. Its opacity is the transfer function's, of the
-/// filter's values.
+/// A row of the table of colours: the source of the volume's colours. The opacity always comes from the transfer
+/// function of the filter's values.
 struct ColourRow {
     std::string name;
     std::string help;
     gl::VolumeColour drawn = gl::VolumeColour::transfer;
     bool needs_pictures = false;
     bool needs_flow = false;                    ///< of each frame
-    bool of_direction = false;                  ///< of the flow, not its speed
-    const fields::FilterRow* filter = nullptr;  ///< a second filter, whose values have the colours; null = none
+    bool of_direction = false;                  ///< the colour shows the flow's direction, not its speed
+    const fields::FilterRow* filter = nullptr;  ///< a second filter that provides the values to colour; null = none
 };
 
-/// The rows; the first leaves the choice open.
+/// The rows of the table. The first one leaves the choice to vvr.
 const std::vector<ColourRow>& colour_rows();
 
 const ColourRow& row_of(Name<ColourRow> name);

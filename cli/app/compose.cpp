@@ -24,7 +24,7 @@ std::vector<bricks::Brick> cut(const Plan& plan, const Observation& seen) {
         return bricks::cut_by_frames(volume, std::max<std::int64_t>(1, std::llround(brick_frames)));
     }
     if (bricks.length->unit == Time::Unit::seconds) {
-        // Where layers are of unequal length, only the clock says how long a brick is.
+        // With layers of unequal length, bricks can only be cut by the clock.
         if (volume.is_nonuniform()) {
             return bricks::cut_by_clock(volume, bricks.length->value, plan.clock ? plan.clock->at(0) : 0);
         }
@@ -62,13 +62,13 @@ std::vector<labels::TimeTick> ticks_of(const Plan& plan, const Framing& framing,
     return labels::time_ticks(volume.layer(0).pts, volume.layer(volume.layers() - 1).last_pts, most, plan.clock);
 }
 
-/// The layer at whose beginning a key frame stands: there a piece of the volume ends, so that one of them hides the
-/// other.
+/// The layer that begins with the key frame. A piece of the volume ends there, so that it and the frame hide each other
+/// correctly.
 std::int64_t layer_of(const KeyFrame& key, const bricks::Volume& volume) {
     return key.number / volume.step();
 }
 
-/// How the volume becomes textures. Pieces of a series are numbered from the clip's first on, so only what is new is
+/// Divides the volume into textures. In a series, pieces are numbered from the clip's start, so that only new ones are
 /// uploaded.
 void cut_into_pieces(const Plan& plan, const Observation& seen, Composition& composed) {
     std::vector<std::int64_t> layers;
@@ -113,7 +113,7 @@ void add_lines(const Plan& plan, const Observation& seen, const Composition& com
     if (plan.shows(Part::outline)) add(scene::volume_outline(layout, colour), scene);
     add(labels::ruler_marks(volume, layout, edge, composed.ticks, colour), scene);
     if (plan.shows(Part::ribs)) {
-        // Pale, not transparent: lines hide what is behind them, so that these are in the volume and not before it.
+        // Pale but opaque: the lines hide what is behind them, and so look as if they are inside the volume.
         const glm::vec4 pale = glm::mix(colour, plan.picture.background, 0.55F);
         for (const labels::TimeTick& tick : composed.ticks)
             add(scene::cross_section(layout, volume.t_of_seconds(tick.seconds), pale), scene);
@@ -130,10 +130,10 @@ void add_lines(const Plan& plan, const Observation& seen, const Composition& com
     }
 }
 
-/// The frames that stand in the volume.
+/// The frames that are shown in the volume.
 std::vector<scene::StandingFrame> standing_frames(const Observation& seen) {
     constexpr float at_the_ends = 0.5F;
-    constexpr float between = 0.3F;  // they hide what is behind them
+    constexpr float between = 0.3F;  // less opaque, as they hide what is behind them
     const bricks::Volume& volume = seen.volume;
     std::vector<scene::StandingFrame> frames;
     const auto stand = [&frames](double t, const video::Frame& frame, std::int64_t number, float opacity) {
@@ -142,7 +142,7 @@ std::vector<scene::StandingFrame> standing_frames(const Observation& seen) {
     };
     stand(0, *seen.first, 0, at_the_ends);
     for (const KeyFrame& key : seen.keyframes) {
-        // At the volume's beginning its first frame stands.
+        // The volume's first frame is already shown at its start.
         if (key.number > 0) stand(volume.t_of_layer(layer_of(key, volume)), *key.frame, key.number, between);
     }
     stand(volume.t_end(), *seen.last, volume.frames() - 1, at_the_ends);
@@ -179,7 +179,7 @@ Composition compose(const Plan& plan, const Observation& seen) {
     composed.ticks = ticks_of(plan, composed.framing, seen.volume);
     cut_into_pieces(plan, seen, composed);
     composed.palette = palette_of(plan);
-    // Where there is no object, what changed is all that there is to be seen.
+    // Without objects, show the changes at least.
     if (plan.colours_objects() && !plan.products.series && composed.objects.events.empty())
         composed.palette.front().a = 1;
     composed.scene = scene_of(plan, seen, composed);

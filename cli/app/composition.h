@@ -15,24 +15,24 @@
 
 namespace vvr::app {
 
-/// What is to be drawn beside the voxels of the volume, and where.
+/// What to draw beside the voxels of the volume, and where.
 struct Composition {
     Framing framing;
     std::vector<bricks::Brick> bricks;             ///< of the volume, in layers
-    std::vector<bricks::CompressedIdle> squeezed;  ///< where time has less room than in the mean
+    std::vector<bricks::CompressedIdle> squeezed;  ///< where time gets less room than average
     bool still = false;                            ///< nothing of the volume is visible
-    glance::Objects objects;                       ///< that the picture tells of
-    std::vector<labels::TimeTick> ticks;           ///< of the ruler; none where it isn't shown
-    std::vector<bricks::Brick> pieces;             ///< in which the volume is drawn; none where it isn't shown
-    std::int64_t first_piece = 0;                  ///< number of the first of them, counted from the clip's
-    std::int64_t layers = 0;                       ///< that fill all of t_C
-    int textures = 1;                              ///< that hold pieces at a time
-    std::vector<glm::vec4> palette;                ///< of voxels that have an identity, or of times
+    glance::Objects objects;                       ///< that the picture shows
+    std::vector<labels::TimeTick> ticks;           ///< of the ruler; empty if it isn't shown
+    std::vector<bricks::Brick> pieces;             ///< the parts in which the volume is drawn; empty if it isn't shown
+    std::int64_t first_piece = 0;                  ///< number of the first piece, counted from the start of the clip
+    std::int64_t layers = 0;                       ///< layers that fill the whole of t_C
+    int textures = 1;                              ///< number of pieces held in textures at the same time
+    std::vector<glm::vec4> palette;                ///< colours of voxels that belong to an object or a time
     scene::Scene scene;                            ///< geometry around and in the volume
-    bool frames_missing = false;                   ///< some of the frames to be shown came without a picture
-    bool boxes = false;                            ///< Fig. 5: around the volume and what is visible of it
-    std::optional<space::Camera> slices{};         ///< Fig. 5: whose slices are shown
-    labels::Lettering lettering;                   ///< flat, over all
+    bool frames_missing = false;                   ///< some frames to be shown have no picture
+    bool boxes = false;                            ///< Fig. 5: show boxes around the volume and its visible part
+    std::optional<space::Camera> slices{};         ///< Fig. 5: the camera whose slices are shown
+    labels::Lettering lettering;                   ///< flat text over the picture
 };
 
 }  // namespace vvr::app

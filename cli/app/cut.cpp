@@ -26,21 +26,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double little = 0.002;  // seconds; less than any frame lasts, more than times are rounded by
+constexpr double little = 0.002;  // seconds; shorter than any frame, longer than the rounding of times
 
 void check_not_input(const fs::path& path, const fs::path& input, std::string_view what) {
     std::error_code none;
     if (!fs::equivalent(path, input, none)) return;
-    throw Error(ErrorKind::usage, fmt::format("'{}' is the {} itself, '{}'; give the piece a name of its own",
-                                              path.string(), what, input.string()));
+    throw Error(ErrorCode::output_replaces_input,
+                fmt::format("'{}' is the {} itself, '{}'; give the piece a name of its own", path.string(), what,
+                            input.string()));
 }
 
-/// Times as people type them.
+/// Rounds a time to milliseconds.
 double rounded(double seconds) {
     return std::round(seconds * 1000) / 1000;
 }
 
-/// What of the footage is in the piece.
+/// The part of the footage that is in the piece.
 struct Selection {
     video::FrameSpan span;
     std::vector<video::SegmentPlace> places;
@@ -54,12 +55,12 @@ const EventTimes& choose_event(const CutJob& job, const std::vector<EventTimes>&
     const std::string what = count == 0   ? "has no events"
                              : count == 1 ? "has 1 event; choose that"
                                           : fmt::format("has {} events; choose 1 to {}", count, count);
-    throw Error(ErrorKind::usage, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
+    throw Error(ErrorCode::event_unknown, fmt::format("event: there is no event {}: '{}' {}", *job.event, where, what),
                 {"event"});
 }
 
 video::FrameSpan span_of(const EventTimes& event, double margin) {
-    // The end of a span is left out of it, and an event's last frame belongs to it.
+    // A span's end is exclusive, but the event's last frame is part of it.
     video::FrameSpan span;
     span.start = rounded(std::max(0.0, event.first - margin));
     span.end = rounded(event.last + margin) + little;
@@ -71,7 +72,7 @@ Selection find_event(const CutJob& job, const Footage& footage, Observer& observ
     const fields::FilterRow& filter = *job.search.fields.filter;
     if (!filter.traits.shows_object) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("filter: '{}' marks no objects, so there are no events; choose another filter", filter.name),
             {"filter"});
     }
@@ -98,9 +99,9 @@ Selection read_event(const CutJob& job, const Footage& footage) {
 
 // ---- Between two times
 
-/// What is known of the recording's second 0.
+/// Properties of the recording that say when its second 0 was.
 /// \param file of the footage
-/// \param begin its place in the recording, seconds
+/// \param begin of the file, in seconds of the recording
 video::VideoInfo info_of(const Footage& footage, const video::Segment& file, double begin, double rate) {
     const video::ClipHeader header =
         video::header_of(video::Demuxer(video::open_input(file.path), video::Demuxer::Kind::video, rate));
@@ -114,7 +115,7 @@ video::VideoInfo info_of(const Footage& footage, const video::Segment& file, dou
     return info;
 }
 
-/// The same job with times of the recording for those that were asked for by the clock on the wall.
+/// The job with wall-clock times converted to seconds of the recording.
 CutJob in_seconds(CutJob job, const Footage& footage, Observer& observer) {
     if (!job.asked.start && !job.asked.end) return job;
     const video::VideoInfo info = info_of(footage, footage.recording.segments.front(), 0, job.search.input.rate);
@@ -139,12 +140,12 @@ void check_unit(const CutJob& job, const Footage& footage, const Time& time, std
     if (time.unit == Time::Unit::seconds || time.value == 0) return;
     if (job.margin > 0) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("margin is in seconds, and {} {} is a frame; give a time such as 12.5s", option, time.value),
             {"margin"});
     }
     if (footage.is_single) return;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value,
                 fmt::format("{} {} is a frame, and the frames of a recording of several files are not counted without "
                             "decoding it; give a time such as 12.5s",
                             option, time.value),
@@ -166,7 +167,7 @@ video::FrameSpan span_between(const CutJob& job, const Footage& footage) {
     const double least = job.to ? job.to->value : 0;
     const bool same_unit = job.to && (!job.from || job.from->unit == job.to->unit);
     if (same_unit && least <= (job.from ? job.from->value : 0)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::span_empty,
                     fmt::format("the piece is empty: it ends at {}{} and does not begin before that", least,
                                 job.to->unit == Time::Unit::seconds ? " s" : ", a frame,"),
                     {"from", "to"});
@@ -179,21 +180,21 @@ Selection select_between(const CutJob& job, const Footage& footage, Observer& ob
     return {span, place_by_packets(footage, job.search.input.rate, span.end, observer)};
 }
 
-// ---- Where it goes
+// ---- The output's name
 
-/// A name whose ending says nothing yet, or a folder.
+/// Whether the path is a folder or a name without extension.
 bool is_open(const fs::path& path) {
     std::error_code none;
     return !path.has_filename() || fs::is_directory(path, none) || path.extension().empty();
 }
 
-/// The file's name with what was left open: the ending that fits, in a folder a name after the first file.
+/// The full file name: adds the fitting extension, and in a folder a name based on the first file.
 fs::path named(const CutJob& job, const Selection& selection, const FootagePart& first) {
     if (!is_open(job.path)) return job.path;
     const video::Input input = video::open_input(first.file.path);
     const std::string_view ending = job.exact ? exact_extension() : video::extension_for(input, job.search.input.rate);
     if (ending.empty()) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::input_unsuitable,
                     fmt::format("no container can hold all of '{}'; cut it exactly, which encodes the video anew",
                                 first.file.path),
                     {"exact"});
@@ -214,9 +215,9 @@ void check_output(const CutJob& job, const fs::path& path, const Footage& footag
     image::check_file_path(path);
 }
 
-// ---- What is there of it
+// ---- Properties of the piece
 
-/// The clock of the footage, by the first file whose place in it is known.
+/// Sets the clock of the footage from the first file of the piece.
 void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPlace& first, PieceJob& piece) {
     const auto file = std::ranges::find(footage.recording.segments, first.path, &video::Segment::path);
     const video::VideoInfo info = info_of(footage, *file, first.begin, job.search.input.rate);
@@ -225,7 +226,7 @@ void set_clock(const CutJob& job, const Footage& footage, const video::SegmentPl
     if (start.from != StartTime::From::none) piece.created = info.created;
 }
 
-/// Gaps are kept, and said.
+/// Logs the gaps, which the piece keeps.
 void tell_gaps(const PieceJob& piece, Observer& observer) {
     double shown = piece.span.start;
     for (const FootagePart& part : piece.parts) {

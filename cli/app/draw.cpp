@@ -11,7 +11,8 @@ namespace vvr::app {
 
 namespace {
 
-/// A clip in which a point moves, of sizes that are no powers of two, like most: Mesa makes other shaders for those.
+/// A clip in which a point moves. As in most clips, its size is no power of two: Mesa compiles different shaders for
+/// those.
 Observation rehearsal(const Plan& plan) {
     constexpr Size size{6, 6};
     constexpr int frames = 5;
@@ -26,7 +27,7 @@ Observation rehearsal(const Plan& plan) {
     return seen;
 }
 
-/// Fig. 5: what the renderer makes of the bricks.
+/// Fig. 5: adds the lines that the renderer computes from the bricks.
 void add_overlays(const Plan& plan, const Composition& composed, const Drawing& drawing, scene::Scene& scene) {
     if (!composed.boxes && !composed.slices) return;
     const auto add = [&scene](const std::vector<scene::LineSegment>& lines) {

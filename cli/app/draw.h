@@ -11,38 +11,39 @@
 #include "gl/context.h"
 #include "gl/renderer.h"
 
-// From a composition to its picture. All of it is done on the thread that owns the context (cli/app/render_thread.h).
+// Draws compositions. Call these functions on the thread that owns the context (cli/app/render_thread.h).
 namespace vvr::app {
 
-/// What draws the pictures of a plan. It is made, used and closed on one thread.
+/// The OpenGL objects that draw the pictures of a plan. Create, use and close them on the same thread.
 struct Drawing {
     std::shared_ptr<gl::Context> context;
     std::unique_ptr<gl::Renderer> renderer;
     std::unique_ptr<gl::BrickWindow> window;
 };
 
-/// Opens a context that can draw what the plan asks for. It is closed before the observer goes.
+/// Opens a context that can draw the plan. Close it before the observer is destroyed.
 /// \throws Error backend, limit
 void open_context(const Plan& plan, Drawing& drawing, Observer& observer);
 
-/// Makes all that does not depend on the clip's fields, in a drawing that has a context.
-/// \param tile_samples as in RenderOptions: more take more memory
+/// Creates everything that does not depend on the clip's fields. The drawing must have a context.
+/// \param tile_samples as in RenderOptions: a larger number uses more memory
 /// \throws Error backend, limit, io
 void make_renderer(const Plan& plan, std::int64_t tile_samples, Drawing& drawing);
 
-/// Draws something small, so that the first real picture finds its shaders compiled. The drawing has a renderer.
+/// Draws something small, so that the shaders are compiled before the first real picture. The drawing must have a
+/// renderer.
 void warm_up(const Plan& plan, const Drawing& drawing);
 
-/// Gives the renderer what a composition shows; pictures of it follow.
-/// \param volume that was composed; it stays as it is until they have been drawn
+/// Passes a composition to the renderer, for the pictures that follow.
+/// \param seen with the volume that was composed; it must not change until they are drawn
 void show(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing);
 
-/// Draws what is shown, and letters it.
+/// Draws the current composition with its text.
 /// \param phase of the texture that moves along the tracelines, 0..1
 image::Picture draw(const Plan& plan, const Composition& composed, const Observation& seen, Drawing& drawing,
                     double phase = 0);
 
-/// OpenGL's memory is given back before the libraries that encode pictures take as much.
+/// Releases OpenGL's memory, before encoding needs as much.
 void close(Drawing& drawing);
 
 }  // namespace vvr::app

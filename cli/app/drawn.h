@@ -14,10 +14,10 @@
 
 namespace vvr::app {
 
-/// The seconds that the stages of a run take, in the order in which they first came.
+/// The duration of each stage of a run in seconds, in the order of first use.
 class Stages {
   public:
-    /// What has passed since the last call, or since the beginning, was this stage's.
+    /// Adds the time since the last call, or since construction, to this stage.
     void end(const std::string& name) {
         const Clock::time_point now = Clock::now();
         const std::chrono::duration<double> took = now - std::exchange(last_, now);
@@ -39,7 +39,7 @@ class Stages {
     std::vector<std::pair<std::string, double>> seconds_;
 };
 
-/// What drew, and how it went.
+/// The renderer and statistics of a run.
 struct RunFacts {
     std::string renderer{};    ///< GL_RENDERER
     std::string gl_version{};  ///< GL_VERSION
@@ -55,7 +55,7 @@ struct RunFacts {
     }
 };
 
-/// What was seen and drawn, for those who tell of it.
+/// All facts about a run that reports and pages use.
 struct Drawn {
     const Plan& plan;
     const Observation& seen;
@@ -63,17 +63,17 @@ struct Drawn {
     const RunFacts& run;
 };
 
-/// A picture on its way to its files.
+/// A picture that is ready to be written.
 struct FinishedPicture {
-    int number = 0;  ///< from 0 on; in a series that of its brick
+    int number = 0;  ///< from 0; in a series, the number of its brick
     image::Picture picture;
     Drawn drawn;
 };
 
-/// Takes each picture of a run, in order.
+/// Called for each picture of a run, in order.
 using PictureSink = std::function<void(FinishedPicture&&)>;
 
-/// What came of a run.
+/// The result of a run.
 struct Outcome {
     Observation seen;
     Composition composed;  ///< of the last picture

@@ -17,17 +17,17 @@ namespace vvr::app {
 
 namespace {
 
-/// Turns a part's number into the frames where it begins and ends. The last part has no end: headers lie.
+/// Converts the part's number to a span of frames. The last part has no end, as the header's length can be wrong.
 void choose_part(ExtractJob& job, const video::VideoInfo& clip) {
     if (!job.part) return;
     if (job.fields.span != video::FrameSpan{}) {
-        throw Error(ErrorKind::usage, "part says where to begin and to end; leave out the start and the end",
+        throw Error(ErrorCode::options_conflict, "part says where to begin and to end; leave out the start and the end",
                     {"part", setting::start.name, setting::end.name});
     }
     const auto [part, count] = *job.part;
     if (clip.frames < count) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::option_value_out_of_range,
             fmt::format("part {}/{}: '{}' has {}; ask for fewer parts, or give the start and the end", part, count,
                         clip.name, clip.frames > 0 ? counted(clip.frames, "frame") : "a header without a length"),
             {"part", setting::start.name, setting::end.name});
@@ -53,7 +53,7 @@ void extract(ExtractJob job, Observer& observer) {
     std::string day_times;
     job.fields.span = resolve_span(job.fields.span, job.start_time, clip->info(), day_times);
     if (!job.fields.span.parts.empty()) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("between: '{}' has {} of it, and an extraction is of one stretch; give --start and "
                                 "--end as well, with dates",
                                 clip->info().name, counted(std::ssize(job.fields.span.parts), "part")),
@@ -68,7 +68,7 @@ void extract(ExtractJob job, Observer& observer) {
     std::int64_t frames = 0;
     const fields::FieldSummary summary =
         fields::compute_fields(*clip, job.fields, [&](const video::SharedFrame& frame, fields::Field&& field) {
-            // Not before there is something to write: an older extraction stays if this one comes to nothing.
+            // Create the folder only now, so that an older extraction stays if this one fails early.
             if (!folder) folder.emplace(job.folder, flow_every, job.colour);
             folder->add(*frame, field);
             observer.frames(++frames, expected);

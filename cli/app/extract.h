@@ -9,18 +9,18 @@
 
 namespace vvr::app {
 
-/// A clip, and the folder that its data files go to.
+/// A clip, and the folder for its data files.
 struct ExtractJob {
     InputOptions input;
-    fields::FieldOptions fields;  ///< flow and seeds are kept every `fields.flow.every` frames
-    StartTime start_time;         ///< by which `fields.span` may have been asked for
+    fields::FieldOptions fields;  ///< flow and seeds are stored every `fields.flow.every` frames
+    StartTime start_time;         ///< for a `fields.span` given in wall-clock times
     std::filesystem::path folder;
-    bool colour = false;                      ///< every frame's picture is kept too
-    std::optional<std::pair<int, int>> part;  ///< the first of the second, from 1 on; none = what fields.span says
-    image::Metadata settings;                 ///< all settings as texts, for the manifest
+    bool colour = false;                      ///< store every frame's picture too
+    std::optional<std::pair<int, int>> part;  ///< part I of N as {I, N}, from 1; none = use fields.span
+    image::Metadata settings;                 ///< all settings as text, for the manifest
 };
 
-/// Writes the data files of Fig. 3: scalar fields, flow, seeds. An older extraction in the folder is replaced.
+/// Writes the data files of Fig. 3: scalar fields, flow, seeds. Replaces an older extraction in the folder.
 /// \throws Error usage, io, not_video, limit
 void extract(ExtractJob job, Observer& observer);
 

@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::filesystem::path& report, const std::string& what) {
     throw Error(
-        ErrorKind::usage,
+        ErrorCode::input_unsuitable,
         fmt::format("report '{}' {}; make one with: vvr render CLIP --report report.json", report.string(), what),
         {"report"});
 }
@@ -38,7 +38,7 @@ ReportedFile file_of(const Json& json, const std::string& path, double begin, do
     return {{path, begin, end, 0}, {json.at("bytes").get<std::int64_t>(), json.at("digest").get<std::string>()}};
 }
 
-/// The files whose size and digest are known: of a stream, or of pictures, nothing is.
+/// The files with known size and digest; streams and pictures have none.
 std::vector<ReportedFile> files_of(const Json& report) {
     std::vector<ReportedFile> files;
     const auto is_known = [](const Json& json) { return json.contains("digest") && json["digest"].is_string(); };
@@ -82,10 +82,11 @@ namespace fs = std::filesystem;
 
 constexpr double slack = 0.0005;  // seconds; times are rounded
 
-/// Only a file with times can be cut.
+/// Refuses anything but a file with time stamps.
 void check_single(const std::string& name) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is {}; give video files, or a folder of them", name, what));
     };
     std::error_code none;
     if (name == "-") refuse("stdin, which can't be cut");
@@ -97,14 +98,14 @@ void check_single(const std::string& name) {
     if (video::list_pictures(name)) refuse("a sequence of pictures, not a clip");
     if (video::is_url(name)) refuse("an address; save it to a file first");
     if (fs::exists(name, none)) refuse("not a regular file");
-    video::open_file(name);  // says why not
+    video::open_file(name);  // throws if it can't be read
 }
 
 bool lies_in(const video::SegmentPlace& file, double first, double last) {
     return file.begin < last + slack && file.end > first + slack;
 }
 
-/// The name of the given file that has the bytes of a reported one.
+/// The name of the given file with the same content as a file of the report.
 std::optional<std::string> find_by_digest(const Footage& footage, const ReportedFile& reported) {
     std::vector<std::string> candidates;
     for (const video::Segment& file : footage.recording.segments) {
@@ -122,7 +123,7 @@ std::optional<std::string> find_by_digest(const Footage& footage, const Reported
 [[noreturn]] void refuse_report(const std::string& report, std::size_t event, const std::vector<std::string>& needed,
                                 const std::vector<std::string>& missing, const Footage& footage) {
     const bool is_one = needed.size() == 1;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::input_unsuitable,
                 fmt::format("event {} of report '{}' lies in '{}'; by size and digest {} not among what was given, "
                             "'{}': give {}, or a report of what was given",
                             event, report, fmt::join(needed, "', '"),
@@ -161,13 +162,13 @@ std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double
             end = std::max(end.value_or(0), begin + video::length_of(video::open_input(file.path), rate));
             places.push_back({file.path, begin, *end, 0});
         } catch (const Error& error) {
-            // A picture of the recording passes over what is no video, and so its times. What can't be read now may be
-            // read there, so times would be of other footage here.
+            // A render of the recording skips files that are not video, so skip their times too. But a file that can't
+            // be read now may have been read by the render; without it, times would be wrong.
             if (error.kind() != ErrorKind::not_video) throw;
             problems.emplace_back(error.what());
         }
     }
-    if (places.empty()) throw Error(ErrorKind::not_video, problems.front());
+    if (places.empty()) throw Error(ErrorCode::not_video, problems.front());
     report_warnings(footage.recording.warnings, problems, observer);
     return places;
 }
@@ -195,7 +196,7 @@ std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const R
 
 std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span) {
     std::vector<FootagePart> parts;
-    double shown = 0;  // until when the files before show the recording
+    double shown = 0;  // end of the previous files, in seconds of the recording
     for (const video::SegmentPlace& file : places) {
         const double from = std::max(span.start, shown);
         const bool overlaps = shown > std::max(file.begin, span.start) + slack;

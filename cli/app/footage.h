@@ -14,57 +14,57 @@
 
 namespace vvr::app {
 
-/// When an event begins and ends, seconds from the first frame of the clip or recording.
+/// Start and end of an event, in seconds from the first frame of the clip or recording.
 struct EventTimes {
     double first = 0;
     double last = 0;
 };
 
-/// A file that a report is about.
+/// A file listed in a report.
 struct ReportedFile {
-    video::SegmentPlace place;  ///< in the recording, or from 0 on without an end where it is all of the clip
+    video::SegmentPlace place;  ///< in the recording; for a single clip, from 0 without an end
     FileDigest digest;
 };
 
-/// The events that a report lists, in the order of their numbers, and the files in which they lie.
+/// The events of a report in the order of their numbers, and the files that contain them.
 struct ReportedEvents {
     std::vector<ReportedFile> files;
     std::vector<EventTimes> times;
 };
 
-/// Reads them from a report of `vvr render --report`.
-/// \throws Error io where the file can't be read, usage where it is no such report or has no events
+/// Reads the events from a report of `vvr render --report`.
+/// \throws Error io when the file can't be read, usage when it is no such report or has no events
 ReportedEvents read_events(const std::filesystem::path& report);
 
-/// A file, or the files of a recording, that a piece can be cut out of.
+/// One or several files of a recording from which a piece can be cut.
 struct Footage {
-    video::Recording recording;  ///< of one file too
-    bool is_single = true;       ///< one file was named, and nothing else
+    video::Recording recording;  ///< also for a single file
+    bool is_single = true;       ///< exactly one file was named
 };
 
-/// \throws Error usage for what is neither a file with times nor a recording of such
+/// \throws Error usage for anything but a file with time stamps or a recording of such files
 Footage find_footage(const InputOptions& options);
 
-/// A file that a piece reaches into, and what of it is in the piece.
+/// The part of a piece that lies in one file.
 struct FootagePart {
     video::SegmentPlace file;  ///< when it is shown, in seconds of the recording
     video::FrameSpan span;     ///< in seconds or frames of the file
-    bool overlaps;             ///< with the file before
+    bool overlaps;             ///< with the previous file
 };
 
-/// When each file is shown, by its packets: as one that renders the recording finds it. Files that begin after `until`
-/// are left out.
+/// The times of each file in the recording, from its packets: the same as in a render of the recording. Skips files
+/// that begin after `until`.
 std::vector<video::SegmentPlace> place_by_packets(const Footage& footage, double rate, std::optional<double> until,
                                                   Observer& observer);
 
-/// The same as a report has it, for the files in which one of its events lies, and as many of those beside it as the
-/// margin reaches into and are there.
+/// The times as in a report, for the files that contain the event, and for the available files that the margin reaches
+/// into.
 /// \param margin seconds before and after the event
-/// \throws Error usage where one of the event's files is not among the footage, by size and digest
+/// \throws Error usage when a file of the event is not in the footage, compared by size and digest
 std::vector<video::SegmentPlace> place_by_report(const Footage& footage, const ReportedEvents& report,
                                                  std::size_t event, double margin, const std::string& report_name);
 
-/// The files that a span reaches into, in order. What a file shows at a time that the one before has shown is left out.
+/// The files that a span reaches into, in order. If files overlap in time, the earlier one is used.
 std::vector<FootagePart> parts_in(const std::vector<video::SegmentPlace>& places, const video::FrameSpan& span);
 
 }  // namespace vvr::app

@@ -25,7 +25,7 @@ Framing frame_volume(const RenderJob& job, const space::Layout& layout, Size fie
     std::vector<glm::dvec3> points =
         show.any(&PartRow::around_volume) ? scene::corners(scene::layout_bounds(layout)) : outline;
     space::View view = job.picture.view;
-    if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet leaves room as it is
+    if (framing.sheet.text > 0) view.margin = 0.01;  // the sheet already leaves a margin
     space::Camera camera = space::fit_camera(view, points, part.size());
     framing.edge = labels::outer_edge(layout, camera, part.size());
     if (show.has(Part::ruler)) {

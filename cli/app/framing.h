@@ -8,15 +8,15 @@
 
 namespace vvr::app {
 
-/// Where the volume and the text around it are in a picture.
+/// The positions of the volume and of the text around it in a picture.
 struct Framing {
     labels::Sheet sheet;
-    space::Camera camera;   ///< of the whole picture
+    space::Camera camera;   ///< for the whole picture
     labels::TimeEdge edge;  ///< along which the ruler runs
-    double half_pixel = 0;  ///< half of the diagonal of the largest pixel that shows the volume, in P-space units
+    double half_pixel = 0;  ///< half the diagonal of the largest pixel that shows the volume, in P-space units
 };
 
-/// \param field_size whose frames stand in the picture
+/// \param field_size of the frames in the volume
 Framing frame_volume(const RenderJob& job, const space::Layout& layout, Size field_size);
 
 }  // namespace vvr::app

@@ -87,20 +87,20 @@ void remove_candidate(const fs::path& golden) {
     fs::remove(candidate_of(golden), none);
 }
 
-/// Leaves the candidate. A folder that can't be written must not hide the news that pictures differ.
-/// \throws Error differs that says so, where the candidate is and what to do, or why it could not be left
-[[noreturn]] void fail(const std::string& what, const fs::path& golden, const Bytes& bytes) {
+/// Writes the candidate and throws. If the candidate can't be written, the error still says that the pictures differ.
+/// \throws Error with `code`; the text has the candidate's path or why it could not be written
+[[noreturn]] void fail(ErrorCode code, const std::string& what, const fs::path& golden, const Bytes& bytes) {
     const fs::path candidate = candidate_of(golden);
     try {
         image::replace_file(candidate, bytes);
     } catch (const Error& error) {
-        throw Error(ErrorKind::differs, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
+        throw Error(code, fmt::format("{}; the candidate could not be kept: {}", what, error.what()));
     }
-    throw Error(ErrorKind::differs,
-                fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()), {"bless"});
+    throw Error(code, fmt::format("{}; look at '{}', and if it is right, bless it", what, candidate.string()),
+                {"bless"});
 }
 
-/// Settings that both record with other values, as words; empty where there are none.
+/// The settings that both pictures record with different values, as text; empty = none.
 std::string settings_that_differ(const image::Metadata& before, const image::Metadata& now) {
     constexpr std::size_t most = 5;
     std::vector<std::string> differ;
@@ -115,7 +115,7 @@ std::string settings_that_differ(const image::Metadata& before, const image::Met
     return text;
 }
 
-/// Another renderer, another font and another setting are the first things to suspect.
+/// Logs other possible causes of a difference: the renderer, the font, or a setting.
 void show_other_differences(const fs::path& golden, const image::Metadata& golden_settings,
                             const image::Metadata& metadata, Observer& observer) {
     constexpr std::pair<std::string_view, std::string_view> suspects[] = {{"renderer", "drawn by"},
@@ -156,7 +156,8 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
         return;
     }
     if (!fs::exists(golden)) {
-        fail(fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
+        fail(ErrorCode::reference_missing,
+             fmt::format("there is no golden picture '{}' to compare with", golden.string()), golden, bytes);
     }
     const image::Samples expected = image::without_pixel_data(image::read_samples(golden));
     const image::Comparison comparison = image::compare(expected, image::decode_samples(golden, bytes), how.tolerance);
@@ -170,7 +171,8 @@ void compare_with_golden(const GoldenOptions& options, const image::Picture& pic
         return;
     }
     show_difference(comparison, how.tolerance, "golden", "now", observer);
-    fail(fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
+    fail(ErrorCode::picture_differs,
+         fmt::format("the picture differs from '{}': {}", golden.string(), comparison.reason), golden, bytes);
 }
 
 }  // namespace vvr::app

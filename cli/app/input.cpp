@@ -45,7 +45,7 @@ std::string title_of(const std::string& asked, const video::VideoInfo& clip) {
 
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer) {
-    constexpr std::size_t told = 5;  // files; a disk that fails may spoil thousands
+    constexpr std::size_t told = 5;  // problems logged at most; a failing disk may cause thousands
     for (const std::string& warning : warnings) observer.warn(warning);
     const std::size_t shown = problems.size() == told + 1 ? problems.size() : std::min(told, problems.size());
     for (std::size_t i = 0; i < shown; ++i) observer.warn(problems[i]);
@@ -56,17 +56,17 @@ void report_warnings(const std::vector<std::string>& warnings, const std::vector
 
 void require_whole(const video::VideoInfo& info) {
     if (info.left_out.files == 0) return;
-    throw Error(ErrorKind::partial,
+    throw Error(ErrorCode::partial,
                 fmt::format("'{}' is not in the result as a whole: {}", info.name, video::text_of(info.left_out)));
 }
 
 namespace {
 
-// What `vvr seeds` can do again on a stored flow.
+// Settings that `vvr seeds` can change on a stored flow.
 constexpr std::array settings_of_seeds{setting::grid.name, setting::min_magnitude.name, setting::seed_area.name,
                                        setting::seed_order.name, setting::seed_select.name};
 
-/// What was asked for has to be what an extraction has.
+/// Checks that the settings given agree with the extraction's.
 void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     const std::string& folder = job.input.names.front();
     image::Metadata others;
@@ -84,14 +84,14 @@ void check_agreement(const RenderJob& job, const image::Metadata& extracted) {
     });
     const char* const command = of_seeds ? "seeds" : "extract";
     if (others.size() == 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("{} {}: '{}' was extracted with {}; leave it out, or run `vvr {}` with it",
                                 others.front().first, image::value_of(job.given, others.front().first), folder,
                                 others.front().second, command),
                     {others.front().first});
     }
     const std::string preset = image::value_of(job.settings, "preset");
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::extraction_unsuitable,
                 fmt::format("'{}' was extracted with other settings than are asked for: {}; leave these out, or run "
                             "`vvr {}{}` with them",
                             folder, list, command, preset.empty() ? "" : fmt::format(" --preset {}", preset)));
@@ -101,7 +101,7 @@ OpenedFields open_extracted(const RenderJob& job) {
     const fields::FilterRow* const second = job.look.colour->filter;
     if (second != nullptr) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::extraction_unsuitable,
             fmt::format("color {}: '{}' holds the values of one filter; render the clip itself, or choose another "
                         "colour",
                         second->name, job.input.names.front()),
@@ -109,7 +109,7 @@ OpenedFields open_extracted(const RenderJob& job) {
     }
     const std::vector<std::string>& folders = job.input.names;
     if (job.fields.span.asked != video::RequestedSpan{}) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("start, end and between: '{}' was extracted already; extract that part of the clip",
                                 folders.front()),
                     {setting::start.name, setting::end.name, setting::between.name});
@@ -140,7 +140,7 @@ ClipFacts OpenedFields::facts() const {
 
 void require_frames(std::int64_t frames, const video::VideoInfo& info) {
     if (frames > 0) return;
-    throw Error(ErrorKind::not_video,
+    throw Error(ErrorCode::no_frame,
                 fmt::format("'{}' gives no frame any more; was it changed or removed while it was read?", info.name));
 }
 
@@ -152,7 +152,7 @@ fields::FieldOptions field_options_of(const RenderJob& job) {
 
 bool wants_colour(const RenderJob& job) {
     const ColourRow& colour = *job.look.colour;
-    // Objects are found by colour too, not only if the picture happens to show some.
+    // Objects are found by colour too; this must not depend on what the picture shows.
     return job.fields.filter->traits.colour || fields::needs_reference(field_options_of(job)) ||
            job.look.show.any(&PartRow::needs_pictures) || colour.needs_pictures ||
            (colour.filter != nullptr && colour.filter->traits.colour);
@@ -160,14 +160,16 @@ bool wants_colour(const RenderJob& job) {
 
 void require_input(const InputOptions& options) {
     if (options.names.empty()) {
-        throw Error(ErrorKind::usage, "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
+        throw Error(ErrorCode::input_missing,
+                    "no INPUT: give video files, a folder of them or of pictures, or - for stdin");
     }
 }
 
 const std::string& only_input(const InputOptions& options) {
     require_input(options);
     if (options.names.size() > 1) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is one argument too many: this takes one", options.names[1]));
     }
     return options.names.front();
 }
@@ -204,11 +206,11 @@ std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::F
 void check_has_end(const video::VideoInfo& info, Observer& observer) {
     if (!video::is_url(info.name) || info.frames > 0 || info.duration > 0) return;
     const std::string protocol = info.name.substr(0, info.name.find(':'));
-    // Of these a file can come without its length being known.
+    // With these protocols, a finite file may have no known length.
     constexpr std::array<std::string_view, 4> of_files{"http", "https", "ftp", "sftp"};
     if (std::ranges::find(of_files, protocol) == of_files.end()) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::input_unsuitable,
             fmt::format("'{}' is live and has no end; `vvr watch` draws it as it goes on, and `ffmpeg -i ADDRESS "
                         "-t 60 -c copy piece.mkv` records a piece that can be drawn",
                         info.name));

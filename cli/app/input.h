@@ -12,21 +12,21 @@
 
 namespace vvr::app {
 
-/// What a picture and a page call their clip: an input's name without its folders, which are nobody's business. Of an
-/// address neither who may see it is told, nor by what word.
+/// The name of an input for pictures and pages: without its folders, which are private, and for a URL without
+/// credentials.
 std::string shown_name(const std::string& input);
 
-/// What stands over a picture and its page: what was asked for, else the name of the clip, which data files remember.
+/// The title of a picture and its page: `asked` if not empty, else the clip's name, which data files record.
 std::string title_of(const std::string& asked, const video::VideoInfo& clip);
 
-/// Warns of what was wrong with an input: all warnings, and some of the files' problems.
+/// Logs all warnings, and some of the problems with files.
 void report_warnings(const std::vector<std::string>& warnings, const std::vector<std::string>& problems,
                      Observer& observer);
 
-/// \throws Error partial when some files of a recording were left out whole: all else is done by then
+/// \throws Error partial when files of a recording were left out entirely. Call it last.
 void require_whole(const video::VideoInfo& info);
 
-/// What is known of a clip, or of its extracted fields, before the first frame is read.
+/// What is known about a clip, or its extracted fields, before the first frame is read.
 struct ClipFacts {
     video::VideoInfo info{};
     Size field_size{};
@@ -36,56 +36,56 @@ struct ClipFacts {
     video::FrameSpan span{};              ///< as in OpenedFields
 };
 
-/// The fields that a job works on.
+/// The fields of a job.
 struct OpenedFields {
     std::unique_ptr<fields::FieldSource> source;
-    image::Metadata extracted;  ///< settings that were decided when the fields were extracted; empty for a clip
-    std::vector<std::string> warnings{};  ///< of the input, a sentence each
+    image::Metadata extracted;            ///< settings fixed by the extraction; empty for a clip
+    std::vector<std::string> warnings{};  ///< about the input, one sentence each
     video::FrameSpan span{};              ///< in seconds of the clip
-    std::string day_times{};              ///< which times of day these are, for people; empty = nobody knows
+    std::string day_times{};              ///< the wall-clock times of the span, for people; empty = unknown
 
     ClipFacts facts() const;
 };
 
-/// A clip that was opened had a frame, so it has changed since if it gives none.
+/// Checks that a clip gave frames. It had one when it was opened, so it must have changed if not.
 /// \throws Error not_video
 void require_frames(std::int64_t frames, const video::VideoInfo& info);
 
-/// What is computed of each frame.
+/// What to compute for each frame.
 fields::FieldOptions field_options_of(const RenderJob& job);
 
-/// The fields need the frames in colour, or the picture shows them.
+/// Whether the fields or the picture need the frames in colour.
 bool wants_colour(const RenderJob& job);
 
-/// The one clip of an input.
-/// \throws Error usage unless there is exactly one
+/// The input's only clip.
+/// \throws Error usage unless exactly one is given
 const std::string& only_input(const InputOptions& options);
 
-/// \throws Error usage when there is no input
+/// \throws Error usage when no input is given
 void require_input(const InputOptions& options);
 
-/// The same fields with the seeds that the job lists, if it does.
+/// Replaces the seeds by those that the job lists, if any.
 /// \param filter of the fields
 std::unique_ptr<fields::FieldSource> with_listed_seeds(std::unique_ptr<fields::FieldSource> fields,
                                                        const RenderJob& job, const fields::FilterRow& filter);
 
-/// Opens the whole of a clip, or of a recording of several files.
-/// \param warnings what is to be said of it, a sentence each
+/// Opens a whole clip, or a recording of several files.
+/// \param warnings receives sentences about the input
 std::unique_ptr<video::FrameSource> open_clip(const InputOptions& options, bool colour, int threads,
                                               std::vector<std::string>& warnings);
 
-/// A clip is read more than once, and to its end: a live stream can't be.
-/// \throws Error usage for a live stream; warns where it can't be known
+/// Refuses live streams, as a clip is read to its end, and more than once. Only warns if it can't be known.
+/// \throws Error usage for a live stream
 void check_has_end(const video::VideoInfo& info, Observer& observer);
 
-/// The stretch of a clip that a job reads, where it was asked for by the clock on the wall too.
-/// \param day_times which times of day it is, for people; empty = it is the whole clip, or nobody knows
-/// \throws Error usage where the clock isn't known, or the clip has nothing of it
+/// Converts a span that may have wall-clock times to seconds of the clip.
+/// \param day_times receives the wall-clock times, for people; empty = the whole clip, or unknown
+/// \throws Error usage when the clock is unknown, or the span has no part of the clip
 video::FrameSpan resolve_span(const video::FrameSpan& span, const StartTime& start, const video::VideoInfo& info,
                               std::string& day_times);
 
-/// Opens a clip, a recording, the directory of an extraction, or several with consecutive parts.
-/// \throws Error usage as well where settings contradict those of the extraction
+/// Opens a clip, a recording, or one or several folders of an extraction in consecutive parts.
+/// \throws Error usage also when settings contradict those of the extraction
 OpenedFields open_fields(const RenderJob& job);
 
 }  // namespace vvr::app

@@ -33,9 +33,9 @@ namespace vvr::app {
 
 namespace {
 
-/// The frame of that number, or the one shown at that time. Counts the frames that decode, from the first on, whatever
-/// the container says. Leaves the clip at its first frame.
-/// \throws Error usage that says how long the clip is, where it ends before
+/// The frame with that number, or the one shown at that time. Counts decoded frames from the first one and ignores the
+/// container's numbers. Seeks back to the first frame.
+/// \throws Error usage with the clip's length when the clip ends earlier
 Moment find_frame(video::FrameSource& clip, const Time& time) {
     const bool by_number = time.unit == Time::Unit::frames;
     Moment found;
@@ -48,12 +48,12 @@ Moment find_frame(video::FrameSource& clip, const Time& time) {
         found = {frame->index, frame->pts};
     }
     clip.rewind();
-    // The last frame is on show for as long as the one before it was.
+    // The last frame is shown for as long as the previous one.
     const double end = found.seconds + (found.seconds - before);
     const bool shown =
         by_number ? time.value <= static_cast<double>(found.frame) : time.value <= found.seconds || time.value < end;
     if (past || shown) return found;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value_out_of_range,
                 fmt::format("frame: '{}' has {}, the last at {:.3f} s; choose an earlier one", clip.info().name,
                             counted(found.frame + 1, "frame"), found.seconds),
                 {"frame"});
@@ -72,12 +72,12 @@ constexpr image::Rgba green{0.25F, 0.95F, 0.30F, 1};
 constexpr image::Rgba yellow{1, 0.86F, 0.20F, 1};
 constexpr image::Rgba orange{1, 0.45F, 0.05F, 1};
 
-// Lines and arrows are where things are so many frames later.
+// Lines and arrows end where things will be after this many frames.
 constexpr double frames_ahead = 4;
 constexpr int line_interval = 5;  // field pixels
 constexpr double least_flow = 0.25;
 
-/// One of the three pictures: where it stands, and how field pixels map to it.
+/// One of the three pictures: its position, and how field pixels map to it.
 struct Panel {
     int left = 0;
     double scale = 1;
@@ -90,14 +90,14 @@ image::Rgba colour_of(const Bgr& pixel) {
             1};
 }
 
-/// Grey and dark, so that lines stand out.
+/// Dark grey, so that lines stand out.
 image::Rgba dimmed(const Bgr& pixel) {
     const image::Rgba colour = colour_of(pixel);
     const float grey = 0.42F * (0.30F * colour[0] + 0.59F * colour[1] + 0.11F * colour[2]) + 0.05F;
     return {grey, grey, grey, 1};
 }
 
-/// Fills a panel with what `shade` makes of field pixels, linear between them.
+/// Fills a panel with the colours that `shade` gives field pixels, interpolated linearly.
 template <class Shade>
 void fill(image::Picture& picture, const Panel& panel, Size field, Shade shade) {
     Plane<image::Rgba> shades(field);
@@ -145,7 +145,7 @@ void draw_seeds(image::Picture& picture, const Panel& panel, const std::vector<f
     }
 }
 
-/// What reached over a panel's edge goes.
+/// Clears what was drawn beyond the panels' edges.
 void clear_margins(image::Picture& picture) {
     Plane<image::Rgba>& pixels = picture.pixels;
     const int bottom = pixels.height() - caption_height;
@@ -157,7 +157,7 @@ void clear_margins(image::Picture& picture) {
     }
 }
 
-/// The picture of one frame's fields, and whether its captions found a font.
+/// The picture of a frame's fields, and whether a font for its captions was found.
 struct Inspection {
     image::Picture picture;
     bool captions = true;
@@ -203,18 +203,18 @@ Inspection inspect(const video::Frame& frame, const fields::Field& field) {
     return result;
 }
 
-/// The frame in the size and the colours of the clip.
+/// The frame in the clip's size and colours.
 Plane<Bgr> picture_of(video::FrameSource& clip, const Moment& moment) {
     clip.seek(moment.seconds - 1);
     video::Scaler scale(clip);
     while (const auto frame = clip.next()) {
         if (frame->index >= moment.frame) return video::picture_of(scale(*frame));
     }
-    throw Error(ErrorKind::not_video, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
-                                                  clip.info().name, moment.frame));
+    throw Error(ErrorCode::no_frame, fmt::format("'{}': frame {} does not decode any more; has the file changed?",
+                                                 clip.info().name, moment.frame));
 }
 
-/// Regions as polygons; a page can't change a picture.
+/// Regions as polygons. A mask picture can't be edited on a page, so it is left out with a warning.
 std::string polygons_of(std::string_view setting, const std::string& area, Observer& observer) {
     std::string list = fields::polygon_list(setting, area);
     if (area.empty() || !list.empty()) return list;
@@ -222,13 +222,13 @@ std::string polygons_of(std::string_view setting, const std::string& area, Obser
     return {};
 }
 
-/// The frame that was asked for; else the one in the middle, but not so far in that finding it takes long.
+/// The requested frame; by default the middle one, but early enough to be found quickly.
 Time wanted_frame(const InspectJob& job, const video::VideoInfo& info) {
     constexpr double farthest = 60;
     return job.frame.value_or(Time{std::min(info.duration / 2, farthest), Time::Unit::seconds});
 }
 
-/// What is to be said where nobody chose the frame.
+/// A hint for the case that the user chose no frame.
 std::string_view about_choice(const InspectJob& job) {
     return job.frame ? "" : "; --frame TIME chooses another";
 }
@@ -262,7 +262,7 @@ void inspect(const InspectJob& job, Observer& observer) {
     std::vector<std::string> warnings;
     const auto clip = open_clip(job.input, colour, job.fields.threads, warnings);
     const Moment found = find_frame(*clip, wanted_frame(job, clip->info()));
-    // The other frames only serve as neighbours.
+    // The other frames are only needed as neighbours.
     fields::FieldOptions fields = job.fields;
     fields.span.first = found.frame;
     fields.span.stop = found.frame + 1;

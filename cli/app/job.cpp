@@ -43,21 +43,22 @@ void validate(const space::LayoutOptions& shape) {
     check(setting::radius, shape.r_max);
     if (shape.r_min < shape.r_max) return;
     throw Error(
-        ErrorKind::usage,
+        ErrorCode::option_value,
         fmt::format("radius: '{}:{}': the outer radius has to be larger than the inner one", shape.r_min, shape.r_max),
         {setting::radius.name});
 }
 
 void validate_series(const RenderJob& job) {
     if (job.bricks.time == TimeScale::busy) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     "time busy is for one picture of a clip; the pictures of a series share one scale of time",
                     {setting::time.name});
     }
 }
 
 void validate(const RenderJob& job) {
-    if (job.input.names.empty()) throw Error(ErrorKind::usage, "no input: name a video, a folder of pictures, or -");
+    if (job.input.names.empty())
+        throw Error(ErrorCode::input_missing, "no input: name a video, a folder of pictures, or -");
     fields::validate(job.fields);
     const auto check_one = [](const Setting& setting, const auto& value, const auto&...) { check(setting, value); };
     each_brick_setting(job, check_one);
@@ -100,7 +101,7 @@ WallClock clock_of(const StartTime& start, const video::VideoInfo& info) {
     const Row& row = *std::ranges::find(rows, start.from, &Row::from);
     if (row.begin) return local_clock(*row.begin, info.duration, row.source);
     if (row.missing.empty()) return std::nullopt;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::time_of_day_unknown,
                 fmt::format("start-time {}: {}", row.word, fmt::format(fmt::runtime(row.missing), info.name)),
                 {setting::start_time.name});
 }

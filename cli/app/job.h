@@ -26,7 +26,7 @@
 
 namespace vvr::app {
 
-/// A place in a clip, or a length of it.
+/// A time in a clip, or a length.
 struct Time {
     enum class Unit { frames, seconds };
     double value = 0;
@@ -35,7 +35,7 @@ struct Time {
     friend bool operator==(const Time&, const Time&) = default;
 };
 
-/// How the room along the arc is given to the time of a clip.
+/// How the time of a clip is distributed along the arc.
 enum class TimeScale { automatic, even, busy };
 
 struct TimeScaleRow {
@@ -50,138 +50,138 @@ inline constexpr std::array time_scales{
     TimeScaleRow{TimeScale::busy, "busy", "room goes where something moves; the ruler marks where time is squeezed"},
 };
 
-/// By how much two pictures may differ, and where a picture of the differences goes.
+/// The allowed difference of two pictures, and the output for a picture of the difference.
 struct ComparisonOptions {
     image::Tolerance tolerance;
-    std::filesystem::path diff;  ///< empty = nowhere
+    std::filesystem::path diff;  ///< empty = none
 };
 
-/// What a picture is compared with.
+/// The reference of a picture.
 struct GoldenOptions {
-    std::filesystem::path path;  ///< empty = nothing
-    bool bless = false;          ///< the picture replaces the golden one instead
+    std::filesystem::path path;  ///< empty = none
+    bool bless = false;          ///< replace the golden picture
     ComparisonOptions comparison;
 };
 
-/// Where pictures go, and what is written about them.
+/// Where pictures and the files about them go.
 struct OutputOptions {
     std::filesystem::path path;
-    std::filesystem::path page;        ///< beside the picture; empty = none, unless `path` is one
-    std::string page_camera;           ///< that the page names; empty = what names of files tell
-    std::filesystem::path page_index;  ///< of the archive that the page belongs to; empty = none
-    std::filesystem::path page_place;  ///< where the page will stand; empty = where it is written
+    std::filesystem::path page;        ///< in addition to the picture; empty = none, unless `path` is a page
+    std::string page_camera;           ///< shown on the page; empty = from the file name
+    std::filesystem::path page_index;  ///< of the archive that has the page; empty = none
+    std::filesystem::path page_place;  ///< final path of the page, for links; empty = where it is written
     std::filesystem::path thumbnail;   ///< empty = none
-    std::filesystem::path still;       ///< a frame of the clip; empty = none
-    bool plain_name = false;           ///< nothing in `path` is a field
-    std::optional<int> animate;        ///< pictures of the moving texture
-    std::optional<int> slide;          ///< a film of the window that slides over the clip: pictures per brick
-    std::filesystem::path report;      ///< empty = nowhere
-    events::EventChoice events;        ///< which of them the report and the page list
+    std::filesystem::path still;       ///< for a frame of the clip; empty = none
+    bool plain_name = false;           ///< `path` contains no pattern field
+    std::optional<int> animate;        ///< number of pictures with moving texture
+    std::optional<int> slide;          ///< film of the sliding window: pictures per brick
+    std::filesystem::path report;      ///< empty = none
+    events::EventChoice events;        ///< which events the report and the page list
     GoldenOptions golden;
 };
 
-/// Pictures of an animation if nothing says how many.
+/// Default number of pictures of an animation.
 inline constexpr int default_animation = 24;
 
-/// The names of the files that the output goes to.
+/// The pattern for the output's file names.
 /// \throws Error usage
 image::NamePattern name_of(const OutputOptions& options);
 
-/// Whether a window slides over the clip: a picture for each brick, or a film of them.
+/// Whether the window slides over the clip: for one picture per brick, or a film.
 bool is_series(const OutputOptions& options);
 
-/// Whether a file of that name is a page.
+/// Whether the extension is that of a page.
 bool is_page(const std::filesystem::path& path);
 
-/// Where a page goes: to the output itself or beside it; empty = nowhere.
+/// The page's path: the output itself, or --page; empty = no page.
 const std::filesystem::path& page_of(const OutputOptions& options);
 
-/// The number of pictures that the options ask for, of a film per brick: none where only a report is wanted.
+/// The number of pictures; of a film, the number per brick. 0 if only a report is wanted.
 int pictures_of(const OutputOptions& options);
 
-/// What is read. Which frames of it FieldOptions::span says.
+/// The input. FieldOptions::span selects its frames.
 struct InputOptions {
     std::vector<std::string> names;  ///< a clip, the files of a recording, or the folders of an extraction in parts
-    std::vector<std::string> name_patterns;  ///< of files' names, before those of known recorders
-    bool join = false;                       ///< files that seem to be unrelated are one recording all the same
+    std::vector<std::string> name_patterns;  ///< of file names; tried before those of known recorders
+    bool join = false;                       ///< treat files as one recording even if they look unrelated
     Size field_size{0, 0};                   ///< as in SourceOptions
-    double rate = 25;                        ///< frames per second, where the input does not say
+    double rate = 25;                        ///< frames per second if the input has none
 };
 
 /// How time becomes layers and bricks.
 struct BrickOptions {
-    std::int64_t max_layers = 800;  ///< of the window; frames of a longer clip share layers
-    int step = 0;                   ///< frames per layer; 0 = as few as max_layers allows
-    int window = 8;                 ///< bricks of the window; without `length`, a clip is cut into as many
+    std::int64_t max_layers = 800;  ///< in the window; in longer clips several frames share a layer
+    int step = 0;                   ///< frames per layer; 0 = the minimum that max_layers allows
+    int window = 8;                 ///< bricks in the window; without `length`, the clip is divided into as many
     std::optional<Time> length{};   ///< of a brick
     TimeScale time = TimeScale::automatic;
 };
 
-/// When a clip began.
+/// The time at which a clip began.
 struct StartTime {
     enum class From {
-        automatic,  ///< its name, where it tells
-        recorded,   ///< the same, and it is an error where it doesn't
-        container,  ///< when the container says it was written
-        modified,   ///< when the file was last written, less its length
+        automatic,  ///< from the clip's name, if it has one
+        recorded,   ///< from the clip's name; an error if it has none
+        container,  ///< the creation time in the container
+        modified,   ///< the file's modification time minus the clip's length
         given,
         none,
     };
     From from = From::automatic;
-    WallClock clock{};  ///< that was given
+    WallClock clock{};  ///< for From::given
 };
 
-/// What the picture shows of the volume and the flow. How it draws that RenderOptions says.
+/// What the picture shows of the volume and the flow. RenderOptions has how it is drawn.
 struct LookOptions {
     Parts show = Parts::by_default();
     int keyframes = 0;  ///< frames shown between the first and the last
     scene::Theme theme = scene::themes().front();
-    std::optional<glm::vec4> background{};              ///< multiplied by its opacity; none = the theme's
+    std::optional<glm::vec4> background{};              ///< premultiplied; none = the theme's
     std::optional<scene::TransferFunction> transfer{};  ///< none = the theme's
     Choice<ColourRow> colour = "auto";
     std::string title;           ///< empty = the clip's name
     std::filesystem::path font;  ///< of all text; empty = fontconfig's sans
     StartTime start_time;
-    double opacity = 1;                            ///< factor on the extinction
-    double glyph_scale = 1;                        ///< factor on the arrows' size
-    double glyph_cap = scene::GlyphOptions{}.cap;  ///< of arrows at factor 1
+    double opacity = 1;                            ///< factor for the extinction
+    double glyph_scale = 1;                        ///< factor for the arrows' size
+    double glyph_cap = scene::GlyphOptions{}.cap;  ///< longest arrow at factor 1
     scene::TraceOptions traces;
-    std::optional<space::View> slice_view{};  ///< whose slices Part::slices shows; none = the picture's own view
+    std::optional<space::View> slice_view{};  ///< the view for Part::slices; none = the picture's own
 };
 
-/// Which OpenGL draws.
+/// The OpenGL to draw with.
 struct BackendOptions {
     Choice<gl::Backend> row = "auto";
-    int device = -1;     ///< EGL's number; -1 = the first that works
-    bool debug = false;  ///< what the driver says is a warning
+    int device = -1;     ///< EGL device number; -1 = the first that works
+    bool debug = false;  ///< log the driver's messages as warnings
 };
 
-/// A whole run: what is read, what is computed, how it is drawn, and where it goes.
+/// A whole run: input, fields, drawing and outputs.
 struct RenderJob {
     InputOptions input;
     fields::FieldOptions fields;
-    std::string seeds;  ///< lists that replace the computed seeds, as ListedSeeds; empty = none
-    std::optional<fields::SeedFlags> seed_flags{};  ///< of the bricks; none = the seeds' own
+    std::string seeds;  ///< lists that replace the computed seeds, as in ListedSeeds; empty = none
+    std::optional<fields::SeedFlags> seed_flags{};  ///< one per brick; none = those of the seeds
     BrickOptions bricks;
     Choice<space::LayoutRow> layout = space::layouts().front();
     space::LayoutOptions shape;
     LookOptions look;
-    gl::RenderOptions picture;  ///< camera, background and glyphs are made of the rest
+    gl::RenderOptions picture;  ///< camera, background and glyphs come from the other members
     BackendOptions backend;
     OutputOptions output;
-    image::Metadata settings;  ///< all settings as texts, in the order in which files and reports record them
-    image::Metadata given;     ///< those that were asked for; they must not contradict an extraction
+    image::Metadata settings;  ///< all settings as text, in the order of files and reports
+    image::Metadata given;     ///< settings that the user gave; an extraction must agree with them
 };
 
-/// \throws Error usage for a value that is out of its range, or values that contradict each other
+/// \throws Error usage when a value is out of range or values contradict each other
 void validate(const RenderJob& job);
 void validate(const space::LayoutOptions& shape);
 
-/// \throws Error usage for what only one picture of a whole clip can have
+/// \throws Error usage for settings that apply only to one picture of a whole clip
 void validate_series(const RenderJob& job);
 
-/// The clock that a clip's ruler shows.
-/// \throws Error usage where what is to say when it was recorded does not
+/// The clock for a clip's ruler.
+/// \throws Error usage when the requested source does not have the time
 WallClock clock_of(const StartTime& start, const video::VideoInfo& info);
 
 }  // namespace vvr::app

@@ -24,7 +24,7 @@ std::vector<image::Rgba> gradient(const glm::vec3& from, const glm::vec3& to) {
     return colours;
 }
 
-/// What a thing as thick as a person's track looks like, by its value.
+/// The colours of values, as seen through an object about as thick as a person's track.
 std::vector<image::Rgba> transfer_gradient(const scene::TransferFunction& transfer, int low,
                                            const glm::vec4& background) {
     std::vector<image::Rgba> colours;
@@ -49,7 +49,7 @@ std::vector<image::Rgba> colours_of_objects(const scene::Theme& theme) {
     return colours;
 }
 
-/// Each band in its colour, and what that means.
+/// One entry per band: its colour and meaning.
 std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& transfer) {
     constexpr std::array<std::pair<fields::Band, std::string_view>, 3> bands{
         {{fields::Band::newly_covered, "newly covered"},
@@ -63,7 +63,7 @@ std::vector<labels::LegendEntry> legend_of_bands(const scene::TransferFunction& 
     return entries;
 }
 
-/// The colours of a volume that are not the transfer function's, and what they mean.
+/// The entries for volume colours that don't come from the transfer function.
 std::vector<labels::LegendEntry> legend_of_colour(const Plan& plan) {
     const ColourRow& row = *plan.colour;
     if (row.needs_pictures) return {{{}, "in the video's own colours", "video"}};
@@ -96,7 +96,7 @@ std::vector<labels::LegendEntry> legend_of_colour(const Plan& plan) {
     return {{std::move(colours), fmt::format("colour: {}, little to much", second.help), std::string(second.name)}};
 }
 
-/// The same of those that are.
+/// The entries for colours from the transfer function.
 std::vector<labels::LegendEntry> legend_of_transfer(const Plan& plan) {
     const fields::FilterRow& filter = *plan.filter;
     switch (filter.traits.values) {

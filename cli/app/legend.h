@@ -8,7 +8,7 @@
 
 namespace vvr::app {
 
-/// What the colours of a picture mean.
+/// The legend: the meaning of a picture's colours.
 std::vector<labels::LegendEntry> legend_of(const Plan& plan);
 
 inline image::Rgba rgba(const glm::vec3& colour) {

@@ -21,7 +21,7 @@ namespace vvr::app {
 
 namespace {
 
-/// A gap may be one of signal, or lie between the parts that were asked for.
+/// Tells gaps between the requested parts from losses of signal.
 std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const bricks::Volume& volume) {
     std::vector<labels::TimeGap> gaps = labels::time_gaps(volume);
     if (span.parts.empty()) return gaps;
@@ -37,7 +37,7 @@ std::vector<labels::TimeGap> explained_gaps(const video::FrameSpan& span, const 
     return gaps;
 }
 
-/// Writes around the volume, the most needed first: what comes later takes the room that is left.
+/// Adds text around the volume, the most important first. Later items get the room that is left.
 class Letterer {
   public:
     Letterer(const Plan& plan, const Observation& seen, const Composition& composed)
@@ -92,14 +92,14 @@ class Letterer {
         if (plan_.shows(Part::ruler)) {
             labels::label_gaps(explained_gaps(plan_.job.fields.span, seen_.volume), *plan_.layout, edge, camera_,
                                sheet_, rgba(plan_.job.look.theme.fast), lettering_);
-            // Before the ticks: who reads a clock should know first where it leaps.
+            // Before the ticks: it is most important where the clock leaps.
             labels::label_breaks(labels::time_breaks(seen_.volume, breaks_shown), *plan_.layout, edge, camera_, sheet_,
                                  pale_, lettering_);
         }
         labels::label_ruler(seen_.volume, *plan_.layout, edge, composed_.ticks, camera_, sheet_, ink_, lettering_);
     }
 
-    /// In the middle of the volume: an empty picture would look like a mistake.
+    /// Writes into the middle of an empty volume, which would otherwise look like an error.
     void add_stillness() {
         const PixelBox& box = sheet_.volume;
         lettering_.add(labels::make_centred_label("nothing moves", sheet_.text * 2, (box.left + box.right) / 2.0,
@@ -124,7 +124,7 @@ class Letterer {
                                     sheet_.explanation.inflated(0, sheet_.small / 4), pale_, lettering_);
     }
 
-    /// A frame at the end of the volume, with what it is and when above it.
+    /// A frame at an end of the volume. The text above says which one it is, and its time.
     void add_end(std::string_view what, const video::Frame& frame, double seconds, const PixelBox& box, bool right) {
         Plane<Bgr> picture = video::picture_of(frame);
         if (picture.empty() || box.empty()) return;
@@ -137,7 +137,7 @@ class Letterer {
         lettering_.labels.push_back(right ? label_at(box.right - label.box.width()) : label);
     }
 
-    /// Portraits, map and strip beside the volume, and numbers in it.
+    /// Portraits, map and strip beside the volume, and numbers inside it.
     void add_objects() {
         const glance::Objects& objects = composed_.objects;
         const glance::Trails trails(seen_.volume, *plan_.layout, camera_, sheet_.picture);

@@ -7,11 +7,11 @@
 
 namespace vvr::app {
 
-/// All text on a picture, and what belongs to it. Empty where there is no font.
-/// \param composed all but this and the scene
+/// All text of a picture, with lines and portraits. Empty if there is no font.
+/// \param composed complete except for the lettering and the scene
 labels::Lettering letter(const Plan& plan, const Observation& seen, const Composition& composed);
 
-/// Breaks of the ruler that are marked.
+/// The number of ruler breaks that are marked at most.
 inline constexpr std::size_t breaks_shown = 48;
 
 }  // namespace vvr::app

@@ -12,10 +12,10 @@ namespace vvr::app {
 
 namespace {
 
-constexpr std::size_t most_numbers = 65'535;  // an Identity's
-constexpr double stripes = 60;                // in a window, dark and light
+constexpr std::size_t most_numbers = 65'535;  // limited by Identify
+constexpr double stripes = 60;                // per window, dark and light
 
-/// An event as its voxels need it.
+/// The part of an event that its voxels need.
 struct Object {
     int colour = 0;
     std::uint16_t number = 0;
@@ -37,7 +37,7 @@ Object object_of(const events::Event& event, int colour, std::size_t place) {
 ToldEvents told_in(std::span<const events::Event> events, double begin, double end) {
     ToldEvents told;
     const std::vector<int> colours = events::colours_of(events);
-    std::map<std::size_t, std::size_t> places;  // of those that are told
+    std::map<std::size_t, std::size_t> places;  // of the shown events
     for (std::size_t k = 0; k < events.size(); ++k) {
         if (events[k].last.seconds < begin || events[k].first.seconds > end) continue;
         places[k] = told.events.size();
@@ -70,7 +70,8 @@ bricks::Identify objects_of(std::span<const events::Event> events, const bricks:
         const auto is_in = [&](const std::pair<double, double>& span) {
             return layer.last_pts >= span.first && layer.pts <= span.second;
         };
-        // A thing that was left may be known by what the scene lacked before it came: that is not the thing.
+        // The track may begin before the object arrived, when its place differed from the reference. That is not the
+        // object.
         if (!is_in(object.seen)) return bricks::Identity{};
         const bool stays = std::ranges::any_of(object.stays, is_in);
         const bool dark = layer.first_frame / stripe % 2 == 0;

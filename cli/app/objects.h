@@ -14,41 +14,41 @@
 #include "core/events/event.h"
 #include "core/events/patch.h"
 
-// What is told of objects, and whose the voxels of a volume are.
+// The events that outputs show, and the mapping from voxels to objects.
 namespace vvr::app {
 
-/// The events that a picture, a page and a report tell of.
+/// The events that a picture, a page and a report show.
 struct ToldEvents {
     std::vector<events::Event> events;
-    std::vector<std::size_t> numbers;  ///< by which people know them
-    std::vector<int> colours;          ///< as `colours_of` gives them
+    std::vector<std::size_t> numbers;  ///< the numbers shown to people
+    std::vector<int> colours;          ///< from `colours_of`
 };
 
-/// Those of a clip that were there at some time from `begin` to `end`, with the part of their paths that lies in it.
-/// Their numbers are their places among all, plus 1.
+/// The events of a clip that overlap the time from `begin` to `end`, cut to that time. An event's number is its index
+/// among all events plus 1.
 ToldEvents told_in(std::span<const events::Event> events, double begin, double end);
 
-/// Of a clip that has ended: an object's colour and number are those of its event.
+/// For a clip that has ended: an object has the colour and number of its event.
 bricks::Identify objects_of(std::span<const events::Event> events, const bricks::Volume& volume);
 
-/// Of a clip that goes on. Which tracks are one object isn't known yet: each has a colour of its own, of those in sight
-/// the one that was not seen for longest. What was seen for less than an event lasts is nobody's until it is known to
-/// be more. What was decided for a stretch of the clip stays: consecutive pictures show it alike.
+/// For a live stream, where it isn't known yet which tracks are the same object. Each track gets its own colour: the
+/// one that has been out of sight for longest. A track shorter than an event belongs to no object until it is longer.
+/// Decisions about a stretch of the clip are final, so consecutive pictures show it alike.
 class LiveObjects {
   public:
     void see(const events::FrameLabels& labels);
 
-    /// A stretch of the clip has ended, and is drawn next.
-    /// \param oldest frame that will be drawn from now on
+    /// Decides about a stretch of the clip that has ended and is drawn next.
+    /// \param oldest first frame that later pictures can show
     void decide(std::int64_t oldest);
 
-    /// The colour of a track that has been seen of late, 0 to `object_colours` - 1.
+    /// The colour of a recent track, 0 to `object_colours` - 1.
     std::optional<int> colour_of(std::size_t track) const;
 
-    /// The number of the event that a track belongs to, from now on; what was drawn before keeps its own.
+    /// Sets the number of the event to which a track belongs. Stretches already decided keep theirs.
     void give_number(std::size_t track, std::size_t number) { numbers_[track] = number; }
 
-    /// \returns what asks this object, which outlives it
+    /// \returns a function that refers to this object and must not outlive it
     bricks::Identify identify() const;
 
   private:
@@ -56,7 +56,7 @@ class LiveObjects {
         Moment first;
         Moment last;
         int colour = 0;
-        std::int64_t undecided = 0;  ///< from this frame on, unless it is decided
+        std::int64_t undecided = 0;  ///< first undecided frame
         bool decided = false;
     };
 
@@ -64,7 +64,7 @@ class LiveObjects {
 
     std::map<std::size_t, Seen> tracks_;
     std::map<std::size_t, std::size_t> numbers_;
-    std::array<std::int64_t, events::object_colours> last_seen_{};  ///< 1 + frame; of each colour
+    std::array<std::int64_t, events::object_colours> last_seen_{};  ///< 1 + frame, per colour
     Moment last_;
 };
 

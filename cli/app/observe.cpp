@@ -21,7 +21,8 @@ bricks::VolumeOptions with_contents(bricks::VolumeOptions room, const Plan& plan
     return room;
 }
 
-/// Moves what the empty scene holds to the time at which it was there: the fields show a ghost of it instead.
+/// Moves a ghost in the fields to the right time. The reference contained the object until it left, so the fields show
+/// a ghost afterwards.
 void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volume) {
     for (const events::Event& event : events) {
         if (!event.in_scene || event.tracks.empty()) continue;
@@ -31,7 +32,8 @@ void correct_ghosts(std::span<const events::Event> events, bricks::Volume& volum
     }
 }
 
-/// What the empty scene holds is seen best in it: what was left for most of the clip, and what was taken.
+/// Takes stills from the empty scene for objects that it contains: those left for most of the clip, and those taken
+/// away.
 void take_stills_from_scene(std::span<const events::Event> events, const Plane<Bgr>& scene, glance::Crops& crops) {
     constexpr double best = std::numeric_limits<double>::max();
     const video::Frame frame{0, 0, Plane<std::uint8_t>(scene.size()), scene};
@@ -42,13 +44,13 @@ void take_stills_from_scene(std::span<const events::Event> events, const Plane<B
     }
 }
 
-/// The empty scene; without one, the last frame.
+/// The empty scene, or if there is none, the last frame.
 Plane<Bgr> scene_of(const Observation& seen) {
     const fields::Planes& scene = seen.summary.reference;
     return video::picture_of(scene.empty() ? *seen.last : video::Frame{0, 0, scene.grey, scene.colour});
 }
 
-/// Numbers skip the frames of a gap in a recording.
+/// Fills a gap in the recording, where frame numbers are missing.
 void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volume& volume) {
     if (volume.frames() == 0 || next.index <= last.index + 1) return;
     const std::int64_t gap = next.index - last.index - 1;
@@ -56,7 +58,7 @@ void fill_gap(const video::Frame& last, const fields::Field& next, bricks::Volum
     volume.add_gap(last.index + 1, gap, last.pts + apart, apart);
 }
 
-/// After the last frame: which tracks were one object, and what each of them did.
+/// After the last frame: links the tracks of each object and computes its events.
 void conclude(const Plan& plan, events::EventFinder& finder, Observation& seen) {
     const std::vector<events::Event> events =
         events::choose_events(finder.finish(seen.summary.reference), plan.job.output.events);
@@ -123,15 +125,15 @@ const events::FrameLabels& Gathering::add(const video::SharedFrame& frame, const
 }
 
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames) {
-    constexpr std::int64_t arrow_times = 80;  // along the arc; more would hide each other
+    constexpr std::int64_t arrow_times = 80;  // arrows along the arc; more would hide each other
     fields::FieldNeeds needs;
     needs.flow = plan.job.look.show.any(&PartRow::needs_flow);
     needs.seeds = plan.job.look.show.any(&PartRow::needs_seeds);
     needs.flow_of_every_frame = plan.colour->needs_flow;
     const bool stand = plan.shows(Part::frames) && plan.job.look.keyframes > 0;
-    // Objects are told apart by their colours where these are there.
+    // Colours help to tell objects apart, if available.
     needs.colour = plan.colour->needs_pictures || ((stand || plan.colours_objects()) && source.has_pictures());
-    // Frames are what a header says, or times that are years apart: nobody asked for such an interval.
+    // The header's number of frames may be far too large; limit the interval to that of the setting.
     constexpr auto most = static_cast<std::int64_t>(setting::flow_every.range.high);
     needs.every = std::min(most, source.interval(std::clamp<std::int64_t>(frames / arrow_times, 1, most)));
     return needs;
@@ -141,7 +143,8 @@ Observation observe(const Plan& plan, fields::FieldSource& source, Observer& obs
     const BrickOptions& bricks = plan.job.bricks;
     const std::int64_t step = planned_step(bricks, plan.clip.expected_frames);
     Observation seen = read(plan, source, step, observer);
-    // A header that promised far more than there was has wasted the window: read again, now knowing the length.
+    // The header promised far too many frames, so most of the window is empty. Read the clip again with its true
+    // length.
     if (bricks.step == 0 && step > 1 && !plan.nonuniform && seen.volume.layers() < bricks.max_layers / 2 &&
         seen.volume.frames() > 1) {
         seen = read(plan, source, planned_step(bricks, seen.volume.frames()), observer);

@@ -16,57 +16,57 @@
 #include "core/glance/portraits.h"
 #include "core/video/frame.h"
 
-// What is seen of a clip.
+// Reading a clip into an observation.
 namespace vvr::app {
 
-/// A frame and its number, counted from the volume's first.
+/// A frame and its number, counted from the start of the volume.
 struct KeyFrame {
     video::SharedFrame frame;
     std::int64_t number = 0;
 };
 
-/// What was seen of a clip, or of the window over it.
+/// The data gathered from a clip, or from the window over it.
 struct Observation {
     bricks::Volume volume;
     video::VideoInfo info{};
     Moment begin{};                                                     ///< of the first frame
-    video::SharedFrame first = std::make_shared<const video::Frame>();  ///< at the volume's beginning
-    video::SharedFrame last = first;                                    ///< and at its end
-    std::vector<KeyFrame> keyframes{};                                  ///< between them
-    std::int64_t first_brick = 0;                                       ///< of the volume, counted from the clip's
-    std::optional<ToldEvents> events{};                                 ///< none where they were not looked for
-    bricks::Identify identify = bricks::no_identities;                  ///< whose the voxels are
-    glance::Crops crops{};                                              ///< stills of the objects
-    Plane<Bgr> scene{};                                                 ///< without objects
+    video::SharedFrame first = std::make_shared<const video::Frame>();  ///< at the start of the volume
+    video::SharedFrame last = first;                                    ///< at the end of the volume
+    std::vector<KeyFrame> keyframes{};                                  ///< between these
+    std::int64_t first_brick = 0;                       ///< number of the volume's first brick in the clip
+    std::optional<ToldEvents> events{};                 ///< none = not searched for
+    bricks::Identify identify = bricks::no_identities;  ///< maps voxels to objects
+    glance::Crops crops{};                              ///< pictures of the objects
+    Plane<Bgr> scene{};                                 ///< the scene without objects
     fields::FieldSummary summary{};
 
     Moment end() const { return {last->index, last->pts}; }
 };
 
-/// Reads all fields of a clip, once and in order.
+/// Reads all fields of a clip once, in order.
 /// \throws Error limit, not_video, io, usage
 Observation observe(const Plan& plan, fields::FieldSource& source, Observer& observer);
 
-/// What the plan needs of the fields of `frames` frames.
+/// What the plan needs from the fields of `frames` frames.
 fields::FieldNeeds needs_of(const Plan& plan, const fields::FieldSource& source, std::int64_t frames);
 
-/// Makes an observation of frames and their fields, as they come.
+/// Builds an observation from frames and their fields.
 class Gathering {
   public:
-    /// \param room of the volume; what it keeps the plan says
+    /// \param room size of the volume; the plan decides what it stores
     Gathering(const Plan& plan, bricks::VolumeOptions room, fields::FieldNeeds needs);
 
-    /// \param moves whether something moves in it, where layers are of unequal length
-    /// \returns whose its pixels are
+    /// \param moves whether anything moves in the frame; used if layers have unequal lengths
+    /// \returns the objects of its pixels
     const events::FrameLabels& add(const video::SharedFrame& frame, const fields::Field& field, bool moves = true);
 
     Observation seen;
-    std::optional<events::EventFinder> finder;  ///< none where nobody follows objects
+    std::optional<events::EventFinder> finder;  ///< none = objects are not tracked
 
   private:
     bool keeps_crops_;
     VolumePaint paint_;
-    events::FrameLabels labels_;  ///< of the newest field
+    events::FrameLabels labels_;  ///< of the last field
 };
 
 }  // namespace vvr::app

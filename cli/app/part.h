@@ -7,7 +7,7 @@
 
 namespace vvr::app {
 
-/// What a picture can show.
+/// The parts of a picture.
 enum class Part {
     volume,
     portraits,
@@ -31,20 +31,20 @@ enum class Part {
     slices
 };
 
-/// One row of the table of parts.
+/// A row of the table of parts.
 struct PartRow {
     Part part;
     std::string_view name;
     std::string_view help;
     bool by_default = false;
-    bool needs_seeds = false;     ///< of the fields
-    bool needs_flow = false;      ///< of whole frames
-    bool needs_pictures = false;  ///< frames in colour
-    bool needs_events = false;    ///< the objects, so a filter that marks them
-    bool around_volume = false;   ///< reaches beyond the outline of the volume
+    bool needs_seeds = false;     ///< needs seeds
+    bool needs_flow = false;      ///< needs the flow of whole frames
+    bool needs_pictures = false;  ///< needs frames in colour
+    bool needs_events = false;    ///< needs objects, and so a filter that marks them
+    bool around_volume = false;   ///< extends beyond the outline of the volume
 };
 
-/// The parts, in the order of the enum.
+/// All parts, in the order of the enum.
 std::span<const PartRow> parts();
 
 /// A set of parts.
@@ -55,14 +55,14 @@ class Parts {
         for (const Part part : parts) add(part);
     }
 
-    /// Those that a picture has if nothing else is asked for.
+    /// The parts that a picture shows by default.
     static Parts by_default();
 
     void add(Part part) { set_.set(static_cast<std::size_t>(part)); }
     void remove(Part part) { set_.reset(static_cast<std::size_t>(part)); }
     bool has(Part part) const { return set_.test(static_cast<std::size_t>(part)); }
 
-    /// Whether one of them has a trait: `any(&PartRow::needs_flow)`.
+    /// Whether any part has a trait: `any(&PartRow::needs_flow)`.
     bool any(bool PartRow::*trait) const;
 
   private:

@@ -20,7 +20,7 @@ namespace vvr::app {
 
 namespace {
 
-// ---- What one setting decides of another
+// ---- Settings that depend on other settings
 
 void take_extracted(const image::Metadata& extracted, RenderJob& job) {
     for (const auto& [name, value] : extracted) {
@@ -29,9 +29,9 @@ void take_extracted(const image::Metadata& extracted, RenderJob& job) {
     }
 }
 
-/// Parts that need objects go where the filter marks none; arrows of the flow then tell what arrows along trails would.
+/// Removes parts that need objects if the filter marks none. Arrows of the flow replace arrows along trails.
 void drop_impossible_parts(const RenderJob& job, bool marks_objects, Parts& show) {
-    // Who names seeds wants to see them.
+    // Show seeds that the user has listed.
     if (!job.seeds.empty() && !show.any(&PartRow::needs_seeds)) show.add(Part::arrows);
     if (marks_objects) return;
     if (show.has(Part::directions)) show.add(Part::arrows);
@@ -40,21 +40,21 @@ void drop_impossible_parts(const RenderJob& job, bool marks_objects, Parts& show
     }
 }
 
-/// The colour of the volume. Where none was asked for, objects have their own if there is a part that tells of them,
-/// the filter marks objects, and no transfer function was asked for.
+/// The colour of the volume. If none is chosen, objects have their own colours, provided that a part shows them, the
+/// filter marks objects, and no transfer function is chosen.
 const ColourRow& choose_colour(const RenderJob& job, bool marks_objects) {
     const LookOptions& look = job.look;
     const ColourRow& asked = *look.colour;
     if (asked.drawn == gl::VolumeColour::object && !marks_objects) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("color object: the filter '{}' marks no objects; choose another filter, or color transfer",
                         job.fields.filter->name),
             {setting::colour.name, setting::filter.name});
     }
     const bool second_flow = asked.filter != nullptr && asked.filter->traits.flow;
     if ((asked.needs_flow || second_flow) && !fields::has_flow(job.fields.flow)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("color {}: it needs flow, and flow {} computes none; choose another flow or colour",
                                 asked.name, job.fields.flow.method->name),
                     {setting::colour.name, setting::flow.name});
@@ -73,7 +73,7 @@ gl::GlyphStyle glyph_style_of(const RenderJob& job, bool between_objects) {
     style.slow_colour = job.look.theme.slow;
     style.fast_colour = job.look.theme.fast;
     style.thickness *= static_cast<float>(job.look.glyph_scale);
-    // Between objects in colours an arrow says which way, and its colour nothing.
+    // Between coloured objects, arrows show the direction only; their colour has no meaning.
     if (between_objects) {
         style.slow_colour = style.fast_colour = job.look.theme.ink;
         style.thickness *= 1.3F;
@@ -94,13 +94,13 @@ Products products_of(const RenderJob& job, bool marks_objects, Purpose purpose) 
         return products;
     }
     products.pictures = std::max(pictures_of(output), purpose == Purpose::caller ? 1 : 0);
-    // Only what a filter that marks objects shows has events.
+    // Events need a filter that marks objects.
     products.events = (page || !output.report.empty()) && marks_objects;
     products.portraits = page && products.events;
     return products;
 }
 
-/// Where the header promises more than two minutes, room goes where something moves, unless it was asked for otherwise.
+/// Whether layers get room according to motion: if chosen, or by default if the header's length is above two minutes.
 bool wants_room_for_motion(const BrickOptions& bricks, const ClipFacts& clip) {
     constexpr double short_recording = 120;  // seconds
     if (bricks.time != TimeScale::automatic) return bricks.time == TimeScale::busy;
@@ -110,14 +110,14 @@ bool wants_room_for_motion(const BrickOptions& bricks, const ClipFacts& clip) {
 // ---- Layers, bricks and memory
 
 constexpr double default_seconds = 10;
-constexpr double default_frames = 100;  // where the frames per second are unknown
+constexpr double default_frames = 100;  // if the frame rate is unknown
 
 double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
     const video::VideoInfo& info = clip.info;
     if (bricks.length && bricks.length->unit == Time::Unit::frames) return bricks.length->value;
     if (bricks.length) {
         if (info.rate > 0) return bricks.length->value * info.rate;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value,
                     fmt::format("brick of {} s: '{}' does not say how many frames it has per second; give the length "
                                 "of a brick in frames, for example {:.0f}f",
                                 bricks.length->value, info.name, default_frames),
@@ -128,8 +128,8 @@ double frames_of_brick(const BrickOptions& bricks, const ClipFacts& clip) {
     return expected > 0 ? std::min(brick, std::ceil(expected / bricks.window)) : brick;
 }
 
-/// The window of a series. A brick is as long as the options say; by default 10 s, or less if k bricks of that length
-/// are longer than the clip.
+/// The window of a series. A brick has the given length; by default 10 s, or less if the clip is shorter than k such
+/// bricks.
 SlidingWindow sliding_window(const BrickOptions& bricks, int keyframes, const ClipFacts& clip) {
     SlidingWindow window;
     window.bricks = bricks.window;
@@ -139,7 +139,7 @@ SlidingWindow sliding_window(const BrickOptions& bricks, int keyframes, const Cl
     while (frames > bricks.max_layers * window.step) window.step *= 2;
     const double layers = std::round(brick / static_cast<double>(window.step));
     window.brick_layers = std::max<std::int64_t>(1, static_cast<std::int64_t>(layers));
-    // They part a brick evenly.
+    // Key frames divide a brick evenly.
     for (std::int64_t j = 0; j < keyframes; ++j) window.key_layers.push_back(j * window.brick_layers / keyframes);
     return window;
 }
@@ -158,19 +158,20 @@ std::int64_t bricks_of(const BrickOptions& bricks, const Extent& extent, double 
 std::int64_t bytes_of(const Plan& plan, const Extent& extent) {
     constexpr std::int64_t program = 230'000'000;  // code, libraries, OpenGL
     constexpr std::int64_t frames_in_flight = 16;
-    constexpr std::int64_t field_bytes = 30;  // per pixel of a frame in flight: colour, planes of floats, flow
+    constexpr std::int64_t field_bytes = 30;  // per pixel of a frame being processed: colour, float planes, flow
     constexpr std::int64_t source_bytes = 2;  // per pixel of a decoded picture
     const std::int64_t picture_bytes = plan.products.pixel_data ? 56 : 20;  // per pixel, as floats and as bytes
-    // In a layer and in a texture, with something everywhere; a street scene takes a twentieth and a half of that.
+    // Per voxel, in a layer and in a texture, when no voxel is empty. A street scene needs a twentieth and a half of
+    // that, respectively.
     const gl::VolumeColour colour = plan.colour->drawn;
     const std::int64_t voxel_bytes = colour == gl::VolumeColour::own || colour == gl::VolumeColour::object ? 4 : 1;
     const auto pieces = static_cast<int>((extent.layers + bricks::sub_brick_layers - 1) / bricks::sub_brick_layers);
     const std::int64_t in_textures = extent.layers * textures_of(plan.products, pieces) / std::max(1, pieces);
-    // Unequal layers are half as many again while they are read.
+    // With unequal lengths, there are up to 1.5 times as many layers during reading.
     const std::int64_t held = plan.nonuniform ? extent.layers * 3 / 2 : extent.layers;
-    // The flow of about a hundred frames, in half floats.
+    // The flow of about a hundred frames, as half floats.
     const std::int64_t flow_bytes = plan.job.look.show.any(&PartRow::needs_flow) ? 100 * 4 : 0;
-    // Per pixel of the field: since when it has its value, and whose it is.
+    // Per field pixel: the time of its last change, and its object.
     const std::int64_t event_bytes = plan.finds_objects ? 40 : 0;
     const std::int64_t field = area(plan.clip.field_size);
     return program + (event_bytes + flow_bytes + voxel_bytes * (held + in_textures)) * field +
@@ -217,7 +218,7 @@ void check_memory(const Extent& extent) {
     const std::int64_t there = machine_memory();
     if (there <= 0 || extent.bytes <= there) return;
     throw Error(
-        ErrorKind::limit,
+        ErrorCode::memory_too_small,
         fmt::format("this would take about {:.1f} GB of memory, and the machine has {:.1f} GB; choose a smaller "
                     "picture, smaller fields or fewer layers",
                     static_cast<double>(extent.bytes) / 1e9, static_cast<double>(there) / 1e9),

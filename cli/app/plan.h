@@ -12,89 +12,90 @@
 #include "core/fields/filter.h"
 #include "core/fields/reference.h"
 
-// What is to be done: a job, checked against the footage that was opened for it.
+// The plan of a run: a job that was checked against the opened footage.
 namespace vvr::app {
 
-/// What a run is for, beside what its output names.
+/// The purpose of a run, beyond the files named by its output.
 enum class Purpose {
-    files,   ///< those that its output names
-    caller,  ///< who takes the pictures
-    stream,  ///< a live one, of which there is a picture for each brick
-    search,  ///< its events alone
+    files,   ///< the files named by its output
+    caller,  ///< the caller takes the pictures
+    stream,  ///< a live stream; one picture per brick
+    search,  ///< only the events
 };
 
-/// What a run has to make, beside files.
+/// The products of a run, beside files.
 struct Products {
-    int pictures = 1;         ///< over which the texture of the tracelines moves on by one stripe
-    bool series = false;      ///< a picture for each brick, while the window moves over the clip
-    bool pixel_data = false;  ///< pictures come with the frame, time and depth that each pixel shows
-    bool events = false;      ///< a report or a page tells of them
+    int pictures = 1;         ///< over which the tracelines' texture moves on by one stripe
+    bool series = false;      ///< one picture per brick, while the window moves over the clip
+    bool pixel_data = false;  ///< pictures have the frame, time and depth of each pixel
+    bool events = false;      ///< a report or a page lists the events
     bool portraits = false;   ///< a page shows a still of each event
 };
 
-/// How much there is to do, if the clip has as many frames as its header says.
+/// The amount of work, if the header's number of frames is correct.
 struct Extent {
     std::int64_t frames = 0;  ///< 0 = unknown
     std::int64_t step = 1;    ///< frames per layer
     std::int64_t layers = 0;
     std::int64_t bricks = 0;
-    std::int64_t bytes = 0;  ///< estimate of the most memory that it can take, with something everywhere
+    std::int64_t bytes = 0;  ///< estimate of the peak memory, when no voxel is empty
 };
 
-/// The window that slides over a clip (§7): k bricks of the same number of layers.
+/// The window that slides over a clip (§7): k bricks with the same number of layers.
 struct SlidingWindow {
     int bricks = 8;  ///< k
     std::int64_t brick_layers = 1;
     std::int64_t step = 1;                   ///< frames per layer
-    std::vector<std::int64_t> key_layers{};  ///< of a brick, at whose beginnings key frames stand
+    std::vector<std::int64_t> key_layers{};  ///< layers of a brick that begin with a key frame
 
     std::int64_t layers() const { return bricks * brick_layers; }
     std::int64_t brick_frames() const { return brick_layers * step; }
     std::int64_t frames() const { return layers() * step; }
-    std::int64_t pieces_of_brick() const;  ///< fewer of the clip's last one, if it is shorter
+    std::int64_t pieces_of_brick() const;  ///< the clip's last brick may have fewer
 };
 
-/// What is to be done. Nothing in it changes while it is done, and nothing is looked up by name any more.
+/// All decisions about a run. Immutable during the run; all names are resolved.
 struct Plan {
-    RenderJob job{};  ///< with what the footage and other settings have decided
+    RenderJob job{};  ///< with the values that depend on footage and other settings
     ClipFacts clip{};
     Products products{};
     Extent extent{};
-    SlidingWindow window{};  ///< of a series
+    SlidingWindow window{};  ///< for a series
     const fields::FilterRow* filter = nullptr;
     const ColourRow* colour = nullptr;
-    const fields::FilterRow* second = nullptr;        ///< whose values have the colours; null = none
-    const fields::ReferenceRow* reference = nullptr;  ///< null where it is a picture file
-    bool finds_objects = false;                       ///< the run follows them
-    bool nonuniform = false;                          ///< room along the arc goes where something moves
+    const fields::FilterRow* second = nullptr;        ///< the filter whose values are coloured; null = none
+    const fields::ReferenceRow* reference = nullptr;  ///< null if the reference is a picture file
+    bool finds_objects = false;                       ///< the run tracks objects
+    bool nonuniform = false;                          ///< layers have unequal lengths: more room where something moves
     scene::TransferFunction transfer;                 ///< of the filter's values
-    scene::TransferFunction drawn_transfer;           ///< with the opacity
-    scene::TransferFunction second_transfer;          ///< whose colours the second filter's values have
+    scene::TransferFunction drawn_transfer;           ///< including the opacity
+    scene::TransferFunction second_transfer;          ///< with the colours for the second filter's values
     std::shared_ptr<const space::Layout> layout{};
     scene::GlyphOptions glyphs{};
-    gl::RenderOptions picture{};  ///< but for the camera
+    gl::RenderOptions picture{};  ///< without the camera
     std::string title{};
-    WallClock clock{};  ///< that the ruler shows
+    WallClock clock{};  ///< for the ruler
 
     bool shows(Part part) const { return job.look.show.has(part); }
     bool colours_objects() const { return colour->drawn == gl::VolumeColour::object; }
     Framing framing() const { return frame_volume(job, *layout, clip.field_size); }
 };
 
-/// The only way to a plan, for all commands.
-/// \param job that is valid
-/// \throws Error usage for a colour that is in no table, objects in colours where the filter marks none, colours that
-///         need flow where there is none, and bricks or a clock that the clip doesn't tell
+/// Makes the plan, for all commands.
+/// \param job valid, see validate()
+/// \throws Error usage for an unknown colour, object colours when the filter marks no objects, flow colours without
+/// flow, and bricks or a clock for which the clip lacks data
 Plan make_plan(RenderJob job, ClipFacts clip, Purpose purpose = Purpose::files);
 
-/// The frames that each layer takes, from what the container says of the clip's length; 0 = unknown.
+/// Frames per layer, from the header's length of the clip; 0 = unknown.
 std::int64_t planned_step(const BrickOptions& bricks, std::int64_t frames);
 
-/// The textures that there are at a time for pieces of bricks. In a single picture each piece is drawn but once: one
-/// texture is filled while another is drawn.
+/// The number of textures for pieces of bricks. A single picture draws each piece once, so two are enough: one is
+/// filled while the other is drawn.
 int textures_of(const Products& products, int pieces);
 
-/// \throws Error limit when the machine has less memory than that, where the system would kill the program half way
+/// \throws Error limit when the machine has less memory than needed, as the system would otherwise kill the program
+/// during the run
 void check_memory(const Extent& extent);
 
 }  // namespace vvr::app

@@ -13,12 +13,12 @@ namespace vvr::app {
 
 namespace {
 
-// Fewer frames are read in a few seconds: reading begins before OpenGL is known to work.
+// Shorter clips are read within seconds, so reading begins before OpenGL is known to work.
 constexpr std::int64_t soon_read = 5000;
-// With more frames the renderer is made after they have been read: memory counts for more than a moment then.
+// For longer clips, create the renderer after reading: saving memory is worth the extra time.
 constexpr std::int64_t long_read = 100'000;
 
-/// Sees the fields on their way, to keep what a page and a still show of them.
+/// Adds an observer of the fields that collects what a page and a still show.
 page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
     if (page_of(output).empty() && output.still.empty()) return nullptr;
     auto watched = std::make_unique<page::WatchedFields>(std::move(fields.source), !page_of(output).empty());
@@ -30,12 +30,12 @@ page::WatchedFields* watch(const OutputOptions& output, OpenedFields& fields) {
 }  // namespace
 
 Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink) {
-    RunFacts run;  // its stages begin now
+    RunFacts run;  // starts the timing of stages
     const std::int64_t expected = plan.clip.expected_frames;
     const bool is_long = expected > long_read;
     RenderThread thread;
     auto opened = thread.start([&](Drawing& drawing) { open_context(plan, drawing, observer); });
-    // The libraries take a second core's time to load, and the driver to compile shaders: meanwhile the clip is read.
+    // Loading the libraries and compiling the shaders uses a second core while the clip is read.
     if (!is_long) {
         thread.start([&](Drawing& drawing) {
             make_renderer(plan, gl::RenderOptions{}.tile_samples, drawing);

@@ -4,24 +4,24 @@
 #include "cli/app/observer.h"
 #include "cli/app/write.h"
 
-/// The application: a job in; pictures, a page, a report and the comparison with a golden picture out.
+/// The whole application: a job as input; pictures, a page, a report and the comparison with a golden picture as
+/// output.
 namespace vvr::app {
 
-/// What a caller wants to know of a run.
+/// Facts about a run for the caller.
 struct RenderSummary {
     video::VideoInfo info;
     std::int64_t frames = 0;
     std::int64_t damaged = 0;  ///< packets that could not be decoded
 };
 
-/// Does a whole job: plan, observe, compose, draw, write.
-/// \param taken called for each picture before it goes to its file; there is one even if no file is wanted.
-///        Empty = nobody takes them
+/// Runs a whole job: plan, observe, compose, draw, write.
+/// \param taken called for each picture before it is written, even if no file is wanted; may be empty
 /// \throws Error of every kind; `differs` after everything has been written
 RenderSummary render(const RenderJob& job, Observer& observer, const PictureTaker& taken = {});
 
-/// Draws one picture of a whole clip, or `products.pictures` of them: then only the phase of the tracelines' texture
-/// changes from one to the next, and the last is followed by the first.
+/// Draws one picture of a whole clip, or `products.pictures` of them. These differ only in the phase of the tracelines'
+/// texture and form a loop.
 /// \throws Error backend before a long clip is read, if OpenGL can't draw; limit, not_video, io, usage
 Outcome render_clip(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
 

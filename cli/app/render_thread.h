@@ -12,25 +12,24 @@
 
 namespace vvr::app {
 
-/// The thread that draws. It owns a drawing: OpenGL is opened, used and closed there, whichever threads ask for
-/// pictures. Work is done in the order in which it is given. After the first error no more work is done: each later one
-/// fails with the same error.
+/// The thread that draws. OpenGL is opened, used and closed on it only. Other threads give it work, which it does in
+/// order. After the first error, all later work fails with the same error.
 class RenderThread {
   public:
     using Work = std::function<void(Drawing&)>;
 
     RenderThread();
 
-    /// Waits for the work that has been given.
+    /// Waits until all work is done.
     ~RenderThread();
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
-    /// Gives the thread work to do. Waits while other work waits.
-    /// \returns when it has been done; throws what the work has thrown
+    /// Queues work. Blocks while the queue is full.
+    /// \returns a future that is ready when the work is done, or has its exception
     std::future<void> start(Work work);
 
-    /// Does work on the thread, and waits for it.
+    /// Runs work on the thread and waits for it.
     void run(Work work) { start(std::move(work)).get(); }
 
   private:
@@ -39,7 +38,7 @@ class RenderThread {
     void serve();
 
     oneapi::tbb::concurrent_bounded_queue<Task> tasks_;  ///< an empty task ends the thread
-    std::exception_ptr error_;                           ///< the first; only the thread looks at it
+    std::exception_ptr error_;                           ///< the first error; used by the thread only
     std::jthread thread_;
 };
 

@@ -26,10 +26,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Raised when a reader of older reports would misread one.
+/// Increase it when readers of older reports would misread a new one.
 constexpr int format_version = 1;
 
-/// From the field's pixels to those of the video.
+/// Converts field pixels to video pixels.
 class Scale {
   public:
     Scale(Size field, Size video)
@@ -61,7 +61,7 @@ class Scale {
     double y_;
 };
 
-/// Places and times are no better than this, and shorter to read.
+/// Rounds to the accuracy of places and times, which keeps the report short.
 double rounded(double value) {
     return std::round(value * 1000) / 1000;
 }
@@ -70,13 +70,13 @@ Json json_of(const Moment& moment) {
     return {{"frame", moment.frame}, {"seconds", rounded(moment.seconds)}};
 }
 
-/// What tells where in the world a moment of the clip is.
+/// Maps a moment of the clip to files and wall-clock time.
 struct Place {
     const std::vector<video::SegmentPlace>& segments;  ///< of a recording
     const WallClock& clock;
 };
 
-/// With the time of day, and the file of a recording in which it is and where in that file.
+/// A moment with its wall-clock time, and its file of the recording and the time in that file.
 Json json_of(const Moment& moment, const Place& place) {
     Json json = json_of(moment);
     if (place.clock) json["time"] = place.clock->iso(moment.seconds);
@@ -98,7 +98,7 @@ Json json_of(const std::vector<bricks::CompressedIdle>& squeezed) {
     return json;
 }
 
-/// By which a file is known again, whatever it is called then.
+/// Adds the digest, which identifies the file under any name.
 void add_digest(Json& json, const std::string& path) {
     const auto digest = digest_of(path);
     json["bytes"] = digest ? Json(digest->bytes) : Json();
@@ -183,15 +183,15 @@ std::int64_t peak_memory() {
     return std::int64_t{usage.ru_maxrss} * 1024;
 }
 
-/// When the clip began (UTC), and what tells that: its name, whether the picture shows it or not, else what the user
-/// chose.
+/// The start of the clip (UTC) and the source of that time: the clip's name, even if the picture doesn't show it; else
+/// the user's choice.
 std::pair<std::optional<std::int64_t>, ClockSource> recorded_at(const video::VideoInfo& info, const WallClock& clock) {
     if (recording_time_is_known(info)) return {info.began, info.began_source};
     if (clock && clock->utc_offset) return {clock->begin - *clock->utc_offset, clock->source};
     return {std::nullopt, ClockSource::none};
 }
 
-/// The settings that were used, and the font of the text where there is text: the machine's, if nobody named one.
+/// The settings used, and the font if there is text: the system's default font if none was chosen.
 image::Metadata settings_and_font(const Drawn& drawn) {
     image::Metadata settings = used_settings(drawn.plan.job.settings);
     const labels::Lettering& lettering = drawn.composed.lettering;
@@ -283,7 +283,7 @@ image::Metadata record_of(const Drawn& drawn) {
     image::Metadata record = settings_and_font(drawn);
     record.emplace_back("frames", fmt::to_string(volume.frames() - volume.missing()));
     if (plan.products.series) {
-        // Damage is only known at the end of the clip.
+        // The damage is only known at the end of the clip.
         record.emplace_back("first-frame", fmt::to_string(seen.begin.frame));
         record.emplace_back("seconds", fmt::format("{:.3f} to {:.3f}", seen.begin.seconds, seen.end().seconds));
     } else {

@@ -7,11 +7,11 @@
 
 namespace vvr::app {
 
-/// The text of a `--report` file; docs/report.md says what it means, docs/report.schema.json what may stand in it.
-/// \param seconds that all of it took
+/// The text of a `--report` file. docs/report.md explains it; docs/report.schema.json is its schema.
+/// \param seconds duration of the run
 std::string format_report(const Drawn& drawn, double seconds);
 
-/// What a picture's file records: the settings, and what they made of this clip.
+/// The metadata of a picture's file: the settings, and their results for this clip.
 image::Metadata record_of(const Drawn& drawn);
 
 }  // namespace vvr::app

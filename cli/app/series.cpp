@@ -11,9 +11,10 @@ namespace vvr::app {
 
 namespace {
 
-/// Of the tracelines' texture: stripes run on from picture to picture (§6.2.1), faster in stills, which are few.
+/// The phase of the tracelines' texture: stripes move from picture to picture (§6.2.1), faster in stills, which are
+/// few.
 double phase_of(const Plan& plan, std::int64_t brick, std::int64_t pictures) {
-    constexpr std::int64_t stills = 8;  // over which the texture moves on by one stripe
+    constexpr std::int64_t stills = 8;  // number of stills over which the texture moves by one stripe
     if (!plan.job.output.slide) return static_cast<double>(brick % stills) / stills;
     return static_cast<double>(pictures % default_animation) / default_animation;
 }

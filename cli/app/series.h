@@ -5,11 +5,11 @@
 
 namespace vvr::app {
 
-/// A series: one picture for each brick of the clip, drawn when the brick has entered the window. Picture j shows
-/// bricks j - k + 1 to j; as long as fewer than k have entered, the horseshoe fills from its beginning. Time has one
-/// scale and the camera one place in all pictures. Memory depends on the window alone.
-/// \param sink takes each picture with its brick's number
-/// \returns what is known of the last window, with the frames, the damage and the events of the whole clip
+/// Draws a series: one picture per brick of the clip, when the brick has entered the window. Picture j shows bricks j -
+/// k + 1 to j; the first pictures show fewer, from the start of the horseshoe. Time scale and camera are the same in
+/// all pictures. Memory depends only on the window.
+/// \param sink called with each picture and its brick's number
+/// \returns the last window's observation, with the frames, damage and events of the whole clip
 Outcome render_series(const Plan& plan, fields::FieldSource& source, Observer& observer, const PictureSink& sink);
 
 }  // namespace vvr::app

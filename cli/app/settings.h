@@ -5,7 +5,7 @@
 #include "core/fields/settings.h"
 #include "core/space/layout.h"
 
-/// The settings of a RenderJob beside those of its fields.
+/// The settings of a RenderJob, except those of its fields.
 namespace vvr::setting {
 
 inline constexpr Setting step{
@@ -63,7 +63,7 @@ inline constexpr Setting start_time{.name = "start-time",
                                         "less its length; 'none' = times run from 0:00",
                                     .default_text = "recorded where its name tells it, else none",
                                     .not_live_reason = "a stream is not recorded; give the date and time"};
-/// Of a live stream.
+/// For a live stream.
 inline constexpr Setting stream_clock{.name = "start-time",
                                       .unit = "DATETIME",
                                       .help =
@@ -113,9 +113,8 @@ inline constexpr Setting tolerance_patch{
 
 namespace vvr::app {
 
-/// Calls `each` for settings of a RenderJob with the member that holds the value, and the table that it is a row of:
-/// those of its bricks, its view and its look of which a number, a name, a text or a file is the whole value. The
-/// command line and the checks of values follow from these lists.
+/// Calls `each` for the settings of a RenderJob whose whole value is one number, name, text or file, with the member
+/// that holds the value and, for a name, the table of rows. The command line and the range checks use these lists.
 template <class Job, class Each>
 void each_brick_setting(Job& job, const Each& each) {
     each(setting::window, job.bricks.window);

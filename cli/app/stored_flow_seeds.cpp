@@ -29,14 +29,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lists of a run. Without `keep` they go again, and with them the folder if it is new.
+/// The folder for the lists of a run. The destructor removes the lists, and a new folder, unless keep() was called.
 class SeedFolder {
   public:
     explicit SeedFolder(fs::path folder) : folder_(std::move(folder)) {
         std::error_code error;
         made_ = fs::create_directory(folder_, error);
         if (!error && fs::is_directory(folder_) && fs::is_empty(folder_, error) && !error) return;
-        throw Error(ErrorKind::io,
+        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::folder_not_empty,
                     fmt::format("cannot write seeds to '{}': {}; choose a new or an empty folder", folder_.string(),
                                 error ? error.message() : "it holds files"),
                     {"output"});
@@ -69,19 +69,19 @@ class SeedFolder {
     bool kept_ = false;
 };
 
-/// The number at the end of a name.
+/// The number at the end of a file name.
 std::int64_t frame_of(const fs::path& file) {
     const std::string name = file.stem().string();
     const std::size_t digits = name.find_last_not_of("0123456789") + 1;
     std::int64_t frame = 0;
     const auto [end, error] = std::from_chars(name.data() + digits, name.data() + name.size(), frame);
     if (error == std::errc() && digits < name.size()) return frame;
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::input_unsuitable,
                 fmt::format("'{}': the name of a flow ends in the number of its frame, such as frame000012.flo",
                             file.string()));
 }
 
-/// Flow alone: where objects are isn't known.
+/// These files have flow only; objects are unknown.
 void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
     std::map<std::int64_t, fs::path> files;
     std::error_code error;
@@ -89,19 +89,19 @@ void seeds_of_files(const StoredFlowSeedsJob& job, SeedFolder& folder) {
         if (entry.path().extension() != ".flo") continue;
         const auto [known, is_new] = files.emplace(frame_of(entry.path()), entry.path());
         if (is_new) continue;
-        throw Error(ErrorKind::io, fmt::format("'{}': frame {} has a flow already, '{}'", entry.path().string(),
-                                               known->first, known->second.string()));
+        throw Error(ErrorCode::file_invalid, fmt::format("'{}': frame {} has a flow already, '{}'",
+                                                         entry.path().string(), known->first, known->second.string()));
     }
     if (files.empty()) {
         const std::string what = error ? fmt::format("can't be read as a folder: {}", error.message())
                                        : std::string("is no extraction and holds no .flo file");
-        throw Error(ErrorKind::io,
+        throw Error(error ? code_of_system_error(error.value()) : ErrorCode::file_not_found,
                     fmt::format("'{}' {}; name a folder that `vvr extract` wrote, or one with .flo files",
                                 job.flow.string(), what));
     }
     const bool magnitude = job.seeds.order == fields::seed_orders().front();
     if (job.seeds.area->object_alone || !magnitude) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' holds flow alone, and says nothing of objects; choose seed-area field and "
                                 "seed-order magnitude, or name an extraction",
                                 job.flow.string()),
@@ -121,7 +121,7 @@ void seeds_of_extraction(const StoredFlowSeedsJob& job, SeedFolder& folder) {
     const bool marks =
         filter != fields.settings().end() && Choice<fields::FilterRow>(filter->second)->traits.shows_object;
     if (!marks && job.seeds.area->object_alone) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::extraction_unsuitable,
                     fmt::format("'{}' was extracted with a filter that marks no objects, so seeds can't lie on them; "
                                 "choose seed-area field",
                                 job.flow.string()),

@@ -21,9 +21,9 @@ double length_of(const events::Event& event) {
     return event.last.seconds - event.first.seconds;
 }
 
-/// Where the events are mostly pieces of one part of the scene.
+/// A suggestion if most events are fragments in one part of the scene.
 std::optional<std::string> advice_on_clutter(const Plan& plan, const Observation& seen) {
-    // Who names a region knows the option; what was extracted takes none.
+    // A user who gives a region knows the option; an extraction doesn't accept one.
     if (!seen.events || !plan.job.fields.roi.empty() || store::is_data_folder(plan.job.input.names.front()))
         return std::nullopt;
     const std::vector<events::Event>& events = seen.events->events;

@@ -17,7 +17,7 @@ namespace vvr::app {
 
 namespace {
 
-/// The row of a table that the settings name; nothing where they name none, or one of another version of vvr.
+/// The row that the settings name; null if they name none, or one that this version doesn't have.
 template <class Rows>
 auto row_of(const Rows& rows, const std::string& name) {
     const auto row = std::ranges::find(rows, name, [](const auto& one) { return std::string(one.name); });
@@ -36,7 +36,7 @@ std::string of_solver(const image::Metadata& settings) {
     return solver == nullptr ? "" : fmt::to_string(solver->defaults.*Member);
 }
 
-/// Empty where a second filter brings a transfer function of its own: no one name stands for both.
+/// Empty if a second filter has its own transfer function: no single name describes both.
 std::string transfer_of(const image::Metadata& settings) {
     const ColourRow* const colour = row_of(colour_rows(), image::value_of(settings, setting::colour.name));
     if (colour != nullptr && colour->filter != nullptr) return "";
@@ -46,7 +46,7 @@ std::string transfer_of(const image::Metadata& settings) {
     return theme == nullptr ? "" : std::string(theme->transfer);
 }
 
-/// A setting whose default depends on another one, and the value that it has then.
+/// A setting whose default value depends on another setting, and that value.
 struct Decided {
     const Setting& setting;
     std::string (*value)(const image::Metadata& settings);

@@ -4,8 +4,8 @@
 
 namespace vvr::app {
 
-/// Settings with the values that were used: where a filter, a solver or a theme decided, the value that it has, as one
-/// would give it on the command line. What nobody gave and nothing decided is left out.
+/// The settings with the values that were used. Where a filter, a solver or a theme determines a value, it is filled in
+/// as one would type it. A setting that has no value is left out.
 image::Metadata used_settings(const image::Metadata& settings);
 
 }  // namespace vvr::app

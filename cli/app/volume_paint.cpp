@@ -9,7 +9,7 @@ namespace vvr::app {
 
 namespace {
 
-// Pixels per frame: up to the first nothing moves, from the second on it does.
+// Pixels per frame: no motion up to the first, motion from the second on.
 constexpr float resting = 0.2F;
 constexpr float moving = 0.6F;
 

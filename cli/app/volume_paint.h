@@ -8,13 +8,13 @@
 
 namespace vvr::app {
 
-/// Gives each voxel of a frame its colour, where the volume has such.
+/// Computes the colours of a frame's voxels, if the volume stores colours.
 class VolumePaint {
   public:
-    /// \param plan outlives this
+    /// \param plan must outlive this object
     explicit VolumePaint(const Plan& plan);
 
-    /// Empty where voxels have no colours of their own. It is valid until the next call.
+    /// Empty if voxels have no colours of their own. Valid until the next call.
     const Plane<Bgr>& operator()(const video::Frame& frame, const fields::Field& field);
 
   private:

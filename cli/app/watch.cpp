@@ -34,8 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = video::LiveSource::Clock;
 
-/// How long pictures took from the last frame that they show to the disk: of the last thousand, so that days of them
-/// need no memory.
+/// The times from a picture's last frame to the written file. Keeps the last thousand, to bound the memory.
 class Latency {
   public:
     void add(double seconds) {
@@ -44,7 +43,7 @@ class Latency {
         if (last_.size() > kept) last_.pop_front();
     }
 
-    /// 0 where there was none.
+    /// 0 = no pictures.
     double median() const {
         if (last_.empty()) return 0;
         std::vector<double> sorted(last_.begin(), last_.end());
@@ -61,20 +60,20 @@ class Latency {
 
 /// \param begin seconds since 1970 (UTC)
 StartTime starts_at(std::int64_t begin, ClockSource source) {
-    constexpr double longest = 400 * 86'400.0;  // seconds, for which summer time is known
+    constexpr double longest = 400 * 86'400.0;  // seconds for which daylight saving time is computed
     vvr::Clock clock = local_clock(begin, longest, source);
-    clock.zone.clear();  // it names all zones of these days
+    clock.zone.clear();  // it would list all zones of that period
     return {StartTime::From::given, clock};
 }
 
-/// A file was recorded before it is read, so its time is not that of this machine.
+/// A file was recorded earlier, so the current time of this machine doesn't apply.
 StartTime start_time_from_name(const RenderJob& job, const std::string& file) {
     const video::Segment told = video::segment_from_name(file, video::RecorderNames(job.input.name_patterns));
     if (!told.begin) return {StartTime::From::none};
     return starts_at(*told.begin, told.begin_source);
 }
 
-/// Whether a file was written to in the last seconds.
+/// Whether the file was changed in the last few seconds.
 bool grows(const fs::path& file) {
     constexpr std::chrono::seconds lately{10};
     std::error_code none;
@@ -94,12 +93,12 @@ std::unique_ptr<video::LiveSource> connect(const RenderJob& job, const StreamOpt
     return std::make_unique<video::LiveSource>(only_input(job.input), std::move(live));
 }
 
-/// A stream's whole address says more than its last part.
+/// The whole URL: its last part alone says too little.
 std::string title_of_stream(const std::string& name) {
     return video::is_url(name) ? name.substr(name.find("://") + 3) : shown_name(name);
 }
 
-/// Pictures on their way to the disk, and how long they took.
+/// Writes pictures and measures their latency.
 class LivePictures {
   public:
     LivePictures(const Plan& plan, const video::LiveSource& stream, const page::RecentMoments& moments,
@@ -132,7 +131,7 @@ class LivePictures {
 
     std::int64_t count() const { return count_; }
 
-    /// What came of the stream, in a line.
+    /// A summary of the stream in one line.
     std::string summary(const Observation& seen) const {
         return fmt::format(
             "'{}': {} of {} in {:.1f} s; {:.2f} s from frame to picture (median), {:.2f} s at most; {} "
@@ -153,9 +152,9 @@ class LivePictures {
         return state;
     }
 
-    /// Whether the scene may still hold what stood there when the stream began.
+    /// Whether the reference may still contain objects that were there when the stream began.
     bool is_learning(const Observation& seen) const {
-        constexpr std::int64_t first_look = 2 * 25;  // frames, and then ghosts go
+        constexpr std::int64_t first_look = 2 * 25;  // frames; ghosts disappear afterwards
         return plan_.reference != nullptr && plan_.reference->adapts &&
                seen.end().frame < first_look + fields::RunningReference::ghost_frames;
     }
@@ -170,7 +169,7 @@ class LivePictures {
     std::int64_t count_ = 0;
 };
 
-/// The same job with what only the stream tells: its name, and when it began.
+/// The job with the name and start time of the stream.
 RenderJob for_stream(RenderJob job, const std::string& name, bool is_file) {
     if (job.look.title.empty()) job.look.title = title_of_stream(name);
     if (job.look.start_time.from == StartTime::From::automatic) {

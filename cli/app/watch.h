@@ -12,17 +12,17 @@
 
 namespace vvr::app {
 
-/// How long a stream is watched, and how patiently.
+/// How long to watch a stream, and how long to wait for it.
 struct StreamOptions {
-    std::optional<double> duration{};       ///< seconds; none = for ever
+    std::optional<double> duration{};       ///< seconds; none = unlimited
     double lag = video::LiveOptions{}.lag;  ///< as in LiveOptions
     double patience = video::LiveOptions{}.patience;
 };
 
-/// A stream whose picture is drawn again after each brick.
+/// Watches a stream and draws its picture again after each brick.
 class StreamWatch {
   public:
-    /// Connects.
+    /// Connects to the stream.
     /// \throws Error usage, not_video, io
     StreamWatch(const RenderJob& job, const StreamOptions& options, Observer& observer);
 
@@ -31,7 +31,7 @@ class StreamWatch {
     /// \throws Error of every kind
     std::int64_t run();
 
-    /// Ends the stream soon; the last brick is drawn. From any thread.
+    /// Ends the stream soon; the last brick is still drawn. May be called from any thread.
     void stop() { stream_->stop(); }
 
     const std::string& name() const { return stream_->info().name; }
@@ -40,7 +40,7 @@ class StreamWatch {
     Observer& observer_;
     std::unique_ptr<const Plan> plan_;
     std::unique_ptr<page::RecentMoments> fields_;
-    video::LiveSource* stream_;  ///< of the fields
+    video::LiveSource* stream_;  ///< owned by fields_
 };
 
 }  // namespace vvr::app

@@ -42,11 +42,11 @@ Observation Window::finish(const fields::FieldSource& source, fields::FieldSumma
     }
     if (begin_) seen_.begin = *begin_;
     seen_.summary = std::move(summary);
-    seen_.info = source.info();  // by now it tells all files of a recording
+    seen_.info = source.info();  // only now complete for a recording of several files
     return std::move(seen_);
 }
 
-/// Keeps the newest frame if one stands there.
+/// Stores the newest frame if it is a key frame.
 void Window::keep_key_frame(const video::SharedFrame& frame) {
     const std::int64_t step = plan_.window.step;
     const std::vector<std::int64_t>& layers = plan_.window.key_layers;
@@ -61,8 +61,8 @@ void Window::drop_oldest() {
     std::erase_if(seen_.keyframes, [](const KeyFrame& key) { return key.number < 0; });
 }
 
-/// A stream's numbers skip the frames that never came. A brick that holds nothing but such a gap gets no picture; one
-/// that frames began is drawn with them, whatever comes after. Of a gap longer than the window only the end is shown.
+/// Fills the gap of missing frame numbers in a stream. A brick without any frame gets no picture; a brick with some is
+/// drawn. Of a gap longer than the window, only the end is shown.
 void Window::fill_gap(const fields::Field& next) {
     const video::Frame last = *seen_.last;
     const std::int64_t gap = next.index - last.index - 1;
@@ -77,7 +77,7 @@ void Window::fill_gap(const fields::Field& next) {
     }
 }
 
-/// \param wanted what to do with a brick that this ends
+/// \param wanted whether to draw a brick that this frame completes
 void Window::add_missing(std::int64_t index, double pts, Draw wanted) {
     if (seen_.volume.frames() == plan_.window.frames()) drop_oldest();
     seen_.volume.add_missing(index, pts);
@@ -100,16 +100,16 @@ void Window::complete_newest(Draw wanted) {
     frames_of_newest_ = 0;
 }
 
-/// What is known of the objects in the window by now: as if the clip ended here.
+/// Updates the events in the window as if the clip ended here.
 void Window::look_at_events() {
-    constexpr double link_seconds = 60;  // somebody who went may come back as the same object
+    constexpr double link_seconds = 60;  // a person who returns within this time may be the same object
     if (!plan_.products.events) gathering_.finder->forget_ended_before(seen_.begin.seconds - link_seconds);
     events::EventFinder until_now = *gathering_.finder;
     const std::vector<events::Event> events = events::choose_events(until_now.finish(), plan_.job.output.events);
     ToldEvents told = told_in(events, seen_.begin.seconds, seen_.last->pts);
     for (std::size_t k = 0; k < told.events.size(); ++k) {
         const std::vector<std::size_t>& tracks = told.events[k].tracks;
-        // Once shown, an object keeps its number, and its colour is that of its voxels.
+        // Once shown, an object keeps its number. Its colour is that of its voxels.
         told.numbers[k] = numbers_.try_emplace(tracks.front(), numbers_.size() + 1).first->second;
         for (const std::size_t track : tracks) {
             told.colours[k] = objects_.colour_of(track).value_or(told.colours[k]);

@@ -9,21 +9,21 @@
 
 namespace vvr::app {
 
-/// The observation of a window that slides over a clip: frames enter it one after the other, and bricks leave it.
+/// The observation of a window that slides over a clip: frames are added, and old bricks are removed.
 class Window {
   public:
-    /// Hears that a brick is full, of the window as it is then.
+    /// Called when a brick is full, with the window's observation.
     using FullSink = std::function<void(const Observation& seen, std::int64_t brick)>;
 
     Window(const Plan& plan, const fields::FieldSource& source, FullSink full);
 
-    /// What is needed of the fields.
+    /// What the window needs from the fields.
     const fields::FieldNeeds& needs() const { return needs_; }
 
     void add(const video::SharedFrame& frame, const fields::Field& field);
 
-    /// After the last frame: the last brick may be shorter than the others. Frames, times and events are those of the
-    /// clip, all else is that of the last window.
+    /// Call it after the last frame; the last brick may be short. Frames, times and events are those of the clip; the
+    /// rest is that of the last window.
     Observation finish(const fields::FieldSource& source, fields::FieldSummary summary);
 
   private:
@@ -42,10 +42,10 @@ class Window {
     Observation& seen_;
     FullSink full_;
     LiveObjects objects_;
-    std::map<std::size_t, std::size_t> numbers_;      ///< of the events that were shown, by their first track
+    std::map<std::size_t, std::size_t> numbers_;      ///< of the events already shown, by first track
     std::optional<Moment> begin_;                     ///< of the clip
-    std::deque<video::SharedFrame> first_of_bricks_;  ///< of the bricks in the window
-    std::int64_t newest_ = 0;                         ///< number of the brick that is being filled
+    std::deque<video::SharedFrame> first_of_bricks_;  ///< first frames of the bricks in the window
+    std::int64_t newest_ = 0;                         ///< number of the brick being filled
     std::int64_t frames_of_newest_ = 0;
 };
 

@@ -26,7 +26,7 @@ namespace vvr::app {
 
 namespace {
 
-constexpr int pictures_per_second = 20;  // a whole number of a GIF's hundredths of a second each
+constexpr int pictures_per_second = 20;  // a GIF's frame time is a whole number of hundredths of a second
 constexpr int thumbnail_side = 400;
 constexpr int thumbnail_quality = 80;
 
@@ -92,27 +92,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the page belongs in an archive whose index lies above it: archives name a page after its clip.
+/// The page's place in the archive of an index in a parent folder. An archive names a page after its clip.
 page::PageIndex index_of(const fs::path& page, const fs::path& index) {
     const std::string below = page::relative_url(index, page);
     return {page::relative_url(page, index), below.substr(0, below.size() - page.extension().string().size())};
 }
 
-/// The camera that an archive knows, or the clip's name tells; empty = nothing tells it.
+/// The camera from the archive or the clip's name; empty = unknown.
 std::string camera_of(const RenderJob& job, const video::VideoInfo& info) {
     if (!job.output.page_camera.empty()) return job.output.page_camera;
-    if (!job.look.title.empty() || !info.segments.empty()) return {};  // these are the name
+    if (!job.look.title.empty() || !info.segments.empty()) return {};  // the title already has it
     return video::segment_from_name(job.input.names.front(), video::RecorderNames(job.input.name_patterns)).camera;
 }
 
-/// What the page calls its clip in small letters: nothing that stands over it already.
+/// The file name to show in small print; empty if the page already shows it.
 std::string file_name_of(const RenderJob& job, const page::PageContent& content) {
     if (job.input.names.size() > 1) return counted(std::ssize(job.input.names), "file");
     const std::string file = shown_name(job.input.names.front());
     return content.camera.empty() && content.name == file ? "" : file;
 }
 
-/// The ending of a file that can hold pieces of a clip; empty where that is not known.
+/// The file extension for pieces cut from the clip; empty = unknown.
 std::string cut_extension(const std::string& file, double rate) {
     std::error_code none;
     if (!fs::is_regular_file(file, none)) return {};
@@ -137,7 +137,7 @@ std::string page_text(const Drawn& drawn, image::Picture picture, const image::M
     content.camera = camera_of(job, seen.info);
     content.file = file_name_of(job, content);
     for (const video::SegmentPlace& segment : seen.info.segments) {
-        if (segment.end <= segment.begin) continue;  // another file shows the same time
+        if (segment.end <= segment.begin) continue;  // entirely overlapped by another file
         content.segments.push_back(
             {page::relative_url(path, segment.path), segment.begin, segment.end - segment.begin});
     }

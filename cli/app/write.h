@@ -16,25 +16,25 @@
 
 namespace vvr::app {
 
-/// Writes the pictures of a render: to one file, to a file each, to one that is animated, to a page, or nowhere.
+/// Writes the pictures of a render: to one or several files, an animation, a page, or nowhere.
 class PictureOutput {
   public:
-    /// What can fail without a picture fails here.
+    /// Checks everything that can be checked without a picture.
     /// \throws Error usage or io
     PictureOutput(const OutputOptions& options, Observer& observer);
 
     void add(int number, image::Picture picture, const image::Metadata& metadata);
 
-    /// The picture once more, small, where that is asked for.
+    /// Writes a small version of the picture, if requested.
     void add_thumbnail(const image::Picture& picture);
 
-    /// A frame of the clip, where that is asked for and there is one.
+    /// Writes a frame of the clip, if requested and available.
     void add_still(const std::optional<page::Still>& still);
 
-    /// Instead of the picture, or beside it.
+    /// Writes the page, in place of the picture or beside it.
     void add_page(const std::string& text);
 
-    /// After the last picture.
+    /// Call it after the last picture.
     void close();
 
   private:
@@ -46,28 +46,28 @@ class PictureOutput {
     std::optional<image::AnimationFile> animation_;
 };
 
-/// The text of a page of one picture.
+/// The text of a page with one picture.
 /// \param settings of the picture
-/// \param live of a stream
+/// \param live for a stream
 std::string page_text(const Drawn& drawn, image::Picture picture, const image::Metadata& settings,
                       page::Moments moments, const std::optional<page::LiveState>& live = {});
 
-/// Takes each picture of a run, with what its file records.
+/// Called for each picture of a run, with the metadata of its file.
 using PictureTaker = std::function<void(const image::Picture& picture, const image::Metadata& record)>;
 
-/// Writes what a run gives: its pictures, what goes with them, a report, and the comparison with a golden picture.
+/// Writes the outputs of a run: pictures and their companions, a report, and the comparison with a golden picture.
 class Writer {
   public:
-    /// \param watched sees the fields on their way; null where there is neither a page nor a still
-    /// \param taken gets each picture before its file does; may be empty
+    /// \param watched collects what a page or a still shows; null = neither is wanted
+    /// \param taken called with each picture before it is written; may be empty
     Writer(PictureOutput& files, page::WatchedFields* watched, const PictureTaker& taken, Observer& observer)
         : files_(files), watched_(watched), taken_(taken), observer_(observer) {}
 
     void write(FinishedPicture&& picture);
 
-    /// After the last picture.
-    /// \param seconds that all of it took
-    /// \throws Error differs after all has been written
+    /// Call it after the last picture.
+    /// \param seconds duration of the run
+    /// \throws Error differs after everything has been written
     void finish(const Drawn& drawn, double seconds);
 
   private:
@@ -75,7 +75,7 @@ class Writer {
     page::WatchedFields* watched_;
     const PictureTaker& taken_;
     Observer& observer_;
-    image::Picture last_;  ///< to be compared with a golden one
+    image::Picture last_;  ///< for the comparison with the golden picture
 };
 
 }  // namespace vvr::app

@@ -27,17 +27,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Thrown by the function that writes the file, so that nothing of it stays.
+/// Thrown by the writing function, so that the partial file is removed.
 struct Stopped {};
 
-/// How the frames of an exact piece are encoded. Frames do not refer to later ones, so that times begin at 0.
+/// The encoding of an exact piece. No B-frames, so that times begin at 0.
 struct Encoding {
     std::string_view muxer;
     const char* encoder;
     const char* options;
 };
 
-/// The first of a container whose encoder is installed is taken.
+/// For each container, the first row with an installed encoder is used.
 constexpr const char* h264 = "crf=18,preset=veryfast,bf=0,colorspace=smpte170m,color_range=tv";
 constexpr std::array encodings{
     Encoding{"mp4", "libx264", h264},
@@ -58,19 +58,19 @@ const Encoding& encoding_for(const fs::path& path) {
     for (const video::ContainerRow& row : video::containers()) {
         if (std::ranges::find(encodings, row.muxer, &Encoding::muxer) != encodings.end()) others.push_back(row.name);
     }
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': an exact piece can't be a {}, or its encoder is not installed; choose "
                             "{}",
                             path.string(), container.name, fmt::join(others, ", ")),
                 {"exact"});
 }
 
-/// "2026-11-22T02:12:10+01:00 to 2026-11-22T02:13:40+01:00"; empty where nobody knows.
+/// "2026-11-22T02:12:10+01:00 to 2026-11-22T02:13:40+01:00"; empty = unknown.
 std::string time_of_day(const PieceJob& job, double begin, double end) {
     return job.clock ? fmt::format("{} to {}", job.clock->iso(begin), job.clock->iso(end)) : "";
 }
 
-/// When a second of the recording was, in seconds since 1970 (UTC); none = nobody knows.
+/// The time of a second of the recording, in seconds since 1970 (UTC); none = unknown.
 std::optional<double> utc_at(const PieceJob& job, double seconds) {
     if (job.clock) return static_cast<double>(video::utc_of({job.clock->begin, job.clock->utc_offset})) + seconds;
     return job.created ? std::optional(static_cast<double>(*job.created) + seconds) : std::nullopt;
@@ -85,8 +85,8 @@ std::string files_of(const PieceJob& job) {
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-/// What the piece says of itself: camera, day, time, and the files that it is of.
-/// \param begin of the piece, seconds of the recording
+/// The metadata of the piece: camera, day, time, and source files.
+/// \param begin of the piece, in seconds of the recording
 video::Tags tags_of(const PieceJob& job, double begin, double end) {
     video::Tags tags;
     if (!job.camera.empty()) tags.emplace_back("title", shown_text(job.camera));
@@ -103,7 +103,7 @@ video::Tags tags_of(const PieceJob& job, double begin, double end) {
     const std::string time =
         fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime((milliseconds - rest) / 1000), rest);
     tags.emplace_back("creation_time", time);
-    if (video::container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // it has no place for the other
+    if (video::container_of(job.path).name == ".avi") tags.emplace_back("date", time);  // AVI lacks the other tag
     return tags;
 }
 
@@ -113,7 +113,7 @@ std::string day_in_words(const PieceJob& job, double begin, double end) {
     return day.empty() ? day : fmt::format(", which is {}", day);
 }
 
-/// Where the footage ends before the piece was to.
+/// Warns if the footage ends before the requested end of the piece.
 /// \param last time of the piece's last frame
 /// \param length of that frame
 void warn_of_end(const PieceJob& job, double last, double length, Observer& observer) {
@@ -129,7 +129,7 @@ std::vector<video::CopyPart> parts_to_copy(const PieceJob& job) {
     std::optional<double> over;
     for (const FootagePart& part : job.parts) {
         if (part.overlaps) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::input_unsuitable,
                         fmt::format("'{}' begins before the file before it ends, so a copy would show some time twice; "
                                     "cut it exactly, which encodes the video anew",
                                     part.file.path),
@@ -201,7 +201,7 @@ bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& 
 
 namespace {
 
-/// Frames of a file from a span's first on.
+/// The first frame of a span in a file.
 std::unique_ptr<video::DecodedFrame> first_of(video::FrameSource& clip, const video::FrameSpan& span) {
     if (span.start > 0) clip.seek(span.start - 1);
     auto frame = clip.next();
@@ -216,7 +216,7 @@ struct Encoded {
     double end = 0;
 };
 
-/// The frames of a piece, file by file.
+/// The frames of a piece, from one file after the other.
 class PieceFrames {
   public:
     explicit PieceFrames(const PieceJob& job) : job_(job) {
@@ -226,7 +226,7 @@ class PieceFrames {
         options_.rate = job.input.rate;
     }
 
-    /// The next frame, its time in seconds of the recording; nothing at the end.
+    /// The next frame, with its time in seconds of the recording; null at the end.
     std::unique_ptr<video::DecodedFrame> next() {
         for (;;) {
             if (!file_ && !open()) return nullptr;
@@ -241,7 +241,7 @@ class PieceFrames {
         }
     }
 
-    /// Of the first file that has a frame of the piece.
+    /// Of the first file that has a frame in the piece.
     const video::VideoInfo& info() const { return *info_; }
     Size size() const { return size_; }
     std::int64_t expected() const { return expected_; }
@@ -289,7 +289,7 @@ Encoded encode(const PieceJob& job, PieceFrames& frames, std::unique_ptr<video::
     std::int64_t last_tick = -1;
     for (; frame; frame = frames.next()) {
         if (stop.stop_requested()) throw Stopped();
-        // Two frames of one time are shown one after the other.
+        // Frames with the same time are shown one after the other.
         last_tick = std::max(last_tick + 1, std::int64_t{std::llround((frame->pts - encoded.begin) * ticks)});
         encoded.end = frame->pts;
         film.add(scale(*frame).colour, last_tick);

@@ -13,32 +13,33 @@
 
 namespace vvr::app {
 
-/// A piece of footage, all of which is known.
+/// A piece of footage, completely resolved.
 struct PieceJob {
-    std::string name;    ///< of the footage, for messages
-    std::string camera;  ///< empty = not known
+    std::string name;    ///< of the footage, for log lines
+    std::string camera;  ///< empty = unknown
     std::vector<FootagePart> parts;
-    video::FrameSpan span;                  ///< that was asked for, in seconds of the recording
-    WallClock clock{};                      ///< of the recording; none = not known
-    std::optional<std::int64_t> created{};  ///< then: when its container says it was made, seconds since 1970 (UTC)
+    video::FrameSpan span;  ///< as requested, in seconds of the recording
+    WallClock clock{};      ///< of the recording; none = unknown
+    std::optional<std::int64_t>
+        created{};  ///< without a clock: the container's creation time, seconds since 1970 (UTC)
     InputOptions input;
     int threads = 0;
-    bool tells_early_end = true;  ///< warns where the footage ends before the piece was to
+    bool tells_early_end = true;  ///< warn if the footage ends before the piece
     std::filesystem::path path;
 };
 
-/// The ending that an exact piece has if nobody says which.
+/// The default extension of an exact piece.
 std::string_view exact_extension();
 
-/// \throws Error usage where no exact piece can be written under that name
+/// \throws Error usage when no exact piece can be written to that file type
 void check_exact(const std::filesystem::path& path);
 
 /// Copies packets, from the key frame before the piece on.
-/// \returns false where it was stopped
+/// \returns false if it was stopped
 /// \throws Error usage, io, not_video, limit
 bool copy_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
-/// Encodes the frames of the piece anew, without sound.
+/// Encodes exactly the frames of the piece, without sound.
 bool encode_piece(const PieceJob& job, Observer& observer, const std::stop_token& stop);
 
 }  // namespace vvr::app

@@ -22,10 +22,10 @@ namespace vvr::commands {
 
 namespace {
 
-/// What workers draw with is told to them, and changes no picture.
+/// These settings select OpenGL. Workers get them, but they change no picture.
 constexpr std::array drawn_with{setting::backend.name, setting::device.name, setting::gl_debug.name};
 
-/// Of everything that makes the files what they are. Not of vvr's version: a new one is no reason to draw years again.
+/// A digest of all settings that change the files. Without vvr's version: a new version must not redraw years of clips.
 std::string digest_of(const options::CommandLine& line, const workers::ArchiveOptions& options) {
     std::string text;
     for (const options::Group group : options::picture_groups) {

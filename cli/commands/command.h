@@ -16,15 +16,15 @@ namespace vvr::commands {
 
 using Arguments = std::span<const std::string>;
 
-/// What a command takes, and does.
+/// A command: its options and what it does.
 class Command {
   public:
     virtual ~Command() = default;
 
-    /// Adds the command's options, beside those of every command.
+    /// Adds the command's own options; those that all commands share are added elsewhere.
     virtual void add_options(options::CommandLine& line) = 0;
 
-    /// Does the work, once the options have their values.
+    /// Runs the command. The options have been parsed.
     virtual cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) = 0;
 };
 
@@ -62,16 +62,16 @@ inline constexpr std::array command_rows{
     CommandRow{"doctor", "say what this machine can do, and how to fix what it cannot", make_doctor},
 };
 
-/// The options that config files can set, of every command.
+/// For every command, the options that config files can set.
 std::vector<options::CommandNames> names_of_commands();
 
-/// \throws Error usage when there is no command of that name
+/// \throws Error usage when no command has that name
 const CommandRow& find_command(const std::string& name);
 
-/// Runs the command that the first argument names, with the others; --help as well.
+/// Runs the command line: a command's name and its arguments, or --help.
 cli::ExitStatus run_command(Arguments arguments, const cli::Environment& environment);
 
-/// Runs what a worker is to do.
+/// Runs a worker's plan.
 cli::ExitStatus run_plan(const workers::WorkerPlan& plan, const cli::Environment& environment);
 
 }  // namespace vvr::commands

@@ -26,14 +26,14 @@ std::string help() {
     return text;
 }
 
-/// Whether a text looks like an input: `vvr clip.avi` is what people type first.
+/// Whether the text looks like an input: people first try `vvr clip.avi`.
 bool looks_like_input(const std::string& text) {
     std::error_code none;
     return std::filesystem::exists(text, none) || text.find("://") != std::string::npos ||
            std::filesystem::path(text).has_extension();
 }
 
-/// \param fill gives the command line its values; false where there is nothing more to do
+/// \param fill sets the options; returns false if nothing is left to do, as after --help
 cli::ExitStatus run_with(const CommandRow& row, const cli::Environment& environment,
                          const std::function<bool(options::CommandLine&)>& fill) {
     const std::unique_ptr<Command> command = row.make();

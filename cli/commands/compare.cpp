@@ -32,7 +32,7 @@ class Compare final : public Command {
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (names_.size() != 2) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::input_unsuitable,
                         fmt::format("compare takes two pictures, and was given {}: vvr compare A B", names_.size()));
         }
         options::check(options_);
@@ -47,7 +47,7 @@ class Compare final : public Command {
         }
         if (comparison.verdict == image::Verdict::same) return cli::ExitStatus::done;
         app::show_difference(comparison, options_.tolerance, "A", "B", console);
-        throw Error(ErrorKind::differs,
+        throw Error(ErrorCode::picture_differs,
                     fmt::format("'{}' and '{}' differ: {}", names_[0], names_[1], comparison.reason));
     }
 

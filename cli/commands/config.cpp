@@ -13,14 +13,14 @@ namespace vvr::commands {
 
 namespace {
 
-/// A command's options as a config file has them, without anything on the command line.
+/// Sets a command's options as the config file does, without other arguments.
 void read(options::CommandLine& line, Command& command, options::LogOptions& log, const options::ConfigChoice& choice,
           const std::string& preset = {}) {
     line.set_commands(names_of_commands);
     command.add_options(line);
     options::add_log_options(line, log);
     std::vector<std::string> arguments;
-    // What was not named on the command line is found again, so that errors say who named it.
+    // Without --config the file is searched for again, so that errors say how it was found.
     if (choice.file.empty()) arguments.emplace_back("--no-config");
     if (choice.is_given) arguments.push_back(fmt::format("--config={}", choice.file.string()));
     if (!preset.empty()) arguments.push_back(fmt::format("--{}={}", setting::preset.name, preset));
@@ -37,7 +37,7 @@ std::string file_line(const options::ConfigChoice& choice) {
     return text + "\n";
 }
 
-/// What the file sets for each command that it holds for.
+/// For each command, the options that the config file sets.
 std::string settings_of_all(const options::ConfigChoice& choice) {
     std::string text;
     for (const CommandRow& row : command_rows) {
@@ -47,7 +47,7 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
         try {
             read(line, *command, log, choice);
         } catch (const Error& error) {
-            // A name that no command has is wrong for all; a value may be wrong for one.
+            // An unknown name is an error for all commands; an invalid value may be one for this command only.
             if (error.kind() != ErrorKind::usage || error.about().names().empty()) throw;
             text += fmt::format("vvr {}: {}\n", row.name, error.what());
             continue;
@@ -60,7 +60,7 @@ std::string settings_of_all(const options::ConfigChoice& choice) {
     return text;
 }
 
-/// Every option of one command: its value, and who sets it.
+/// All options of a command: the value, and what sets it.
 std::string settings_of(const CommandRow& row, const options::ConfigChoice& choice, const std::string& preset) {
     const std::unique_ptr<Command> command = row.make();
     options::LogOptions log;
@@ -72,7 +72,7 @@ std::string settings_of(const CommandRow& row, const options::ConfigChoice& choi
     for (const options::OptionValue& option : line.values(options::all_groups)) {
         if (option.name == "config" || option.name == "no-config" || option.name == "help") continue;
         const bool set = std::ranges::find(given, option.name, &options::OptionValue::name) != given.end();
-        // A preset that is asked for wins over the config file.
+        // The preset given here takes precedence over the config file.
         const bool preset_sets =
             (!preset.empty() && option.name == setting::preset.name) ||
             std::ranges::any_of(of_preset, [&](const auto& one) { return one.first == option.name; });
@@ -99,12 +99,12 @@ class Config final : public Command {
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment&) override {
         const options::ConfigChoice& choice = line.config();
         if (names_.size() > 1)
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::input_unsuitable,
                         fmt::format("'{}' is one argument too many; `vvr config` takes one COMMAND", names_[1]));
         std::string text = file_line(choice);
         if (names_.empty() && !preset_.empty()) {
             throw Error(
-                ErrorKind::usage,
+                ErrorCode::option_needs_another,
                 fmt::format("--preset: name the COMMAND of which you ask: vvr config render --preset {}", preset_));
         }
         if (names_.empty()) {

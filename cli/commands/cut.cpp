@@ -61,7 +61,7 @@ class Cut final : public Command {
         line.exclude(text::event, text::to);
         line.exclude(text::report, text::from);
         line.exclude(text::report, text::to);
-        // Whatever decides which events there are, and which number each has.
+        // The options that decide which events exist, and their numbers.
         app::RenderJob& search = job_.search;
         options::add_event_options(line, output, search.output.events);
         options::add_input_options(
@@ -83,15 +83,16 @@ class Cut final : public Command {
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         app::require_input(job_.search.input);
-        if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the piece goes with -o FILE");
+        if (job_.path.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the piece goes with -o FILE");
         if (!job_.event && !job_.from && !job_.to && !job_.asked.start && !job_.asked.end) {
-            throw Error(ErrorKind::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
+            throw Error(ErrorCode::usage, "no piece: say which with --event N, or with --from TIME --to TIME");
         }
         cli::Console console(environment);
         const std::stop_source stop;
         environment.signals.set_exit_hook([stop]() mutable { stop.request_stop(); });
         if (!app::cut(job_, console, stop.get_token())) {
-            // What stopped it was a signal, and that ends the program now.
+            // A signal has stopped it, and is about to end the program.
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
         }
         environment.signals.set_exit_hook({});
@@ -99,7 +100,7 @@ class Cut final : public Command {
     }
 
   private:
-    /// A time of the clip, or one by the clock on the wall.
+    /// Stores a time of the clip or a wall-clock time.
     static void set(const std::string& given, std::optional<app::Time>& time,
                     std::optional<video::RequestedTime>& asked) {
         const auto place = options::parse_place(given);

@@ -44,7 +44,7 @@ nlohmann::ordered_json json_of(const gl::BackendReport& report) {
             {"devices", report.devices}};
 }
 
-/// What `--backend auto` takes: the first that works.
+/// The backend that `--backend auto` uses: the first that works.
 auto drawn_with(const std::vector<gl::BackendReport>& reports) {
     return std::ranges::find_if(reports, &gl::BackendReport::works);
 }
@@ -75,7 +75,7 @@ std::string as_text(const std::vector<gl::BackendReport>& reports) {
     text += fmt::format("draws with     {}\n", drawn == reports.end()
                                                    ? "nothing: no backend works; below is how to fix it"
                                                    : fmt::format("{}: {}", drawn->name, drawn->renderer));
-    // What works comes first: where there is no GPU, a backend for GPUs that fails is no fault.
+    // List working backends first: without a GPU, a failing GPU backend is not a problem.
     std::vector<gl::BackendReport> sorted = reports;
     std::ranges::stable_partition(sorted, &gl::BackendReport::works);
     for (const gl::BackendReport& report : sorted) text += fmt::format("\n{}", describe(report));
@@ -110,7 +110,7 @@ class Doctor final : public Command {
   private:
     bool json_ = false;
     app::BackendOptions backend_;
-    int threads_ = 0;  // taken for config files that hold for all commands
+    int threads_ = 0;  // unused; accepted because config files may set it for all commands
 };
 
 }  // namespace

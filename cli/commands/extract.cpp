@@ -24,10 +24,10 @@ class Extract final : public Command {
     void add_options(options::CommandLine& line) override {
         constexpr options::Group output = options::Group::output;
         line.path(output, job_.folder, text::output, {.letter = 'o', .use = options::FileUse::written});
-        // Not in the group of the fields: it changes what is kept, not what a field is.
+        // Not in Group::fields: it decides what is stored, not how a field is computed.
         line.number(output, job_.fields.flow.every, setting::flow_every);
         line.flag(output, job_.colour, text::with_color);
-        // The settings record which part it is as --start and --end.
+        // The recorded settings have the part as --start and --end.
         line.value(output, text::part, "",
                    [this](const std::string& given) { job_.part = options::parse_share(given); });
         options::add_input_options(line, job_.input, "INPUT...", options::clip_input);
@@ -44,7 +44,8 @@ class Extract final : public Command {
     }
 
     cli::ExitStatus run(const options::CommandLine& line, const cli::Environment& environment) override {
-        if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the files go with -o DIR");
+        if (job_.folder.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the files go with -o DIR");
         app::require_input(job_.input);
         job_.settings = options::shown(line.values(std::array{options::Group::input, options::Group::fields}));
         cli::Console console(environment);

@@ -45,7 +45,8 @@ class Inspect final : public Command {
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         app::require_input(job_.input);
-        if (job_.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+        if (job_.path.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the picture goes with -o FILE");
         if (app::is_page(job_.path)) {
             image::check_file_path(job_.path);
         } else {

@@ -45,7 +45,7 @@ class Render final : public Command {
     }
 
   private:
-    /// `vvr render clip.avi out.png`: the last name is that of a file which is to be made.
+    /// Detects `vvr render clip.avi out.png`: the last name is a missing file, probably meant as the output.
     void check_meant_output() const {
         const app::OutputOptions& output = job_.output;
         const std::vector<std::string>& names = job_.input.names;
@@ -54,7 +54,7 @@ class Render final : public Command {
         const std::string& last = names.back();
         if (std::filesystem::exists(last, none)) return;
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::output_missing,
             fmt::format("no output, and there is no input '{0}'; if that is where the picture goes: -o '{0}'", last));
     }
 

@@ -25,8 +25,10 @@ class Seeds final : public Command {
 
     cli::ExitStatus run(const options::CommandLine&, const cli::Environment& environment) override {
         if (flows_.size() != 1)
-            throw Error(ErrorKind::usage, "seeds need one FLOW: the folder of an extraction, or of .flo files");
-        if (job_.folder.empty()) throw Error(ErrorKind::usage, "no output: say where the lists go with -o DIR");
+            throw Error(flows_.empty() ? ErrorCode::input_missing : ErrorCode::input_unsuitable,
+                        "seeds need one FLOW: the folder of an extraction, or of .flo files");
+        if (job_.folder.empty())
+            throw Error(ErrorCode::output_missing, "no output: say where the lists go with -o DIR");
         job_.flow = flows_.front();
         cli::Console console(environment);
         app::write_seeds(job_, console);

@@ -18,7 +18,7 @@ namespace {
 class Watch final : public Command {
   public:
     Watch() {
-        // A reference that needs the whole clip would have to wait for the end.
+        // A live stream can't have a reference that needs the whole clip.
         job_.fields.reference =
             std::string(std::ranges::find_if(fields::reference_kinds(), &fields::ReferenceRow::adapts)->name);
     }
@@ -50,7 +50,7 @@ class Watch final : public Command {
         if (watch.run() == 0 && !stop.asked()) {
             const fields::ReferenceRow* const reference = job_.fields.reference.row();
             const bool learns = reference != nullptr && reference->adapts;
-            throw Error(ErrorKind::not_video,
+            throw Error(ErrorCode::not_video,
                         fmt::format("'{}' ended before the first picture: {}", watch.name(),
                                     learns ? "its first two seconds only show what the empty scene is; watch it for "
                                              "longer, or take --reference first or a picture"

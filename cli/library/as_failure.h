@@ -25,12 +25,12 @@ constexpr FailureKind failure_kind(ErrorKind kind) {
         case ErrorKind::bug:
         case ErrorKind::partial:
         case ErrorKind::differs:
-            break;  // of commands that the library does not have
+            break;  // only for commands that the library does not have
     }
     return FailureKind::bug;
 }
 
-/// Calls `action`; whatever it throws leaves as a Failure.
+/// Calls `action` and turns any exception into a Failure.
 template <class Action>
 auto as_failure(const Action& action) {
     try {

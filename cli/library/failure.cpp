@@ -5,7 +5,7 @@ namespace vvr {
 Failure::Failure(FailureKind kind, const char* code, const std::string& text)
     : std::runtime_error(text), kind_(kind), code_(code) {}
 
-// Here, so that the class has one type for this library and for all who catch it.
+// Defined here, so that the library and its callers share one type for catch.
 Failure::~Failure() = default;
 
 }  // namespace vvr

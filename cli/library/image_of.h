@@ -6,7 +6,7 @@
 
 namespace vvr {
 
-/// A drawn picture as those who use the library see it.
+/// A drawn picture in the library's public type.
 Image image_of(const image::Picture& picture, const image::Metadata& settings);
 
 }  // namespace vvr

@@ -15,7 +15,7 @@ namespace vvr {
 
 namespace {
 
-/// Keeps what a person should know.
+/// Collects warnings.
 class Warnings final : public app::Observer {
   public:
     void warn(const std::string& text, const RelatedSettings& /*about*/) override {

@@ -67,27 +67,29 @@ void add_archive_options(CommandLine& line, workers::ArchiveOptions& options) {
                [&options](const std::string& given) { options.timeout = parse_whole_seconds(given); });
     line.value(workers, text::max_memory, std::string(text::max_memory.default_text),
                [&options](const std::string& given) {
-                   constexpr std::int64_t least = 200'000'000;  // of a worker with the smallest clip
+                   constexpr std::int64_t least = 200'000'000;  // what a worker needs for the smallest clip
                    options.max_memory = parse_bytes(given);
                    if (*options.max_memory >= least) return;
-                   throw Error(ErrorKind::usage, fmt::format("'{}' is less than a worker takes to start; give 200M at "
-                                                             "least, 1G for most clips",
-                                                             given));
+                   throw Error(ErrorCode::option_value_out_of_range,
+                               fmt::format("'{}' is less than a worker takes to start; give 200M at "
+                                           "least, 1G for most clips",
+                                           given));
                });
     line.choice(workers, workers::sandbox_modes, workers::sandbox_modes.front().name, text::sandbox,
                 [&options](const workers::SandboxRow& row) { options.sandbox = row.mode; });
 }
 
 void check(const workers::ArchiveOptions& options) {
-    if (options.out.empty()) throw Error(ErrorKind::usage, "no output: say where the pictures go with -o DIR");
+    if (options.out.empty()) throw Error(ErrorCode::output_missing, "no output: say where the pictures go with -o DIR");
     if (options.index_only && (options.no_index || options.prune || options.dry_run)) {
-        throw Error(ErrorKind::usage, fmt::format("--index-only writes the index and nothing else; leave out {}",
-                                                  options.no_index ? "--no-index"
-                                                  : options.prune  ? "--prune"
-                                                                   : "--dry-run"));
+        throw Error(
+            ErrorCode::options_conflict,
+            fmt::format("--index-only writes the index and nothing else; leave out {}", options.no_index ? "--no-index"
+                                                                                        : options.prune  ? "--prune"
+                                                                                                        : "--dry-run"));
     }
     if (options.in.empty() && !options.index_only) {
-        throw Error(ErrorKind::usage, "no INPUT: give the folder that holds the clips");
+        throw Error(ErrorCode::input_missing, "no INPUT: give the folder that holds the clips");
     }
 }
 

@@ -7,7 +7,7 @@ namespace vvr::options {
 
 void add_archive_options(CommandLine& line, workers::ArchiveOptions& options);
 
-/// \throws Error usage for options that contradict each other
+/// \throws Error usage when options contradict each other
 void check(const workers::ArchiveOptions& options);
 
 }  // namespace vvr::options

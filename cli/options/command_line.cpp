@@ -45,12 +45,12 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// The names of an option, as CLI11 takes them.
+/// The option's names in CLI11's syntax.
 std::string flag_of(const Setting& setting, char letter = 0) {
     return (letter == 0 ? "" : fmt::format("-{},", letter)) + fmt::format("--{}", setting.name);
 }
 
-/// What the help says of a setting's range and default.
+/// The part of a help text about range and default value.
 std::string limits_of(const Setting& setting, const std::string& shown) {
     std::string text;
     const auto& [low, high] = setting.range;
@@ -70,7 +70,7 @@ HelpOption help_of(Group group, const Setting& setting, const std::string& shown
         extra.values};
 }
 
-/// Options of other programs for which people look here, and what does the same.
+/// Options of other programs that people try here, and the equivalent.
 constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
     {"-i", "an input has no option: vvr COMMAND FILE"},
     {"-ss", "--start TIME is where to begin"},
@@ -93,7 +93,7 @@ constexpr std::pair<std::string_view, std::string_view> options_elsewhere[] = {
     {"--frame-skip", "--step FRAMES; nothing is skipped, frames share a layer"},
 };
 
-/// Whether an option stands among the arguments.
+/// Whether the arguments contain an option.
 bool is_given(const CLI::Option& option, std::span<const std::string> all) {
     const std::span<const std::string> arguments(all.begin(), std::ranges::find(all, "--"));
     return std::ranges::any_of(arguments, [&](const std::string& argument) {
@@ -106,7 +106,7 @@ bool is_given(const CLI::Option& option, std::span<const std::string> all) {
     });
 }
 
-/// Calls `action`; whatever is wrong is about the setting.
+/// Calls `action`. Adds the setting to any error that it throws.
 template <class Action>
 void as_setting(const Setting& setting, Action action) {
     try {
@@ -123,7 +123,7 @@ struct CommandLine::Impl {
     std::string command;
     CLI::App app;
     CommandHelp help{};
-    std::vector<Setting> absent{};  ///< that a live stream does not have
+    std::vector<Setting> absent{};  ///< that a live stream can't have
     std::set<const CLI::Option*> files{};
     NamesOfCommands names_of_commands{};
     std::map<const CLI::Option*, FileUse> uses{};
@@ -157,7 +157,7 @@ CommandLine::CommandLine(const std::string& command, const std::string& help)
     impl_->app.name("vvr " + command);
     impl_->help.name = command;
     impl_->help.text = help;
-    // Leftovers are refused here, where the nearest option can be named.
+    // Report unknown arguments in refuse_leftovers, which can suggest the nearest option.
     impl_->app.allow_extras();
 }
 
@@ -235,7 +235,7 @@ void CommandLine::path(Group group, std::filesystem::path& target, const Setting
         group, setting, target.string(),
         [&target, refuses](const std::string& given) {
             if (refuses && given == "-") {
-                throw Error(ErrorKind::usage,
+                throw Error(ErrorCode::option_value,
                             "'-' is standard input or output, which this can't be; ./- is a file of that name");
             }
             target = given;
@@ -280,7 +280,7 @@ const ConfigChoice& CommandLine::config() const {
 
 bool CommandLine::parse(std::span<const std::string> arguments) {
     CLI::App& app = impl_->app;
-    // Added last, so that they are the last of the help.
+    // Added last, so that help lists them last.
     CLI::Option* const help = app.set_help_flag("-h,--help");
     CLI::Option* const file = impl_->reads_config ? app.set_config(flag_of(config_option))
                                                   : app.add_option(flag_of(config_option))->configurable(false);
@@ -292,7 +292,7 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     }
     impl_->config = find_config(arguments);
     const std::string config_name = impl_->config.file.string();
-    // What is found but can't be read is named where it is parsed.
+    // If the file can't be read, parsing it reports that.
     if (!config_name.empty() && impl_->reads_config) check_is_file(config_name, most_bytes::text);
     NamesOfCommands commands = impl_->names_of_commands;
     if (!commands)
@@ -300,12 +300,12 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
     app.config_formatter(std::make_shared<ConfigFile>(app, impl_->command, config_name, std::move(commands)));
     std::vector<std::string> reversed = with_preset(
         arguments, [&app](const std::string& name) { return app.get_option_no_throw("--" + name) != nullptr; });
-    // Help is there for whoever wants to mend a config file too.
+    // Show help even if the config file has errors.
     const bool found = !config_name.empty() && !is_given(*file, arguments);
     if (found && impl_->reads_config && !is_given(*help, arguments)) {
         reversed.insert(reversed.begin(), "--config=" + config_name);
     }
-    // CLI11 takes them from the back.
+    // CLI11 expects the arguments in reverse order.
     std::ranges::reverse(reversed);
     try {
         app.parse(std::move(reversed));
@@ -313,17 +313,17 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
         cli::print(help_text(impl_->help, help_width()));
         return false;
     } catch (const Error& error) {
-        // Whoever reads this may not know of the config file, nor that it sets the option.
+        // The user may not know that a config file sets this option.
         const auto names = error.about().names();
         const CLI::Option* const wrong = names.empty() ? nullptr : app.get_option_no_throw("--" + names.front());
         if (config_name.empty() || wrong == nullptr || is_given(*wrong, arguments)) throw;
         throw Error(error.code(), fmt::format("{}; the config file '{}' sets it", error.what(), config_name),
                     error.about());
     } catch (const CLI::FileError&) {
-        throw Error(ErrorKind::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
+        throw Error(ErrorCode::io, fmt::format("cannot read config file '{}', {}; check the name and its permissions",
                                                config_name, impl_->config.why));
     } catch (const CLI::ParseError& error) {
-        throw Error(ErrorKind::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
+        throw Error(ErrorCode::usage, fmt::format("{}; `{} --help` lists the options", error.what(), app.get_name()));
     }
     refuse_leftovers();
     refuse_two_outputs();
@@ -348,33 +348,35 @@ void CommandLine::refuse_two_outputs() const {
         const auto other = std::ranges::find_if(
             option->results(), [&](const std::string& value) { return value != option->results().front(); });
         if (other == option->results().end()) continue;
-        throw Error(ErrorKind::usage, fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
-                                                  option->get_lnames().front(), option->results().front(), *other));
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("--{} is given twice, as '{}' and as '{}'; leave one of them out",
+                                option->get_lnames().front(), option->results().front(), *other));
     }
 }
 
 void CommandLine::refuse_leftovers() const {
     const CLI::App& app = impl_->app;
     std::vector<std::string> leftovers = app.remaining();
-    std::erase(leftovers, "--");  // ends the options, and CLI11 keeps it
+    std::erase(leftovers, "--");  // CLI11 keeps this mark for the end of the options
     if (leftovers.empty()) return;
     const auto option = std::ranges::find_if(leftovers, [](const std::string& word) { return word.starts_with('-'); });
     if (option == leftovers.end()) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is one argument too many; `{} --help` lists what it takes",
-                                                  leftovers.front(), app.get_name()));
+        throw Error(ErrorCode::input_unsuitable,
+                    fmt::format("'{}' is one argument too many; `{} --help` lists what it takes", leftovers.front(),
+                                app.get_name()));
     }
     const std::string name = option->substr(0, option->find('='));
     for (const Setting& setting : impl_->absent) {
         if (name != fmt::format("--{}", setting.name)) continue;
-        throw Error(ErrorKind::usage, fmt::format("{}: {}", name, setting.not_live_reason));
+        throw Error(ErrorCode::option_unknown, fmt::format("{}: {}", name, setting.not_live_reason));
     }
     const auto elsewhere = std::ranges::find(options_elsewhere, name, [](const auto& row) { return row.first; });
     if (elsewhere != std::end(options_elsewhere)) {
-        throw Error(ErrorKind::usage, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
-                                                  elsewhere->second, app.get_name()));
+        throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}': {}; `{} --help` lists them", name,
+                                                           elsewhere->second, app.get_name()));
     }
-    throw Error(ErrorKind::usage, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
-                                              did_you_mean(name, option_names(app)), app.get_name()));
+    throw Error(ErrorCode::option_unknown, fmt::format("there is no option '{}'{}; `{} --help` lists them", name,
+                                                       did_you_mean(name, option_names(app)), app.get_name()));
 }
 
 std::vector<OptionValue> CommandLine::values(std::span<const Group> groups) const {

@@ -28,43 +28,43 @@ class Option;
 
 namespace vvr::options {
 
-/// What a run does with the file that an option may name.
+/// How a run uses the file that an option names.
 enum class FileUse {
     none,
     read,
     written,
-    compared,  ///< read, but written with --bless
+    compared,  ///< read, or written with --bless
 };
 
-/// An option with its value as a text.
+/// An option and its value as text.
 struct OptionValue {
     std::string name;
     std::string value;
     bool may_be_file = false;
     FileUse use = FileUse::none;
 
-    /// The value without a folder, and an address without its secrets: what is passed on should not say where its maker
-    /// keeps files, nor how they get there.
+    /// The value as it may be passed on: a path without its folder, a URL without credentials, so that neither reveals
+    /// where files are kept.
     std::string shown() const;
 };
 
-/// What an option has beside its setting.
+/// Properties of an option that its Setting does not have.
 struct OptionExtra {
     char letter = 0;                  ///< its short name
-    std::string help{};               ///< goes on from the setting's
-    std::vector<HelpValue> values{};  ///< each with what it does
-    std::string defaults{};           ///< what help shows as the default; empty = what files record
-    bool standard_output = false;     ///< `-` is standard output, where others would write a file of that name
-    FileUse use = FileUse::none;      ///< of what may be a file by its setting: read
+    std::string help{};               ///< appended to the setting's help text
+    std::vector<HelpValue> values{};  ///< the possible values, for help
+    std::string defaults{};           ///< default value shown in help; empty = the actual one
+    bool standard_output = false;     ///< `-` means standard output; otherwise `-` is an error for an output
+    FileUse use = FileUse::none;      ///< for settings that may name a file
 };
 
-/// The end of a help text that lists names.
+/// The end of a help text: a list of names.
 template <class Rows>
 std::string list_of(const Rows& rows) {
     return fmt::format(": {}", fmt::join(names_of(rows), ", "));
 }
 
-/// The rows of a table as help explains them.
+/// The rows of a table as values for help.
 template <class Rows>
 std::vector<HelpValue> values_of(const Rows& rows) {
     std::vector<HelpValue> values;
@@ -72,9 +72,9 @@ std::vector<HelpValue> values_of(const Rows& rows) {
     return values;
 }
 
-/// The defaults that a table's rows have for an option: that of the first row, then which rows have another one:
-/// "24; temporal: 16; flow: 12". For an option whose default depends on what another one says.
-/// \param default_of the text of a row's default
+/// The default value of an option that depends on another option's row: that of the first row, then the rows with a
+/// different one. For example "24; temporal: 16; flow: 12".
+/// \param default_of returns the text of a row's default value
 template <class Rows, class Text>
 std::string defaults_of(const Rows& rows, Text default_of) {
     std::vector<std::pair<std::string, std::vector<std::string>>> defaults;
@@ -90,9 +90,9 @@ std::string defaults_of(const Rows& rows, Text default_of) {
     return text;
 }
 
-/// The command line of one command: its options, a config file for them, and errors in vvr's own words. All that is
-/// known of an option is in its Setting; the variable that takes the value holds the default. Given twice, the last
-/// value counts, but for files that are written: there two are an error.
+/// The command line of one command: its options, its config file, and its error texts. A Setting holds all facts about
+/// an option; the target variable holds the default value. If an option is repeated, the last value wins, but two
+/// different output files are an error.
 class CommandLine {
   public:
     CommandLine(const std::string& command, const std::string& help);
@@ -100,42 +100,42 @@ class CommandLine {
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
-    /// From now on, settings and rows that a live stream does not have are left out, and refused with the reason.
+    /// From now on, leaves out settings and rows that a live stream can't have. Giving one is an error with the reason.
     void set_for_streams() { for_streams_ = true; }
 
-    /// What is not an option.
-    /// \param name as the usage shows it: "INPUT..."
+    /// Adds the positional arguments.
+    /// \param name as usage shows them: "INPUT..."
     void arguments(std::vector<std::string>& target, const std::string& name, const std::string& help);
 
-    /// What was given that is not an option.
+    /// The positional arguments that were given.
     std::vector<std::string> arguments() const;
 
-    /// At the end of the help.
+    /// Examples for the end of the help.
     void examples(std::initializer_list<Example> examples);
 
-    /// A number within the setting's range: double, int or std::int64_t, or an optional of these.
+    /// A number within the setting's range. Number is double, int, std::int64_t, or an optional of these.
     template <class Number>
     void number(Group group, Number& target, const Setting& setting, const OptionExtra& extra = {});
 
-    /// A length of time within the setting's range, in seconds.
+    /// A duration in seconds, within the setting's range.
     void duration(Group group, double& target, const Setting& setting);
 
     void text(Group group, std::string& target, const Setting& setting, const OptionExtra& extra = {});
     void path(Group group, std::filesystem::path& target, const Setting& setting, const OptionExtra& extra = {});
     void flag(Group group, bool& target, const Setting& setting, const OptionExtra& extra = {});
 
-    /// Texts that can be given several times.
+    /// Texts; the option may be repeated.
     void list(Group group, std::vector<std::string>& target, const Setting& setting, const OptionExtra& extra = {});
 
-    /// Any other value.
-    /// \param shown the default as the user would type it; empty = none
-    /// \param set takes the text that was given; throws Error usage
+    /// A value of any other type.
+    /// \param shown the default value as a user would type it; empty = none
+    /// \param set called with the given text; throws Error usage
     void value(Group group, const Setting& setting, const std::string& shown,
                const std::function<void(const std::string&)>& set, const OptionExtra& extra = {});
 
-    /// One row of a table. Help explains the rows.
-    /// \param chosen the default's name
-    /// \param set takes the row
+    /// The name of a table's row. Help explains the rows.
+    /// \param chosen the name of the default row
+    /// \param set called with the row
     template <class Rows, class Set>
     void choice(Group group, const Rows& rows, std::string_view chosen, const Setting& setting, Set set) {
         const auto kept = fitting(rows);
@@ -144,7 +144,7 @@ class CommandLine {
               {.values = values_of(kept)});
     }
 
-    /// The rows of a table that this command has: without those that need the whole clip where there are streams.
+    /// The rows that this command can have: for streams, none that need the whole clip.
     template <class Rows>
     auto fitting(const Rows& rows) const {
         std::vector<std::remove_cvref_t<decltype(*std::begin(rows))>> kept;
@@ -162,38 +162,39 @@ class CommandLine {
         choice(group, rows, target->name, setting, [&target](const Row& row) { target = row.name; });
     }
 
-    /// Two options that can't both be given.
+    /// Makes it an error to give both options.
     void exclude(const Setting& a, const Setting& b);
 
-    /// What config files may hold for other commands. Without it a config file is for this command alone.
+    /// Lets a config file also set options of these commands. Otherwise it may only set options of this command.
     void set_commands(NamesOfCommands names);
 
-    /// The options that a config file can set.
+    /// The names of the options that a config file can set.
     std::vector<std::string> configurable() const;
 
-    /// For a command that tells of the config file instead of obeying it.
+    /// Finds the config file, but does not apply it. For commands that report on it.
     void only_find_config();
 
-    /// The config file that is in force, once parsed.
+    /// The config file in use; known after parse().
     const ConfigChoice& config() const;
 
-    /// Reads arguments, then the config file for what they leave open: the one that they name, or that is found.
-    /// \returns false when help was asked for, and printed
-    /// \throws Error usage, or io when the config file can't be read
+    /// Parses the arguments, then the config file for options that the arguments don't set. The arguments may name the
+    /// file; otherwise it is searched for.
+    /// \returns false if help was requested and printed
+    /// \throws Error usage; io when the config file can't be read
     bool parse(std::span<const std::string> arguments);
 
-    /// Takes the same as data: no config file is read, and no value is taken for anything else.
-    /// \param settings long names of options, and values as one types them; of two with the same name the last one
-    /// counts \throws Error usage
+    /// Sets inputs and options from data. Reads no config file, and doesn't interpret values that look like options.
+    /// \param settings long option names and values as text; the last of equal names wins
+    /// \throws Error usage
     void take(std::vector<std::string> inputs, std::span<const std::pair<std::string, std::string>> settings);
 
-    /// The options of some groups: as given, else the default, which may be empty.
+    /// The options of these groups, each with the given or else the default value, which may be empty.
     std::vector<OptionValue> values(std::span<const Group> groups) const;
 
-    /// Those of them that the user gave, on the command line or in a config file.
+    /// The options of these groups that the user gave, on the command line or in the config file.
     std::vector<OptionValue> given(std::span<const Group> groups) const;
 
-    /// Whether the user gave an option.
+    /// Whether the user gave the option.
     bool has(const Setting& setting) const;
 
   private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view option = "--config";
 
-/// The last one counts, as with every option.
+/// The last one wins, as with every option.
 std::optional<std::string> given_file(std::span<const std::string> arguments) {
     std::optional<std::string> file;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> usual_places() {
     std::vector<std::filesystem::path> places;
     const char* const config_home = std::getenv("XDG_CONFIG_HOME");
     const char* const home = std::getenv("HOME");
-    // The XDG Base Directory Specification has a relative one ignored.
+    // The XDG Base Directory Specification says to ignore relative paths.
     if (config_home != nullptr && std::filesystem::path(config_home).is_absolute()) {
         places.push_back(std::filesystem::path(config_home) / "vvr/vvr.toml");
     } else if (home != nullptr && std::filesystem::path(home).is_absolute()) {

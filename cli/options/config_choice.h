@@ -8,26 +8,26 @@
 
 namespace vvr::options {
 
-/// A command, and the options of it that a config file can set. They are asked for where a file sets what the command
-/// that runs does not have.
+/// A command and the options that a config file can set for it. `options` is called only if a file sets an option that
+/// the current command doesn't have.
 struct CommandNames {
     std::string command;
     std::function<std::vector<std::string>()> options;
 };
 
-/// Those of every command. A function, as only a config file asks for them.
+/// Returns the names for every command. A function, because only a config file needs them.
 using NamesOfCommands = std::function<std::vector<CommandNames>()>;
 
-/// Which config file is in force, and why.
+/// The config file in use, and why.
 struct ConfigChoice {
     std::filesystem::path file;                 ///< empty = none
-    std::string why;                            ///< why, as a person would say it: "named by --config"
-    std::vector<std::filesystem::path> places;  ///< that were looked at, in turn
-    bool is_given = false;                      ///< by --config
+    std::string why;                            ///< for people: "named by --config"
+    std::vector<std::filesystem::path> places;  ///< the paths that were tried, in order
+    bool is_given = false;                      ///< with --config
 };
 
-/// --config of the arguments, else VVR_CONFIG of the environment, else the first of the user's and the machine's that
-/// is there. --no-config and an empty VVR_CONFIG mean none. Whether a file that was named can be read is not looked at.
+/// The config file, in order of precedence: --config, the environment variable VVR_CONFIG, the user's file, the
+/// system's file. --no-config or an empty VVR_CONFIG means none. Doesn't check that a named file can be read.
 ConfigChoice find_config(std::span<const std::string> arguments);
 
 }  // namespace vvr::options

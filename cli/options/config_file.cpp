@@ -19,7 +19,7 @@ const CLI::Option* option_of(const CLI::App& app, const std::string& name) {
     return option != nullptr && option->get_configurable() ? option : nullptr;
 }
 
-/// What the preset of a config file sets, where neither the file nor the command line does.
+/// Adds the options of the config file's preset that the file does not set. The command line wins over both.
 void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
     const auto named = std::ranges::find(items, std::string(setting::preset.name), &CLI::ConfigItem::name);
     const CLI::Option* const option = option_of(app, std::string(setting::preset.name));
@@ -32,7 +32,7 @@ void add_preset(const CLI::App& app, std::vector<CLI::ConfigItem>& items) {
     }
 }
 
-/// The file without its comments. CLI11 would end a value at each #, in quotes too, as of a colour.
+/// The file without comments. CLI11 would take any # for a comment, even the one of a quoted colour.
 std::istringstream without_comments(std::istream& input) {
     std::string text;
     for (std::string line; std::getline(input, line); text += line + '\n') {
@@ -72,8 +72,9 @@ void ConfigFile::check_section(const CLI::ConfigItem& item, const std::vector<Co
     for (const CommandNames& row : commands) names.push_back(row.command);
     const std::string section = fmt::format("{}", fmt::join(item.parents, "."));
     if (std::ranges::find(names, section) != names.end()) return;
-    throw Error(ErrorKind::usage, fmt::format("the config file '{}' has a section [{}], and there is no such command{}",
-                                              file_, section, did_you_mean(section, names)));
+    throw Error(ErrorCode::config_invalid,
+                fmt::format("the config file '{}' has a section [{}], and there is no such command{}", file_, section,
+                            did_you_mean(section, names)));
 }
 
 void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNames>& commands) const {
@@ -86,8 +87,8 @@ void ConfigFile::refuse(const CLI::ConfigItem& item, const std::vector<CommandNa
     }
     const std::string whose = item.parents.empty() ? std::string("which no command has")
                                                    : fmt::format("which `vvr {}` does not have", item.parents.front());
-    throw Error(ErrorKind::usage, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
-                                              did_you_mean(item.name, names)));
+    throw Error(ErrorCode::config_invalid, fmt::format("the config file '{}' sets '{}', {}{}", file_, item.name, whose,
+                                                       did_you_mean(item.name, names)));
 }
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {

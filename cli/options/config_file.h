@@ -12,14 +12,14 @@
 
 namespace vvr::options {
 
-/// A config file: long option names and values, and sections `[COMMAND]` that hold for one command only. What stands
-/// above all sections holds for every command that has such an option. A section or a name that no command has is an
-/// error, as it would be on the command line. A `preset` sets what the file leaves open.
+/// A config file: long option names and values, and sections `[COMMAND]` for one command each. Lines before the first
+/// section apply to every command that has the option. A section or name that no command has is an error. A `preset`
+/// sets options that the file does not set.
 class ConfigFile : public CLI::ConfigTOML {
   public:
     ConfigFile(const CLI::App& app, std::string command, std::string file, NamesOfCommands names)
         : app_(app), command_(std::move(command)), file_(std::move(file)), names_(std::move(names)) {
-        comment('\0');  // they are taken out before
+        comment('\0');  // removed before CLI11 parses the file
     }
 
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
@@ -30,17 +30,17 @@ class ConfigFile : public CLI::ConfigTOML {
 
     const CLI::App& app_;
     std::string command_;
-    std::string file_;  ///< for errors
+    std::string file_;  ///< for error texts
     NamesOfCommands names_;
 };
 
-/// Settings that are there as data, in the place of a config file.
+/// Feeds settings from data to CLI11 in place of a config file.
 class GivenSettings : public CLI::ConfigTOML {
   public:
     GivenSettings(const CLI::App& app, std::span<const std::pair<std::string, std::string>> settings)
         : app_(app), settings_(settings) {}
 
-    /// \throws Error usage for a name that no option has
+    /// \throws Error usage when no option has that name
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override;
 
   private:
@@ -48,7 +48,7 @@ class GivenSettings : public CLI::ConfigTOML {
     std::span<const std::pair<std::string, std::string>> settings_;
 };
 
-/// The options of a command that a config file can set, by all their names.
+/// All names of the options that a config file can set.
 std::vector<std::string> configurable_names(const CLI::App& app);
 
 }  // namespace vvr::options

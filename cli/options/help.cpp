@@ -17,10 +17,10 @@ namespace vvr::options {
 
 namespace {
 
-constexpr std::size_t column = 30;        // where the help of an option begins
-constexpr std::size_t value_column = 15;  // where the help of a value begins, behind its own indent
+constexpr std::size_t column = 30;        // where the text of an option begins
+constexpr std::size_t value_column = 15;  // where the text of a value begins, relative to the value's indent
 
-/// What a word in capitals stands for, where it does not say so itself.
+/// Explains placeholders that are not self-explanatory.
 struct UnitRow {
     std::string_view name;
     std::string_view help;
@@ -39,8 +39,8 @@ constexpr std::array units{
     UnitRow{"LIST", "names with commas between them"},
 };
 
-/// Appends words, of which each line begins at column `indent`.
-/// \param at columns that the first line has already
+/// Appends words, wrapped; further lines begin at column `indent`.
+/// \param at columns already used in the first line
 void append_wrapped(std::string& text, std::string_view words, std::size_t indent, std::size_t at, std::size_t width) {
     std::istringstream stream{std::string(words)};
     bool first = true;
@@ -53,7 +53,7 @@ void append_wrapped(std::string& text, std::string_view words, std::size_t inden
             text += ' ';
             ++at;
         }
-        // A list that is longer than a line goes on after one of its commas.
+        // Break a list that is longer than a line after a comma.
         for (auto comma = word.rfind(',', width - at - 1); at + word.size() > width && comma != std::string::npos;
              comma = word.rfind(',', width - at - 1)) {
             text += word.substr(0, comma + 1) + '\n';
@@ -67,7 +67,7 @@ void append_wrapped(std::string& text, std::string_view words, std::size_t inden
     text += '\n';
 }
 
-/// A name at column `from`, and what it means from column `to` on.
+/// A name at column `from` and its meaning at column `to`.
 void append_row(std::string& text, std::string_view name, std::string_view words, std::size_t from, std::size_t to,
                 std::size_t width) {
     std::string left(from, ' ');

@@ -7,10 +7,10 @@
 
 namespace vvr::options {
 
-/// Groups of options, as `--help` shows them.
+/// The groups of options in `--help`.
 enum class Group { output, comparison, archive, workers, input, fields, bricks, view, look, run };
 
-/// All of them, in the order of the help.
+/// All groups, in the order of the help.
 inline constexpr std::array all_groups{Group::output, Group::comparison, Group::archive, Group::workers, Group::input,
                                        Group::fields, Group::bricks,     Group::view,    Group::look,    Group::run};
 
@@ -21,43 +21,43 @@ constexpr const char* title_of(Group group) {
     return titles[static_cast<int>(group)];
 }
 
-/// A value that an option takes, and what it does.
+/// A possible value of an option, and what it does.
 struct HelpValue {
     std::string name;
     std::string help;
 };
 
-/// What the help says of an option.
+/// The help of an option.
 struct HelpOption {
     Group group{};
     char letter = 0;  ///< its short name
     std::string name;
-    std::string unit;               ///< what it takes: "PIXELS"; empty for a flag
-    std::string text;               ///< with range and default
-    std::vector<HelpValue> values;  ///< that a table explains
+    std::string unit;               ///< the value's placeholder: "PIXELS"; empty for a flag
+    std::string text;               ///< including range and default value
+    std::vector<HelpValue> values;  ///< explained one by one
 };
 
-/// A command line that shows what a command is for.
+/// An example command line and what it does.
 struct Example {
     std::string_view command;
     std::string_view what;
 };
 
-/// What the help says of a command.
+/// The help of a command.
 struct CommandHelp {
     std::string name;
     std::string text;
-    std::string arguments;  ///< "INPUT..."; empty = it takes none
+    std::string arguments;  ///< "INPUT..."; empty = none
     std::string arguments_text;
     std::vector<HelpOption> options;
     std::vector<Example> examples;
 };
 
-/// The help of a command: arguments, options by groups, what units mean, examples.
-/// \param width columns of a line; only a word that is longer, and an example, goes beyond
+/// The help of a command: arguments, options by group, units, examples.
+/// \param width columns per line; only examples and very long words exceed it
 std::string help_text(const CommandHelp& help, int width);
 
-/// The columns for help: what the environment's COLUMNS says, else the terminal's, else 80; from 72 to 120.
+/// The width for help, 72 to 120 columns: from the environment variable COLUMNS, else the terminal, else 80.
 int help_width();
 
 }  // namespace vvr::options

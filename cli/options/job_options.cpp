@@ -17,7 +17,7 @@ namespace vvr::options {
 
 namespace {
 
-/// Puts a place in a clip into that member of a span which counts in its unit.
+/// Stores a time in the member of the span that has its unit.
 void set_start(video::FrameSpan& span, const app::Time& time) {
     const bool seconds = time.unit == app::Time::Unit::seconds;
     span.start = seconds ? time.value : 0;
@@ -32,7 +32,7 @@ void set_end(video::FrameSpan& span, const app::Time& time) {
     }
 }
 
-/// Adds the option of a setting, by the type of its value.
+/// Adds an option for a setting, according to the type of its value.
 struct AddOption {
     CommandLine& line;
     Group group;
@@ -67,7 +67,7 @@ void add_brick_options(CommandLine& line, app::RenderJob& job) {
     app::BrickOptions& options = job.bricks;
     line.value(Group::bricks, setting::brick, "", [&options](const std::string& given) {
         const app::Time length = parse_time(given);
-        if (length.value <= 0) throw Error(ErrorKind::usage, "length must be greater than 0");
+        if (length.value <= 0) throw Error(ErrorCode::option_value_out_of_range, "length must be greater than 0");
         options.length = length;
     });
     app::each_brick_setting(job, AddOption{line, Group::bricks});
@@ -127,7 +127,7 @@ void add_seed_options(CommandLine& line, fields::SeedOptions& options) {
 }
 
 void add_preset_option(CommandLine& line, Group group) {
-    line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // taken before parsing
+    line.choice(group, presets(), "", setting::preset, [](const Preset&) {});  // applied before parsing
 }
 
 void add_backend_options(CommandLine& line, app::BackendOptions& backend) {
@@ -148,8 +148,9 @@ void add_picture_options(CommandLine& line, app::RenderJob& job) {
                [&job](const std::string& given) {
                    job.seed_flags = fields::SeedFlags::parse(given);
                    if (job.seed_flags) return;
-                   throw Error(ErrorKind::usage, fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick",
-                                                             given, fields::SeedFlags::most));
+                   throw Error(ErrorCode::option_value,
+                               fmt::format("'{}': 1 to {} digits 0 or 1 were expected, one per brick", given,
+                                           fields::SeedFlags::most));
                });
     add_brick_options(line, job);
     add_view_options(line, job);
@@ -168,16 +169,16 @@ image::Metadata shown(const std::vector<OptionValue>& values) {
 
 void finish(const CommandLine& line, app::RenderJob& job, bool series) {
     if (line.has(setting::brick) && line.has(setting::window) && !series) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     "--brick excludes --window where one picture shows the whole clip; leave one of them out, or write "
                     "a series: -o out.{brick:4}.png");
     }
     job.settings = shown(line.values(picture_groups));
-    // What stands there can be given back: --brick decides how many bricks there are.
+    // Recorded settings must be valid as options again: with --brick, don't record --window.
     if (line.has(setting::brick) && !series)
         std::erase_if(job.settings, [](const auto& one) { return one.first == setting::window.name; });
     job.given = shown(line.given(std::array{Group::input, Group::fields}));
-    // These are about the render, not about the fields that an extraction holds.
+    // These settings concern the render, not the fields of an extraction.
     std::erase_if(job.given, [](const auto& given) {
         return given.first == setting::step.name || given.first == setting::seeds.name ||
                given.first == setting::names.name || given.first == setting::join.name ||
@@ -240,7 +241,7 @@ std::string text_of(const app::Parts& shown) {
     return text;
 }
 
-/// The transfer functions that themes have, and filters that have one of their own.
+/// The transfer functions of themes, and the filters that have their own.
 std::string default_transfers() {
     std::string text =
         defaults_of(scene::themes(), [](const scene::Theme& theme) { return std::string(theme.transfer); });
@@ -250,13 +251,13 @@ std::string default_transfers() {
     return text;
 }
 
-/// A colour multiplied by its opacity.
+/// Premultiplied with its opacity.
 glm::vec4 parse_colour(const std::string& text) {
     if (text == "none") return glm::vec4(0);
     unsigned value = 0;
     const char* const end = text.data() + text.size();
     const bool hex = text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
-    if (!hex) throw Error(ErrorKind::usage, fmt::format("'{}': a colour is #rrggbb, or none", text));
+    if (!hex) throw Error(ErrorCode::option_value, fmt::format("'{}': a colour is #rrggbb, or none", text));
     return {static_cast<float>(value >> 16 & 255U) / 255, static_cast<float>(value >> 8 & 255U) / 255,
             static_cast<float>(value & 255U) / 255, 1};
 }
@@ -273,10 +274,11 @@ app::StartTime parse_start_time(const std::string& text) {
         if (text == word) return {from};
     }
     if (const auto seconds = parse_date_time(text)) return {From::given, *seconds};
-    throw Error(ErrorKind::usage, fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is "
-                                              "'recorded', 'container', 'modified' or 'none'. To begin later in the "
-                                              "clip, take --start",
-                                              text));
+    throw Error(ErrorCode::option_value,
+                fmt::format("'{}': a date and time is written 2026-11-21 08:00:00; or it is "
+                            "'recorded', 'container', 'modified' or 'none'. To begin later in the "
+                            "clip, take --start",
+                            text));
 }
 
 void add_start_time_option(CommandLine& line, app::StartTime& start) {

@@ -5,13 +5,13 @@
 #include "cli/app/job.h"
 #include "cli/options/command_line.h"
 
-// The groups of options that a RenderJob is made of.
+// The groups of options that fill a RenderJob.
 namespace vvr::options {
 
-/// Groups of options that decide how a picture looks.
+/// The groups of options that decide how a picture looks.
 inline constexpr std::array picture_groups{Group::input, Group::fields, Group::bricks, Group::view, Group::look};
 
-/// What INPUT can be.
+/// Help texts for INPUT.
 inline constexpr const char* clip_input =
     "a video file; files, folders, a pattern ('gate/*.mp4') or a list (.txt) of files that are one recording; a folder "
     "or pattern of pictures (frames/%05d.png); a URL; - for stdin";
@@ -20,54 +20,54 @@ inline constexpr const char* clip_or_extraction_input =
     "or pattern of pictures (frames/%05d.png); folders that `vvr extract` wrote; a URL; - for stdin";
 
 /// INPUT, and how it is read.
-/// \param name as the usage shows it
+/// \param name as usage shows it
 void add_input_options(CommandLine& line, app::InputOptions& options, const std::string& name, const std::string& help);
 
-/// Patterns by which files' names tell camera and time.
+/// Patterns that find camera and time in file names.
 void add_name_options(CommandLine& line, app::InputOptions& options);
 
-/// Whether files are one recording that seem to be none.
+/// Whether to accept files as one recording that don't look like one.
 void add_join_option(CommandLine& line, app::InputOptions& options);
 
-/// The part of a clip that is read.
+/// The part of the clip to read.
 void add_span_options(CommandLine& line, video::FrameSpan& span);
 
 /// Filter, flow and seeds.
 void add_field_options(CommandLine& line, fields::FieldOptions& options);
 
-/// Where seeds lie, in which order, and how many.
+/// Where seeds lie, their order, and their number.
 void add_seed_options(CommandLine& line, fields::SeedOptions& options);
 
-/// A set of options for a purpose, of which a command takes those that it has.
+/// The option --preset. A preset sets several options; those that the command lacks are skipped.
 void add_preset_option(CommandLine& line, Group group);
 
 void add_thread_options(CommandLine& line, int& threads);
 
-/// What draws: the backend, and its device.
+/// The OpenGL backend and its device.
 void add_backend_options(CommandLine& line, app::BackendOptions& backend);
 
-/// What one picture or a series is made of, but neither INPUT nor where it goes.
+/// All options of a picture or a series, without INPUT and the outputs.
 void add_picture_options(CommandLine& line, app::RenderJob& job);
 
 /// Layout, camera and size of the picture.
 void add_view_options(CommandLine& line, app::RenderJob& job);
 
-/// What the clock on the wall showed when a clip began.
+/// The wall-clock time at the start of the clip.
 void add_start_time_option(CommandLine& line, app::StartTime& start);
 
-/// `2026-11-21 08:00:00`, or a word that says who knows it.
+/// Parses `2026-11-21 08:00:00`, or a word for the time's source.
 /// \throws Error usage
 app::StartTime parse_start_time(const std::string& text);
 
 /// What the picture shows of the volume and the flow.
 void add_look_options(CommandLine& line, app::RenderJob& job);
 
-/// Puts what was given into the job as texts, after parsing.
-/// \param series a picture for each brick is drawn
-/// \throws Error usage where options contradict each other
+/// Records the given options in the job as text. Call it after parsing.
+/// \param series one picture per brick is drawn
+/// \throws Error usage when options contradict each other
 void finish(const CommandLine& line, app::RenderJob& job, bool series);
 
-/// Options as a file of settings records them.
+/// Options as recorded in a file's metadata.
 image::Metadata shown(const std::vector<OptionValue>& values);
 
 }  // namespace vvr::options

@@ -9,7 +9,7 @@
 
 namespace vvr::options {
 
-/// What the program says, and where: the same in every command.
+/// What the program logs, and where. Every command has these options.
 struct LogOptions {
     bool quiet = false;
     bool verbose = false;
@@ -19,7 +19,7 @@ struct LogOptions {
 
 void add_log_options(CommandLine& line, LogOptions& options);
 
-/// Makes the log as talkative as asked for.
+/// Applies the options to the log.
 void apply(const LogOptions& options, spdlog::logger& log);
 
 }  // namespace vvr::options

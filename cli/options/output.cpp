@@ -68,7 +68,7 @@ std::set<events::EventKind> parse_kinds(const std::string& list) {
     return kinds;
 }
 
-/// Whether both name one file, be it there or not.
+/// Whether both paths name the same file. It need not exist.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code none;
     if (std::filesystem::equivalent(a, b, none)) return true;
@@ -78,11 +78,11 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
     return !a.empty() && !b.empty() && whole(a) == whole(b);
 }
 
-/// An output, and the option that names it.
+/// An output and the option that names it.
 struct Named {
     const char* option;
     const std::filesystem::path& path;
-    const char* better;  ///< a name to take instead
+    const char* better;  ///< a name to suggest instead
 };
 
 void check_names(const app::OutputOptions& options) {
@@ -95,29 +95,30 @@ void check_names(const app::OutputOptions& options) {
                              {"--diff", options.golden.comparison.diff, "diff.png"}};
     for (const Named& a : outputs) {
         for (const Named& b : std::span(outputs).subspan(static_cast<std::size_t>(&a - outputs) + 1)) {
-            // What a golden picture is compared with, and where the difference goes, is for that group to check.
+            // check_golden checks these pairs.
             if (&a - outputs > 3 || !same_file(a.path, b.path)) continue;
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::options_conflict,
                         fmt::format("{} and {} both name '{}'; give the {} a name of its own, such as {}", a.option,
                                     b.option, b.path.string(), a.option + 2, a.better));
         }
     }
 }
 
-/// What standard output can take: one picture, or the report.
+/// Standard output can hold one picture or the report, not both.
 void check_standard_output(const app::OutputOptions& options) {
     if (!is_standard_output(options.path)) return;
     if (is_standard_output(options.report)) {
-        throw Error(ErrorKind::usage, "-o and --report both go to standard output; name a file for one of them");
+        throw Error(ErrorCode::options_conflict,
+                    "-o and --report both go to standard output; name a file for one of them");
     }
     if (::isatty(STDOUT_FILENO) == 1) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::usage,
                     "-o -: standard output is a terminal, and would show a PNG file as letters; send it to a program, "
                     "or name a file");
     }
 }
 
-/// Names every kind of file that there is, which the codec of pictures can't.
+/// The error lists all output formats; that of the picture codec would list only its own.
 void check_extension(const std::filesystem::path& path) {
     if (is_standard_output(path) || app::is_page(path) || image::is_animation(path)) return;
     std::vector<std::string> known = image::picture_file_extensions();
@@ -125,19 +126,20 @@ void check_extension(const std::filesystem::path& path) {
     if (std::ranges::find(known, ending) != known.end()) return;
     known.emplace_back(".html");
     std::ranges::copy(image::animation_extensions(), std::back_inserter(known));
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::output_format_unknown,
                 fmt::format("cannot write '{}': {} is not an output format{}; there are {}", path.string(),
                             ending.empty() ? "a name without an ending" : "'" + ending + "'",
                             did_you_mean(ending, known), fmt::join(known, " ")));
 }
 
-/// The page and the thumbnail beside a picture.
+/// Checks the files written beside a picture, such as page and thumbnail.
 void check_companions(const app::OutputOptions& options) {
     if (!options.page.empty() && !app::is_page(options.page)) {
-        throw Error(ErrorKind::usage, fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
+        throw Error(ErrorCode::output_format_unknown,
+                    fmt::format("--page '{}': a page's name ends in .html", options.page.string()));
     }
     if (!options.page.empty() && app::is_page(options.path)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("'{}' is a page already; leave out --page, or give -o the name of a picture",
                                 options.path.string()));
     }
@@ -146,9 +148,10 @@ void check_companions(const app::OutputOptions& options) {
     for (const auto& [option, path] : companions) {
         if (path.empty()) continue;
         if (options.path.empty() || app::pictures_of(options) > 1 || app::is_series(options)) {
-            throw Error(ErrorKind::usage, fmt::format("{} goes with one picture; {}", option,
-                                                      options.path.empty() ? "say where that goes with -o FILE"
-                                                                           : "make those separately"));
+            throw Error(
+                options.path.empty() ? ErrorCode::option_needs_another : ErrorCode::options_conflict,
+                fmt::format("{} goes with one picture; {}", option,
+                            options.path.empty() ? "say where that goes with -o FILE" : "make those separately"));
         }
         image::check_file_path(path);
     }
@@ -160,7 +163,7 @@ void check_companions(const app::OutputOptions& options) {
                                                        {text::page_place, !options.page_place.empty()}};
     for (const auto& [setting, given] : of_page) {
         if (!given) continue;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_needs_another,
                     fmt::format("--{} is for a page; name one with --page FILE, or as -o FILE.html", setting.name));
     }
 }
@@ -168,12 +171,14 @@ void check_companions(const app::OutputOptions& options) {
 void check_golden(const app::GoldenOptions& options) {
     check(options.comparison);
     if (!options.path.empty()) {
-        // A folder that can only be read is good enough to compare with.
+        // A read-only folder will do for a comparison.
         return options.bless ? image::check_picture_path(options.path) : image::check_picture_extension(options.path);
     }
-    if (options.bless) throw Error(ErrorKind::usage, "--bless: add --golden FILE to say which picture is blessed");
+    if (options.bless)
+        throw Error(ErrorCode::option_needs_another, "--bless: add --golden FILE to say which picture is blessed");
     if (!options.comparison.diff.empty()) {
-        throw Error(ErrorKind::usage, "--diff: add --golden FILE to say what the picture is compared with");
+        throw Error(ErrorCode::option_needs_another,
+                    "--diff: add --golden FILE to say what the picture is compared with");
     }
 }
 
@@ -234,26 +239,28 @@ void check(const app::OutputOptions& options) {
     check_names(options);
     check_companions(options);
     if (options.path.empty() && options.golden.path.empty() && options.report.empty()) {
-        throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+        throw Error(ErrorCode::output_missing, "no output: say where the picture goes with -o FILE");
     }
     if (options.slide && options.animate) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     "--slide moves the window and --animate the stripes of one picture; leave one of them out: with "
                     "--slide stripes run too");
     }
     if (options.slide && !image::is_animation(options.path)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::options_conflict,
                     fmt::format("--slide makes a film, but '{}' is none; name one: {}", options.path.string(),
                                 fmt::join(image::animation_extensions(), " ")));
     }
     if (!options.golden.path.empty() && options.slide) {
-        throw Error(ErrorKind::usage, "--golden compares one picture, and --slide makes a film; leave one of them out");
+        throw Error(ErrorCode::options_conflict,
+                    "--golden compares one picture, and --slide makes a film; leave one of them out");
     }
     if (options.path.empty() && options.animate) {
-        throw Error(ErrorKind::usage, "--animate: say where the pictures go with -o FILE");
+        throw Error(ErrorCode::output_missing, "--animate: say where the pictures go with -o FILE");
     }
     if (!options.golden.path.empty() && app::pictures_of(options) > 1) {
-        throw Error(ErrorKind::usage, "--golden compares one picture, and --animate makes many; leave one of them out");
+        throw Error(ErrorCode::options_conflict,
+                    "--golden compares one picture, and --animate makes many; leave one of them out");
     }
     if (options.path.empty()) return;
     check_extension(options.path);
@@ -261,29 +268,30 @@ void check(const app::OutputOptions& options) {
     const std::string text = options.path.string();
     if (app::is_page(options.path)) {
         if (!name.has_field() && !options.animate) return;
-        throw Error(ErrorKind::usage,
+        throw Error(name.has_field() ? ErrorCode::name_pattern_invalid : ErrorCode::options_conflict,
                     fmt::format("'{}': a page holds one picture; {}", text,
                                 name.has_field() ? "its name takes no field" : "leave out --animate"));
     }
     if (image::is_animation(options.path)) {
         if (!name.has_field()) return;
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::name_pattern_invalid,
                     fmt::format("'{}': an animated file holds all pictures; its name takes no field", text));
     }
     if (name.counts() == "brick" && options.animate) {
-        throw Error(ErrorKind::usage, fmt::format("'{}' is the name of a series, a picture for each brick, and none of "
-                                                  "them is animated; --animate takes {{frame}}",
-                                                  text));
+        throw Error(ErrorCode::options_conflict,
+                    fmt::format("'{}' is the name of a series, a picture for each brick, and none of "
+                                "them is animated; --animate takes {{frame}}",
+                                text));
     }
     if (name.counts() == "frame" && !options.animate) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_needs_another,
                     fmt::format("'{}' has a field for the pictures of an animation; say how many with "
                                 "--animate, or take {{brick}} for a series",
                                 text));
     }
     if (options.animate && !name.has_field()) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::options_conflict,
             fmt::format("--animate makes {} pictures, but '{}' is the name of one; take one like out.{{frame:4}}.png, "
                         "or an animated file: {}",
                         *options.animate, text, fmt::join(image::animation_extensions(), " ")));
@@ -293,7 +301,7 @@ void check(const app::OutputOptions& options) {
 void check_outputs(const app::RenderJob& job) {
     const app::OutputOptions& output = job.output;
     if (app::pictures_of(output) > 1 && !app::is_series(output) && !job.look.show.has(app::Part::tracelines)) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_needs_another,
                     "an animation moves the stripes of tracelines, and none are shown: add them with "
                     "--show volume,tracelines,outline,frames");
     }
@@ -303,7 +311,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What makes a file the same one, whatever its names: links are followed.
+/// Identifies a file whatever its names. Symbolic links are followed.
 using FileId = std::pair<dev_t, ino_t>;
 
 std::optional<FileId> id_of(const fs::path& path) {
@@ -312,13 +320,13 @@ std::optional<FileId> id_of(const fs::path& path) {
     return FileId{status.st_dev, status.st_ino};
 }
 
-/// The files that are there already and that a run would write, each with the option and the name that was given.
+/// The existing files that a run would overwrite, each with its option and the name given.
 class Outputs {
   public:
     void add(const OptionValue& option, const fs::path& path) {
         std::error_code none;
         if (fs::is_directory(path, none)) {
-            // An older extraction in it is replaced as a whole; a folder of anything else is refused.
+            // An older extraction is replaced as a whole. Any other folder is refused elsewhere.
             if (!fs::exists(path / "manifest.json", none)) return;
             fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, none);
             for (; !none && entry != fs::recursive_directory_iterator(); entry.increment(none)) put(*entry, option);
@@ -330,14 +338,15 @@ class Outputs {
 
     bool empty() const { return files_.empty(); }
 
-    /// \param given the name by which the user gave what is read
+    /// \param given the user's name for the input
     void refuse(const fs::path& read, const std::string& given) const {
         const std::optional<FileId> id = id_of(read);
         if (!id) return;
         const auto found = files_.find(*id);
         if (found == files_.end()) return;
-        throw Error(ErrorKind::usage, fmt::format("{} '{}' would replace what is read, '{}'; choose another name",
-                                                  found->second.first, found->second.second, given));
+        throw Error(ErrorCode::output_replaces_input,
+                    fmt::format("{} '{}' would replace what is read, '{}'; choose another name", found->second.first,
+                                found->second.second, given));
     }
 
   private:
@@ -348,7 +357,7 @@ class Outputs {
         }
     }
 
-    /// What is there of a series or an animation.
+    /// The existing files of a series or an animation.
     static std::vector<fs::path> files_of_pattern(const fs::path& path) {
         std::vector<fs::path> files;
         try {
@@ -361,7 +370,7 @@ class Outputs {
                 if (pattern.may_be(entry->path().filename().string())) files.push_back(entry->path());
             }
         } catch (const Error&) {
-            return {};  // who takes the name says what is wrong with it
+            return {};  // a check of the name itself reports the error
         }
         return files;
     }

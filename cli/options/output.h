@@ -7,25 +7,24 @@ namespace vvr::options {
 
 void add_output_options(CommandLine& line, app::OutputOptions& options);
 
-/// Which events count, as in `render`: so their numbers are the same everywhere.
+/// Which events count. Shared, so that an event has the same number in every command.
 void add_event_options(CommandLine& line, Group group, events::EventChoice& choice);
 
-/// By how much two pictures may differ: in `compare` and in `render --golden`.
+/// The allowed difference of two pictures, for `compare` and `render --golden`.
 void add_comparison_options(CommandLine& line, app::ComparisonOptions& options);
 
-/// \throws Error usage for a diff of a format that can't be written, io for a place that can't
+/// \throws Error usage when the diff's format can't be written, io when its folder can't
 void check(const app::ComparisonOptions& options);
 
-/// \throws Error usage when nothing says where the picture goes, or outputs contradict each other; io for a place that
-/// can't be written
+/// \throws Error usage when no output is named or outputs contradict each other; io when a folder can't be written
 void check(const app::OutputOptions& options);
 
-/// \throws Error usage when an animation shows nothing that moves
+/// \throws Error usage when an animation would show nothing that moves
 void check_outputs(const app::RenderJob& job);
 
-/// What a run reads is never what it writes: footage may be evidence. Whatever the names, it is the files that count:
-/// all that the arguments, the options and the config file name for reading, down to each file of a recording, against
-/// all that are named for writing, the log too. To be called before anything is opened for writing.
+/// Refuses outputs that are also inputs, as footage may be evidence. Compares files, not names: everything that
+/// arguments, options and the config file name for reading, down to each file of a recording, with everything named for
+/// writing, including the log. Call it before any file is opened for writing.
 /// \throws Error usage
 void check_no_input_overwritten(const CommandLine& line);
 

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double longest_clip = 1e9;
 
-[[noreturn]] void refuse(std::string_view text, std::string_view wanted) {
-    throw Error(ErrorKind::usage, fmt::format("'{}' is not {}", text, wanted));
+[[noreturn]] void refuse(std::string_view text, std::string_view wanted, ErrorCode code = ErrorCode::option_value) {
+    throw Error(code, fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// All of `text` as a number, whatever the locale.
+/// Parses the whole text as a number, independent of the locale.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
     Number value{};
@@ -45,7 +45,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     return parts;
 }
 
-/// `00:01:30`: only the last part may have a fraction, and only the first may be 60 or more.
+/// `00:01:30`. Only the last part may have a fraction, and only the first may be 60 or more.
 std::optional<double> clock_seconds(std::string_view text) {
     const auto parts = split(text, ':');
     if (parts.size() < 2 || parts.size() > 3) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<double> clock_seconds(std::string_view text) {
     return seconds <= longest_clip ? std::optional(seconds) : std::nullopt;
 }
 
-/// `1h30m`: units from the largest to the smallest, each once; only the last number may have a fraction.
+/// `1h30m`. Units from largest to smallest, each at most once; only the last number may have a fraction.
 std::optional<double> unit_seconds(std::string_view text) {
     constexpr std::pair<char, double> units[] = {{'d', 86400}, {'h', 3600}, {'m', 60}, {'s', 1}};
     double seconds = 0;
@@ -100,13 +100,19 @@ std::optional<double> seconds_of(std::string_view text) {
 
 double parse_number(std::string_view text, Range range) {
     const auto value = number_within(text, range);
-    if (!value) refuse(text, fmt::format("a number from {} to {}", range.low, range.high));
+    if (!value) {
+        refuse(text, fmt::format("a number from {} to {}", range.low, range.high),
+               number<double>(text) ? ErrorCode::option_value_out_of_range : ErrorCode::option_value);
+    }
     return *value;
 }
 
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high) {
     const auto value = number<std::int64_t>(text);
-    if (!value || *value < low || *value > high) refuse(text, fmt::format("a whole number from {} to {}", low, high));
+    if (!value || *value < low || *value > high) {
+        refuse(text, fmt::format("a whole number from {} to {}", low, high),
+               value ? ErrorCode::option_value_out_of_range : ErrorCode::option_value);
+    }
     return *value;
 }
 
@@ -118,7 +124,8 @@ Size parse_size(std::string_view text) {
     for (const std::int64_t side : {*width, *height}) {
         const auto [least, most] = setting::size.range;
         if (static_cast<double>(side) < least || static_cast<double>(side) > most) {
-            refuse(text, fmt::format("a size from {0}x{0} to {1}x{1}", least, most));
+            refuse(text, fmt::format("a size from {0}x{0} to {1}x{1}", least, most),
+                   ErrorCode::option_value_out_of_range);
         }
     }
     return {static_cast<int>(*width), static_cast<int>(*height)};
@@ -151,7 +158,8 @@ double parse_duration(std::string_view text, Range range) {
     const auto seconds = alone ? alone : seconds_of(text);
     if (!seconds) refuse(text, "a length of time like 90s, 1h30m, 00:01:30 or 2d");
     if (*seconds < range.low || *seconds > range.high)
-        refuse(text, fmt::format("a length of time from {}s to {}s", range.low, range.high));
+        refuse(text, fmt::format("a length of time from {}s to {}s", range.low, range.high),
+               ErrorCode::option_value_out_of_range);
     return *seconds;
 }
 
@@ -187,8 +195,8 @@ app::Time parse_time(std::string_view text) {
     if (alone && *alone == 0) return {0, app::Time::Unit::seconds};
     if (alone) {
         const bool whole = *alone == std::floor(*alone);
-        throw Error(ErrorKind::usage, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
-                                                  whole ? fmt::format("{}f for frames or ", text) : ""));
+        throw Error(ErrorCode::option_value, fmt::format("'{0}' has no unit: write {1}{0}s for seconds", text,
+                                                         whole ? fmt::format("{}f for frames or ", text) : ""));
     }
     const auto seconds = seconds_of(text);
     if (!seconds) refuse(text, "a time like 12.5s, 1h30m, 00:00:12.5 or 250f, a frame");
@@ -196,7 +204,7 @@ app::Time parse_time(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_date_time(std::string_view text) {
-    constexpr std::size_t date = 10;  // characters of 2026-11-22
+    constexpr std::size_t date = 10;  // length of 2026-11-22
     if (text.size() <= date || (text[date] != ' ' && text[date] != 'T')) return std::nullopt;
     const auto parts = split(text.substr(0, date), '-');
     const auto clock = time_of_day(text.substr(date + 1));
@@ -220,7 +228,7 @@ std::variant<app::Time, video::RequestedTime> parse_place(std::string_view text)
         return video::RequestedTime{*clock, false, std::string(text)};
     }
     if (const auto seconds = parse_date_time(text)) return video::RequestedTime{*seconds, true, std::string(text)};
-    // Dates that are none, and dates alone.
+    // An invalid date, or a date without a time.
     if (text.size() > 4 && text[4] == '-') refuse(text, forms);
     return parse_time(text);
 }

@@ -15,9 +15,9 @@ constexpr std::array<std::string_view, 6> day{"--time",
                                               "volume,portraits,map,strip,numbers,directions,outline,ribs,frames,ends,"
                                               "floor,ruler,legend,title,explanation,bricks"};
 
-// What the paper says of its method, and what its figures show; where it says nothing, the default.
+// The paper's method and figures; default values where the paper gives none.
 constexpr std::array<std::string_view, 38> paper{
-    "--illumination",  "none",          // colour and light as they come
+    "--illumination",  "none",          // colour and light unchanged
     "--shadows",       "keep",          //
     "--stabilize",     "off",           //
     "--flow",          "horn-schunck",  // §4.1: 60 steps with λ = 100, which is α²; the derivatives of [BFB94]

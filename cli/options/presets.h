@@ -15,25 +15,25 @@ inline constexpr Setting preset{"preset", "NAME", "a set of options for a purpos
 
 namespace vvr::options {
 
-/// One row of the table of presets: options for a purpose.
+/// A preset: options for a purpose.
 struct Preset {
     std::string_view name;
     std::string_view help;
     std::span<const std::string_view> arguments;
-    bool needs_whole_clip = false;  ///< so a live stream can't have it
+    bool needs_whole_clip = false;  ///< not possible for live streams
 };
 
 std::span<const Preset> presets();
 
-/// What a preset sets, by the options' names; nothing where there is none of that name.
+/// The options that a preset sets, by name; none if there is no such preset.
 std::vector<std::pair<std::string, std::string>> settings_of_preset(std::string_view name);
 
-/// The preset that `--preset` names among the arguments; empty where there is none.
+/// The value of `--preset` in the arguments; empty = not given.
 std::string find_preset(std::span<const std::string> arguments);
 
-/// Puts the options of the preset that `--preset` names before all others, so that those win. The same arguments where
-/// there is none, or none of that name.
-/// \param has whether the command has an option; what it doesn't have is left out
+/// Inserts the preset's options before all other arguments, so that the others win. Returns the arguments unchanged if
+/// `--preset` is not given or names no preset.
+/// \param has whether the command has an option; the others are skipped
 std::vector<std::string> with_preset(std::span<const std::string> arguments,
                                      const std::function<bool(const std::string& name)>& has);
 

@@ -40,7 +40,7 @@ std::string address_of(const std::string& input) {
     while (!address.empty() && std::isspace(static_cast<unsigned char>(address.back())) != 0) address.pop_back();
     if (!address.empty()) return address;
     throw Error(
-        ErrorKind::usage,
+        ErrorCode::input_missing,
         fmt::format("the file '{}' holds no address; its first line is one, such as rtsp://camera/stream", file));
 }
 
@@ -49,7 +49,7 @@ void add_stream_clock(CommandLine& line, app::StartTime& start) {
                [&start](const std::string& given) {
                    start = parse_start_time(given);
                    if (start.from == app::StartTime::From::given || start.from == app::StartTime::From::none) return;
-                   throw Error(ErrorKind::usage, std::string(setting::start_time.not_live_reason));
+                   throw Error(ErrorCode::choice_unknown, std::string(setting::start_time.not_live_reason));
                },
                {.defaults = std::string(setting::stream_clock.default_text)});
 }
@@ -64,12 +64,14 @@ void add_stream_output(CommandLine& line, app::OutputOptions& options) {
 }
 
 void check_stream(const app::RenderJob& job) {
-    if (job.output.path.empty()) throw Error(ErrorKind::usage, "no output: say where the picture goes with -o FILE");
+    if (job.output.path.empty())
+        throw Error(ErrorCode::output_missing, "no output: say where the picture goes with -o FILE");
     check(job.output);
     if (image::is_animation(job.output.path)) {
-        throw Error(ErrorKind::usage, fmt::format("'{}': an animated file is written when it ends, and a stream does "
-                                                  "not; take a picture, a page or a series",
-                                                  job.output.path.string()));
+        throw Error(ErrorCode::output_format_unknown,
+                    fmt::format("'{}': an animated file is written when it ends, and a stream does "
+                                "not; take a picture, a page or a series",
+                                job.output.path.string()));
     }
     const fields::ReferenceRow* const reference = job.fields.reference.row();
     struct {
@@ -83,7 +85,7 @@ void check_stream(const app::RenderJob& job) {
          "it takes the whole clip; take running, first or a picture"},
     };
     for (const auto& row : refused) {
-        if (row.given) throw Error(ErrorKind::usage, fmt::format("{}: {}", row.option, row.instead));
+        if (row.given) throw Error(ErrorCode::options_conflict, fmt::format("{}: {}", row.option, row.instead));
     }
 }
 

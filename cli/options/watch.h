@@ -7,18 +7,18 @@ namespace vvr::options {
 
 void add_stream_options(CommandLine& line, app::StreamOptions& options);
 
-/// What an input names: itself, or, as `@FILE`, the address in the first line of a file. Other users of a machine can
-/// read a program's arguments, but not such a file.
-/// \throws Error io for a file that can't be read, usage for one without an address
+/// The address of an input: the input itself, or for `@FILE` the first line of that file. Other users of the machine
+/// can see a program's arguments, but not such a file.
+/// \throws Error io when the file can't be read, usage when it holds no address
 std::string address_of(const std::string& input);
 
-/// The clock of a stream's pictures.
+/// The option --stream-clock.
 void add_stream_clock(CommandLine& line, app::StartTime& start);
 
-/// The one option of an output that a stream has.
+/// The output option -o, with the help for streams.
 void add_stream_output(CommandLine& line, app::OutputOptions& options);
 
-/// \throws Error usage for what only a clip with an end can have
+/// \throws Error usage for options that need a clip with an end
 void check_stream(const app::RenderJob& job);
 
 }  // namespace vvr::options

@@ -28,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which camera a clip of an archive is of and when it begins, and what tells that, for people: "camera gate,
-/// 2026-11-21 20:00:00 by file name (Frigate)".
-/// \param clip its path below the archive's folder
+/// The camera and start time of a clip and their source, for people: "camera gate, 2026-11-21 20:00:00 by file name
+/// (Frigate)".
+/// \param clip path relative to the archive
 std::string describe_name(const std::string& clip, const video::RecorderNames& names) {
     const video::RecorderName name = names.read(clip);
     const std::string camera = names.camera_of(clip);
@@ -41,11 +41,11 @@ std::string describe_name(const std::string& clip, const video::RecorderNames& n
                        row_of(ClockSource::file_name).words, name.layout);
 }
 
-// Many times what the largest picture and page have. So a worker that a clip has taken over can't fill a disk.
+// Far more than the largest picture and page need. A worker that a malicious clip has taken over can't fill the disk.
 constexpr std::int64_t largest_file = 2'000'000'000;
 constexpr std::int64_t most_written = 4'000'000'000;
 
-/// How the machine is shared out among workers.
+/// Each worker's share of the machine.
 struct Shares {
     int workers;
     int threads;  ///< per worker
@@ -90,8 +90,8 @@ void make_folder(const fs::path& out) {
         throw Error(code_of_system_error(error.value()),
                     fmt::format("cannot make the folder '{}': {}; choose another -o", out.string(), error.message()));
     }
-    // Permissions do not say everything, so a file is tried. What stands in the index's place is no reason to draw
-    // nothing.
+    // Permissions don't tell everything, so try to write a file. An irregular file in the index's place must not stop
+    // the drawing.
     if (!archive::irregular_file_at(out / archive::index_name)) image::check_file_path(out / archive::index_name);
 }
 
@@ -115,15 +115,15 @@ std::size_t count(const std::vector<PlannedClip>& planned, archive::Need need) {
     return static_cast<std::size_t>(std::ranges::count(planned, need, &PlannedClip::need));
 }
 
-/// The clips, and what is to become of them.
+/// The clips found, and what to do with them.
 struct Survey {
     std::size_t unreadable = 0;
-    std::size_t clips = 0;    ///< of all shares
-    std::size_t waiting = 0;  ///< clips that no day has yet
+    std::size_t clips = 0;    ///< of all shards
+    std::size_t waiting = 0;  ///< clips that are in no day yet
     std::vector<PlannedClip> planned;
 };
 
-/// What came of all clips, in a line.
+/// The outcome of the run in one line.
 std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, double seconds) {
     const std::vector<PlannedClip>& planned = found.planned;
     std::string text =
@@ -145,7 +145,7 @@ std::string summary_of(const Survey& found, const ArchiveOutcome& outcome, doubl
     return text;
 }
 
-/// Says which clips have a time of the future. They are drawn like others.
+/// Warns about clips with a time in the future. They are drawn nevertheless.
 void warn_of_wrong_clocks(const std::vector<archive::Clip>& clips, const archive::Settling& settling,
                           const ArchiveJob& job, spdlog::logger& log) {
     const auto is_ahead = [&](const archive::Clip& clip) { return settling.is_ahead(clip); };
@@ -197,7 +197,8 @@ Survey survey(const ArchiveOptions& options, const archive::ClipNames& clips, Ar
     return survey;
 }
 
-/// Whether a step that comes after all drawing could be done; if not, why is said, and the next one is taken.
+/// Runs a step that follows the drawing. An error about one file is logged, so that the next step still runs.
+/// \returns whether the step succeeded
 bool goes_well(spdlog::logger& log, const std::function<void()>& step) {
     try {
         step();
@@ -245,7 +246,7 @@ cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environmen
                               counted(shares.threads, "thread"), shares.memory / 1'000'000);
         outcome = draw_clips(job, work, shares.workers, environment);
     }
-    // An index is written even where nothing can be pruned.
+    // Write the index even if pruning failed.
     const bool pruned =
         !options.prune || goes_well(environment.log, [&] { prune(job, clips, options.shard, false, environment); });
     const bool indexed = options.no_index || goes_well(environment.log, [&] { write_index(job, environment); });

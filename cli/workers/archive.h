@@ -17,7 +17,7 @@
 
 namespace vvr::workers {
 
-/// What gets a picture.
+/// What one picture shows.
 enum class Grouping { clip, day, both };
 
 struct GroupingRow {
@@ -32,16 +32,16 @@ inline constexpr std::array groupings{
     GroupingRow{Grouping::both, "both", "each clip, and each day of a camera"},
 };
 
-/// Which clips of an archive are drawn, where to, and what each may take.
+/// Which clips of an archive to draw, where to, and the limits of a worker.
 struct ArchiveOptions {
     std::filesystem::path in;
     std::filesystem::path out;
-    std::vector<std::string> match;  ///< patterns of clips; none = by their endings
-    std::vector<std::string> names;  ///< layouts of clips' names, before those that are known
+    std::vector<std::string> match;  ///< patterns of clips' paths; none = video file extensions
+    std::vector<std::string> names;  ///< name patterns, tried before the built-in ones
     archive::Shard shard;
-    std::vector<std::string> exclude;  ///< patterns of what is no clip all the same
+    std::vector<std::string> exclude;  ///< patterns of files to skip
     Grouping per = Grouping::clip;
-    std::chrono::seconds redraw{900};  ///< of a day to which clips are added
+    std::chrono::seconds redraw{900};  ///< least time between two drawings of a day that still gets clips
     std::chrono::seconds settle{60};
     int tries = 3;
     bool dry_run = false;
@@ -50,20 +50,20 @@ struct ArchiveOptions {
     bool no_index = false;
     bool no_pages = false;
 
-    Settings worker_settings;  ///< of `vvr render`, passed on as they are
-    Settings drawn_with;       ///< those of them that choose OpenGL; `vvr doctor` has them too
+    Settings worker_settings;  ///< options passed on to `vvr render`
+    Settings drawn_with;       ///< the subset that selects OpenGL, for `vvr doctor`
     SandboxMode sandbox = SandboxMode::automatic;
-    SandboxNeeds needs;    ///< of what is passed on
-    std::string settings;  ///< changes with everything that decides how pictures look
+    SandboxNeeds needs;    ///< files and devices that those options need
+    std::string settings;  ///< identifies all settings that change pictures
 
     int threads = 0;          ///< per worker; 0 = its share of the cores
     std::optional<int> jobs;  ///< workers at a time; none = as many as cores and memory allow
     std::chrono::seconds timeout{7200};
-    std::optional<std::int64_t> max_memory;  ///< bytes per worker; none = its share of the machine's
+    std::optional<std::int64_t> max_memory;  ///< bytes per worker; none = an equal share of the machine's memory
 };
 
-/// Draws what is new in an archive, and writes its index.
-/// \returns partial where some clips failed
+/// Draws the clips that are new or changed, and writes the index.
+/// \returns partial if some clips failed
 /// \throws Error usage, io, backend, limit
 cli::ExitStatus run_archive(const ArchiveOptions& options, const cli::Environment& environment);
 

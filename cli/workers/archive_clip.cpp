@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int killed = 128;  // and the signal's number, as a shell shows it
+constexpr int killed = 128;  // plus the signal number, as in a shell
 
 std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
     const std::string words = words_of(end);
@@ -54,10 +54,11 @@ std::string reason_of(const WorkerResult& end, const WorkerLimits& limits) {
     return words.empty() ? fmt::format("the worker ended with status {} and said nothing", end.status) : words;
 }
 
-/// So much has to be free that the next clip has a chance.
+/// Free bytes without which the next clip would fail too.
 constexpr std::int64_t least_room = 16'000'000;
 
-/// Why a folder takes no files, as in errno; 0 = it does. A file without a name leaves nothing behind.
+/// Why no file can be written to a folder, as in errno; 0 = it can. The test file has no name, so it leaves nothing
+/// behind.
 int disk_full_reason(const fs::path& folder) {
     const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
     if (file >= 0) {
@@ -72,7 +73,8 @@ int disk_full_reason(const fs::path& folder) {
     return full || (space.f_files > 0 && space.f_favail == 0) ? ENOSPC : 0;
 }
 
-/// A worker may say what it likes, and it may be a clip that speaks: this rests on what was seen from outside alone.
+/// Throws if the system, not the clip, is at fault. Decides only by what the parent has observed: a worker's report is
+/// untrusted.
 void throw_if_system_fault(const std::string& clip, const fs::path& folder, const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return;
     if (!end.began && end.status < killed) {
@@ -88,7 +90,7 @@ void throw_if_system_fault(const std::string& clip, const fs::path& folder, cons
                                                   folder.string(), std::generic_category().message(error)));
 }
 
-/// Drawn, but without some of its files.
+/// Drawn, but some of its files are missing.
 bool is_not_whole(const WorkerResult& end) {
     return end.status == static_cast<int>(cli::ExitStatus::partial);
 }
@@ -97,14 +99,14 @@ bool failed(const WorkerResult& end) {
     return (end.status != 0 && !is_not_whole(end)) || end.timed_out || end.wrote_too_much;
 }
 
-/// What a failed clip's sidecar says: that of a worker that was ended for a limit, or had nothing to complain of but a
-/// report that is none, is ours.
+/// The exit status for a failed clip's sidecar. We choose it if we killed the worker, or if the worker ended normally
+/// but its report is invalid.
 int status_of(const WorkerResult& end) {
     if (end.timed_out || end.wrote_too_much) return static_cast<int>(cli::ExitStatus::limit);
     return end.status == 0 || is_not_whole(end) ? static_cast<int>(cli::ExitStatus::io) : end.status;
 }
 
-/// The same as a code. What the worker tells counts where its status agrees.
+/// The error code for the sidecar. The worker's own code is used only if it agrees with the exit status.
 ErrorCode code_of(const WorkerResult& end) {
     if (end.timed_out) return ErrorCode::worker_timeout;
     if (end.wrote_too_much) return ErrorCode::worker_output_limit;
@@ -137,7 +139,7 @@ std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job) {
 
 std::string words_of(const WorkerResult& end) {
     if (!end.told.text.empty()) return end.told.text;
-    // It may be no vvr yet, or one that a library has ended. An error of several lines is one.
+    // The process may not have become vvr yet, or a library may have ended it. Keep all lines of the last error.
     constexpr std::string_view own = "vvr: ";
     std::size_t begin = end.said.starts_with(own) ? 0 : std::string::npos;
     if (const auto later = end.said.rfind("\nvvr: "); later != std::string::npos) begin = later + 1;
@@ -179,7 +181,7 @@ const archive::CameraDay* ClipTask::day() const {
     return found == job_->days.end() ? nullptr : &found->second;
 }
 
-/// As the index has it; empty at the top of the archive.
+/// The camera as the index shows it; empty for clips at the top of the archive.
 std::string ClipTask::camera() const {
     return archive::text_of_path(day() != nullptr ? day()->camera : job_->names.camera_of(clip_.path));
 }
@@ -207,7 +209,7 @@ std::optional<ClipTask> ClipTask::take(const ArchiveJob& job, const std::string&
     if (!claim) return std::nullopt;
     if (claim->is_stale()) image::remove_leftovers(folder, archive::written_names(name));
     archive::remove_staging(archive::staging_of(job.out, path));
-    // It may have changed, or been done, since it was found.
+    // The clip may have changed since the scan, or another run may have done it.
     const auto day = job.days.find(path);
     const bool is_day = day != job.days.end();
     std::optional<archive::Clip> clip = is_day ? day->second.clip : archive::stat_clip(job.in, path);
@@ -242,7 +244,7 @@ std::unique_ptr<Worker> ClipTask::start() const {
     for (const std::string& file : day() != nullptr ? day()->files : std::vector{clip_.path})
         plan.inputs.push_back(read.emplace_back(job_->in / file).string());
     if (day() != nullptr) {
-        set("join", "true");  // which files are of one camera was found out for all of the archive
+        set("join", "true");  // the scan has already grouped the files by camera
         set("title", archive::text_of_path(day()->camera));
     }
     for (const auto& [kind, name] : outputs) {
@@ -258,7 +260,7 @@ std::unique_ptr<Worker> ClipTask::start() const {
                                     job_->sandbox->around(read, folder()));
 }
 
-/// What is known of a clip that has been drawn.
+/// The sidecar of a clip that was drawn.
 archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     archive::Sidecar sidecar;
     sidecar.clip = clip_;
@@ -285,7 +287,7 @@ archive::Sidecar ClipTask::read_results(const WorkerResult& end) const {
     return sidecar;
 }
 
-/// What is known of a clip that could not be drawn: of its files, if there are any, what was known before.
+/// The sidecar of a clip that failed. It keeps what is known about files of an earlier run.
 archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string& reason, double seconds) const {
     archive::Sidecar sidecar;
     if (before_ && !before_->files.empty()) {
@@ -305,7 +307,7 @@ archive::Sidecar ClipTask::failure(int status, ErrorCode code, const std::string
                        before_->clip.modified == clip_.modified;
     sidecar.clip = clip_;
     if (day() != nullptr) {
-        // As long as one of the clips is there that its picture shows, or would, the day is not gone.
+        // The day is gone only when all clips are gone that its picture shows or should show.
         std::set<std::string> files(day()->files.begin(), day()->files.end());
         if (sidecar.shows && sidecar.day) files.insert(sidecar.day->files.begin(), sidecar.day->files.end());
         sidecar.day =

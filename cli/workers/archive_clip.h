@@ -22,19 +22,19 @@ struct ArchiveJob {
     std::filesystem::path in;
     std::filesystem::path out;
     archive::ArchiveRules rules;
-    Settings settings;    ///< that workers are given as they stand
-    Settings drawn_with;  ///< those of them that choose OpenGL
+    Settings settings;    ///< passed on to workers unchanged
+    Settings drawn_with;  ///< the subset that selects OpenGL
     WorkerLimits limits;
     std::shared_ptr<const Sandbox> sandbox{};          ///< for workers
-    int threads = 1;                                   ///< a worker
-    std::map<std::string, archive::CameraDay> days{};  ///< by where their files stand
-    video::RecorderNames names{};                      ///< how clips' names tell their camera
+    int threads = 1;                                   ///< per worker
+    std::map<std::string, archive::CameraDay> days{};  ///< by the path that names their files
+    video::RecorderNames names{};                      ///< how to read the camera and time from a clip's name
 };
 
-/// One clip's turn: nobody else writes its files as long as this is there.
+/// One clip in work. It holds the lock of the clip's files.
 class ClipTask {
   public:
-    /// Nothing when another program has the clip, or has done it meanwhile, or it has gone.
+    /// Nothing if another program has the clip, if it is already done, or if it no longer exists.
     /// \throws Error io
     static std::optional<ClipTask> take(const ArchiveJob& job, const std::string& path);
 
@@ -42,15 +42,14 @@ class ClipTask {
     ClipTask& operator=(ClipTask&&) = delete;
     ~ClipTask();
 
-    /// The worker that draws the clip.
+    /// Starts the worker that draws the clip.
     std::unique_ptr<Worker> start() const;
 
-    /// Puts the clip's files in their places once all of them are there, and writes down what came of it. Where it
-    /// failed, the files that are there stay, and the sidecar says what they show.
-    /// \param signals that wait while something is written
-    /// \throws Error io when that can't be done for this clip
-    /// \throws Error when it was not the clip's fault, and the next clip would fare no better: io for a full disk,
-    /// limit when no worker can be started
+    /// Moves the clip's files from the staging folder to their places and writes the sidecar. After a failure the older
+    /// files stay, and the sidecar says what they show.
+    /// \param signals held back during the writing
+    /// \throws Error io if only this clip is affected
+    /// \throws Error when every other clip would fail too: io for a full disk, limit when no worker can start
     archive::Sidecar finish(const WorkerResult& end, cli::Signals& signals);
 
   private:
@@ -73,16 +72,16 @@ class ClipTask {
     bool finished_ = false;
 };
 
-/// Whether a worker says that it could not draw, which may be no clip's fault: see start_drawing_test.
+/// Whether the worker reports an OpenGL error. The clip need not be the cause: see start_drawing_test.
 bool could_not_draw(const WorkerResult& end);
 
-/// A worker that reads no clip, and ends with 0 where workers can draw.
+/// Starts a worker that reads no clip. Its exit status is 0 if workers can draw.
 std::unique_ptr<Worker> start_drawing_test(const ArchiveJob& job);
 
-/// What a worker told of its run, for people; where it told nothing, what it said last.
+/// The worker's error text for people; if it sent none, the end of its stderr.
 std::string words_of(const WorkerResult& end);
 
-/// Whether an error is about one file, so that others may still fare well: io, but no full disk.
+/// Whether an error concerns one file only: io, but not a full disk.
 bool is_of_one_file(const Error& error);
 
 }  // namespace vvr::workers

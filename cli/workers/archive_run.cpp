@@ -25,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says what becomes of the clips of a run, one after another.
+/// Counts the clips of a run and logs what happened to each.
 class Account {
   public:
     Account(std::size_t clips, spdlog::logger& log) : clips_(clips), log_(log) {}
 
-    /// \param warnings what the worker has said of the clip
+    /// \param warnings from the worker
     void add(const archive::Sidecar& sidecar, const std::vector<std::string>& warnings) {
         const std::string name = archive::text_of_path(sidecar.clip.path);
         if (sidecar.state == archive::Sidecar::State::failed) {
@@ -43,7 +43,7 @@ class Account {
         const std::string events = sidecar.events ? counted(*sidecar.events, "event") + ", " : "";
         log_.info("{} {}: {}{:.1f} s", next(), name, events, sidecar.took);
         if (sidecar.status == 0) {
-            // What is not right in a day's clips is in its reason.
+            // A day's reason already has the problems of its clips.
             if (!sidecar.reason.empty()) log_.warn("{}: {}", name, sidecar.reason);
             for (const std::string& warning : sidecar.reason.empty() ? warnings : std::vector<std::string>())
                 log_.info("{}: {}", name, warning);
@@ -74,7 +74,7 @@ class Account {
     ArchiveOutcome outcome_;
 };
 
-/// A clip's turn, unless its place is taken: then the clip has failed, but there is nowhere to write that down.
+/// Takes a clip. If its files can't be locked, the clip has failed, and no sidecar can say so.
 std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& clip, Account& account) {
     try {
         auto turn = ClipTask::take(job, clip);
@@ -87,8 +87,8 @@ std::optional<ClipTask> begin_task(const ArchiveJob& job, const std::string& cli
     }
 }
 
-/// What came of a clip, unless that can't be read or written down: then the clip has failed, and the others go on. A
-/// full disk, and what is no matter of this clip's files, is an error still.
+/// Finishes a clip. If its results can't be read or written, the clip has failed and the others go on.
+/// \throws Error for a full disk, or anything else that is not about this clip's files
 std::optional<archive::Sidecar> finish_task(ClipTask& turn, const std::string& clip, const WorkerResult& end,
                                             Account& account, cli::Signals& signals) {
     try {
@@ -105,7 +105,8 @@ bool holds(const fs::path& path, const std::string& text) {
     return fs::file_size(path, none) == text.size() && archive::read_own(path, "", text.size()).text == text;
 }
 
-/// Leaves a file alone that is as it should be: who keeps it open sees no change. What is no file stays too.
+/// Leaves an unchanged file alone, so that programs that have it open see no change. Throws if the path is not a
+/// regular file.
 void put_file(const fs::path& path, const std::string& text, cli::Signals& signals) {
     archive::check_own_place(path);
     if (holds(path, text)) return;
@@ -113,7 +114,7 @@ void put_file(const fs::path& path, const std::string& text, cli::Signals& signa
     image::replace_link(path, std::as_bytes(std::span(text)));
 }
 
-/// The clips that are no longer there; none where their folder itself is not, as its disk may not be mounted.
+/// The clips that no longer exist. None if their folder is missing or empty, as its disk may not be mounted.
 std::set<std::string> gone_of(const fs::path& in, const std::vector<archive::Sidecar>& sidecars) {
     std::set<std::string> gone;
     std::error_code none;
@@ -124,7 +125,7 @@ std::set<std::string> gone_of(const fs::path& in, const std::vector<archive::Sid
     return gone;
 }
 
-/// Files of days on which no clip is left.
+/// Removes files of days that have no clip left.
 void remove_other_days(const fs::path& out, const archive::DayFiles& days) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
@@ -146,7 +147,7 @@ std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, c
         planned.push_back(
             {clip, archive::need_of(clip, sidecar, job.out, job.rules, now), sidecar ? sidecar->reason : ""});
     }
-    // What has just happened is what people want to see.
+    // People want to see the latest clips first.
     std::ranges::stable_sort(planned, std::greater(),
                              [](const PlannedClip& planned_clip) { return planned_clip.clip.modified; });
     return planned;
@@ -167,8 +168,8 @@ std::vector<PlannedClip> plan_days(const ArchiveJob& job) {
 
 namespace {
 
-/// Workers at work on the clips of a run. A worker that says it can't draw may be one that a clip has taken over, so it
-/// is asked of another that reads no clip; until that has ended, nothing is decided.
+/// Draws the clips of a run with a pool of workers. If a worker reports an OpenGL error, the clip may be the cause. A
+/// second worker that reads no clip then tests OpenGL, and the failed clips wait for its result.
 class Drawing {
   public:
     Drawing(const ArchiveJob& job, std::size_t clips, int workers, const cli::Environment& environment)
@@ -241,7 +242,7 @@ ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>&
 }
 
 void write_index(const ArchiveJob& job, const cli::Environment& environment) {
-    // Of two runs that end together, the later one has to read what the other wrote.
+    // If two runs end at the same time, the second must read what the first wrote.
     const std::vector<std::string> files{std::string(archive::index_name)};
     const archive::LockFile claim = archive::LockFile::wait_for(job.out, files.front());
     if (claim.is_stale()) image::remove_leftovers(job.out, files);
@@ -257,7 +258,7 @@ void write_index(const ArchiveJob& job, const cli::Environment& environment) {
             put_file(job.out / name, text, environment.signals);
         } catch (const Error& error) {
             if (!is_of_one_file(error)) throw;
-            // The index is of use without the events of a day.
+            // The index is useful without the events of one day.
             cli::log_error(environment.log, error.code(), error.what());
         }
     }
@@ -277,7 +278,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
     std::size_t unknown = 0;
     std::size_t removed = 0;
     for (const archive::Sidecar& sidecar : sidecars) {
-        // Just before its files go: a disk may have been unmounted since the last one.
+        // Check right before the removal: a disk may have been unmounted since the last one.
         const archive::SourceStatus verdict = archive::source_state_of(job.in, sidecar, present, job.names);
         if (verdict.fate == archive::SourceState::away) away.insert(verdict.folder);
         if (verdict.fate == archive::SourceState::unknown) ++unknown;
@@ -292,7 +293,7 @@ std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const 
             const fs::path place = archive::sidecar_path(job.out, sidecar.clip.path);
             const auto claim =
                 archive::LockFile::try_take(place.parent_path(), fs::path(sidecar.clip.path).filename().string());
-            if (!claim) continue;  // another run draws it
+            if (!claim) continue;  // another run is drawing it
             const auto held = environment.signals.hold();
             archive::remove_outputs(job.out, sidecar);
             environment.log.info("{}: the clip has gone, and its picture with it", name);

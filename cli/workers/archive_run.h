@@ -11,39 +11,39 @@
 
 namespace vvr::workers {
 
-/// A clip, and what is to become of it.
+/// A clip and what to do with it.
 struct PlannedClip {
     archive::Clip clip;
     archive::Need need;
-    std::string reason;  ///< why it failed, where it did
+    std::string reason;  ///< why it failed last time, if it did
 };
 
-/// What is to become of each clip, the newest first.
+/// Decides what to do with each clip, newest first.
 std::vector<PlannedClip> plan_archive(const std::vector<archive::Clip>& clips, const ArchiveJob& job);
 
-/// What came of a run.
+/// The counts of a run.
 struct ArchiveOutcome {
     std::size_t drawn = 0;
     std::size_t failed = 0;
-    std::size_t not_whole = 0;  ///< drawn, without some of its files
-    std::size_t elsewhere = 0;  ///< in the hands of another run, or gone
+    std::size_t not_whole = 0;  ///< drawn, but some of its files are missing
+    std::size_t elsewhere = 0;  ///< another run has them, or they no longer exist
 };
 
-/// Draws those clips, some at a time.
-/// \throws Error when something other than a clip is at fault, a full disk for one; then the rest is not tried
+/// Draws the clips, several at a time.
+/// \throws Error when the cause is not a clip, such as a full disk; the rest is then not tried
 ArchiveOutcome draw_clips(const ArchiveJob& job, const std::vector<PlannedClip>& clips, int workers,
                           const cli::Environment& environment);
 
-/// Writes the index from the sidecars, unless it stands there as it should, and removes what killed runs left.
+/// Writes the index from the sidecars if it has changed, and removes what killed runs left behind.
 void write_index(const ArchiveJob& job, const cli::Environment& environment);
 
-/// What is to become of each day of a camera, the newest first.
+/// Decides what to do with each day of a camera, newest first.
 std::vector<PlannedClip> plan_days(const ArchiveJob& job);
 
-/// Removes the files of clips that have gone for certain, and of days of which each clip has.
-/// \param clips of the run: what it leaves out of them is there all the same
-/// \returns how many there were
-/// \throws Error io when nobody can know what has gone
+/// Removes the files of clips that are certainly gone, and of days all of whose clips are gone.
+/// \param clips which files are clips; an excluded file counts as present
+/// \returns how many clips and days
+/// \throws Error io when it can't be known what is gone
 std::size_t prune(const ArchiveJob& job, const archive::ClipNames& clips, const archive::Shard& shard, bool dry_run,
                   const cli::Environment& environment);
 

@@ -19,7 +19,7 @@ namespace vvr::workers {
 
 namespace {
 
-// As in <linux/landlock.h>: that of an older kernel lacks some of them.
+// As in <linux/landlock.h>, whose older versions lack some of them.
 namespace right {
 constexpr std::uint64_t execute = 1 << 0;
 constexpr std::uint64_t write_file = 1 << 1;
@@ -46,18 +46,19 @@ struct [[gnu::packed]] PathRule {
 constexpr int path_rule = 1;
 constexpr std::uint32_t ask_version = 1;
 
-/// What a version of the interface can deny, all of it. Newer ones than the last add nothing that a worker would miss.
+/// All that a version of the interface can deny. Versions after the last row deny nothing more that a worker needs
+/// denied.
 struct AbiRow {
     int abi;
-    int file_rights;        ///< how many there are
+    int file_rights;        ///< number of file rights
     std::uint64_t network;  ///< TCP: bind, connect
-    std::uint64_t scoped;   ///< abstract UNIX sockets and signals, to others
-    std::size_t size;       ///< of Attributes, as far as it was known then
+    std::uint64_t scoped;   ///< abstract UNIX sockets of, and signals to, other processes
+    std::size_t size;       ///< of Attributes in that version
 };
 
 constexpr std::array abis{
     AbiRow{1, 13, 0, 0, 8},   // Linux 5.13
-    AbiRow{2, 14, 0, 0, 8},   // 5.19: files from one folder to another
+    AbiRow{2, 14, 0, 0, 8},   // 5.19: links and renames across folders
     AbiRow{3, 15, 0, 0, 8},   // 6.2: truncation
     AbiRow{4, 15, 3, 0, 16},  // 6.7: TCP
     AbiRow{5, 16, 3, 0, 16},  // 6.10: ioctl on devices
@@ -111,8 +112,8 @@ LandlockRules::~LandlockRules() {
 void LandlockRules::allow(const std::filesystem::path& path, Use use) {
     const int file = ::open(path.c_str(), O_PATH | O_CLOEXEC);
     if (file < 0) {
-        // What is not there, or not ours, needs no rule. Without one for want of descriptors or memory, a clip would be
-        // left out.
+        // A file that is missing or that we can't access needs no rule. Other errors, such as too many open files, must
+        // not silently leave out a clip.
         if (errno == ENOENT || errno == ENOTDIR || errno == EACCES || errno == ELOOP) return;
         refuse(path.c_str(), errno);
     }

@@ -30,12 +30,12 @@ namespace fs = std::filesystem;
 struct Place {
     const char* path;
     Use use;
-    bool gpu = false;  ///< for a graphics card alone
+    bool gpu = false;  ///< only with a graphics card
 };
 
 constexpr std::array places{
     Place{"/proc/self/exe", Use::run},
-    // Libraries, drivers, fonts, time zones, locales: what is there is everybody's to read.
+    // Libraries, drivers, fonts, time zones, locales: readable by everybody anyway.
     Place{"/usr", Use::read},
     Place{"/lib", Use::read},
     Place{"/lib64", Use::read},
@@ -62,7 +62,8 @@ constexpr std::array places{
     Place{"/dev/kfd", Use::device, true},
 };
 
-/// Where libraries are looked for, as the dynamic linker says: LD_LIBRARY_PATH, the program's own path, the system's.
+/// Adds the folders in which the dynamic linker looks for libraries: LD_LIBRARY_PATH, the program's run path, the
+/// system's.
 void add_library_folders(std::vector<ProgramFile>& files) {
     void* const program = ::dlopen(nullptr, RTLD_LAZY);
     if (program == nullptr) return;
@@ -80,7 +81,7 @@ void add_library_folders(std::vector<ProgramFile>& files) {
     ::dlclose(program);
 }
 
-/// The libraries that are loaded, wherever they come from; the linker among them, which is executed.
+/// Adds the loaded libraries, wherever they are, including the dynamic linker, which must be executable.
 void add_libraries(std::vector<ProgramFile>& files) {
     const auto add = [](dl_phdr_info* info, std::size_t, void* to) {
         const std::string_view name = info->dlpi_name;
@@ -93,8 +94,8 @@ void add_libraries(std::vector<ProgramFile>& files) {
     ::dl_iterate_phdr(add, &files);
 }
 
-/// The cache of shaders that Mesa has for this user (gl/context.h). What it holds is run as it stands, by other
-/// programs of the user too, so a worker only reads it; but Mesa wants to write the list of what is there.
+/// Adds Mesa's shader cache of this user (gl/context.h). Other programs of the user run its contents, so a worker may
+/// only read them; but Mesa must be able to write the cache's index.
 void add_shader_cache(std::vector<ProgramFile>& files) {
     const char* const folder = std::getenv("MESA_SHADER_CACHE_DIR");
     if (folder == nullptr || !fs::path(folder).is_absolute()) return;
@@ -103,7 +104,7 @@ void add_shader_cache(std::vector<ProgramFile>& files) {
     files.push_back({cache / "index", Use::change});
 }
 
-/// NVIDIA's devices have numbers.
+/// Adds NVIDIA's numbered devices.
 void add_nvidia(std::vector<ProgramFile>& files) {
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator("/dev", none)) {
@@ -129,7 +130,7 @@ std::vector<ProgramFile> program_files(bool gpu) {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr bool watched = true;  // LeakSanitizer looks at a process from another one, which a sandbox refuses
+constexpr bool watched = true;  // LeakSanitizer traces the process from another one, which a sandbox denies
 #else
 constexpr bool watched = false;
 #endif

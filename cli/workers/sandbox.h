@@ -12,18 +12,18 @@
 
 namespace vvr::workers {
 
-/// A file that drawing needs, or all below a folder.
+/// A file that drawing needs, or a folder with all files below it.
 struct ProgramFile {
     std::filesystem::path path;
     Use use;
 };
 
-/// What any run of this program reads of the machine, whatever it draws: the program and its libraries, OpenGL drivers
-/// and their cache of shaders, fonts, and what the kernel says of processors and memory. Some of them may not be there.
-/// \param gpu a graphics card as well
+/// The files that every run of this program uses: the program and its libraries, OpenGL drivers, their shader cache,
+/// fonts, and what the kernel reports about processors and memory. Some may not exist.
+/// \param gpu also those for a graphics card
 std::vector<ProgramFile> program_files(bool gpu);
 
-/// Whether workers are shut in.
+/// Whether workers run in a sandbox.
 enum class SandboxMode { automatic, off, required };
 
 struct SandboxRow {
@@ -38,23 +38,23 @@ inline constexpr std::array sandbox_modes{
     SandboxRow{SandboxMode::required, "required", "all of it, or nothing is drawn, and the status is 4"},
 };
 
-/// What workers use, beside the files of one of them.
+/// What all workers need beside their own clip.
 struct SandboxNeeds {
     bool gpu = false;
-    std::vector<std::filesystem::path> files{};  ///< that all of them read
+    std::vector<std::filesystem::path> files{};  ///< that all workers read
 };
 
-/// What one worker may do, and nothing else.
+/// The sandbox of one worker.
 class Confinement {
   public:
     Confinement(std::unique_ptr<const LandlockRules> rules, const CallFilter* filter);
 
-    /// Shuts the calling process in, and all that it starts or becomes, for good. Allocates nothing, so it may stand
+    /// Permanently confines the calling process and all processes that it starts. Allocates nothing, so it may run
     /// between fork and exec.
-    /// \returns whether it did; if not, the process must end
+    /// \returns whether it succeeded; if not, the process must end
     bool enter() const;
 
-    /// Whether system calls are among what it gives up: then it has to give up the rest once it has begun.
+    /// Whether system calls are filtered. If so, the worker must call block_startup_calls once it has begun.
     bool filters_calls() const { return filter_ != nullptr; }
 
   private:
@@ -62,27 +62,27 @@ class Confinement {
     const CallFilter* filter_;
 };
 
-/// Shuts the workers of a run in: Landlock keeps them from files, seccomp from the network, other processes and the
-/// machine.
+/// The sandbox for the workers of a run. Landlock restricts files; a seccomp filter restricts the network, other
+/// processes and the rest of the system.
 class Sandbox {
   public:
-    /// \throws Error backend when it is required and the kernel has not all of it, or it can't be made
+    /// \throws Error backend when the sandbox is required but not complete, or when it can't be made
     Sandbox(SandboxMode mode, const SandboxNeeds& needs);
 
-    /// Whether all that was asked for is in force.
+    /// Whether everything that the mode asks for is in force.
     bool is_whole() const { return mode_ == SandboxMode::off || (landlock_.abi > 0 && filter_); }
 
-    /// What is in force and what isn't, and why: a line for the log.
+    /// What is in force and what isn't, and why: one line for the log.
     std::string summary() const;
 
-    /// The walls around a worker that reads `files` and writes into `folder`. Must not outlive the sandbox.
+    /// The sandbox of a worker that reads `files` and writes into `folder`. It must not outlive this object.
     Confinement around(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder) const;
 
   private:
     SandboxMode mode_;
-    std::vector<ProgramFile> shared_;  ///< by all workers
+    std::vector<ProgramFile> shared_;  ///< used by all workers
     Landlock landlock_{};
-    int no_filter_ = 0;  ///< why, as in errno
+    int no_filter_ = 0;  ///< why there is no filter, as in errno
     std::unique_ptr<const CallFilter> filter_{};
 };
 

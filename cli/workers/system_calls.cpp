@@ -33,8 +33,8 @@ inline constexpr std::array memory{"brk",     "mmap",    "mmap2",      "munmap",
                                    "madvise", "mincore", "mprotect",   "mlock",         "munlock",
                                    "msync",   "mbind",   "membarrier", "get_mempolicy", "set_mempolicy"};
 
-// Opened ones, and names, by which Landlock decides. No call that makes anything but a regular file, that changes what
-// a file is beside its bytes, or that writes without being counted (fallocate, sendfile, splice).
+// On open files, and on paths, which Landlock restricts. Left out: calls that create anything but a regular file, that
+// change a file's metadata, or that write without being counted (fallocate, sendfile, splice).
 inline constexpr std::array files{"read",
                                   "readv",
                                   "pread64",
@@ -101,7 +101,7 @@ inline constexpr std::array files{"read",
                                   "pselect6_time64",
                                   "ppoll_time64"};
 
-// Of the own process. tgkill ends threads in order, and abort needs it; rt_sigtimedwait waits for SIGTERM.
+// About this process. A thread's orderly end and abort need tgkill; rt_sigtimedwait waits for SIGTERM.
 inline constexpr std::array process{"exit",
                                     "exit_group",
                                     "futex",
@@ -168,15 +168,15 @@ inline constexpr std::array machine{"clock_getres",
                                     "sysinfo",
                                     "uname"};
 
-// Until a worker has begun (WorkerBegin): it becomes vvr, and gives up what it needed for that.
+// Allowed until begin_worker: to exec vvr, and to deny these calls afterwards.
 inline constexpr std::array beginning{"execve", "seccomp"};
 
 inline constexpr std::array allowed{Names(memory), Names(files), Names(process), Names(machine), Names(beginning)};
 
-// Graphics drivers share buffers by files in memory.
+// Graphics drivers share buffers in memory files.
 inline constexpr std::array for_gpu{"memfd_create"};
 
-// What no library has a reason to call: who does is ended there and then.
+// No library has a reason to make these calls. The process is killed at once.
 inline constexpr std::array fatal{"ptrace",
                                   "process_vm_readv",
                                   "process_vm_writev",
@@ -205,7 +205,7 @@ inline constexpr std::array fatal{"ptrace",
                                   "execveat",
                                   "open_by_handle_at"};
 
-/// Calls that are allowed for some arguments alone: all that are named hold.
+/// A call that is allowed only if all the argument conditions hold.
 struct Case {
     const char* call;
     std::array<scmp_arg_cmp, 2> arguments;
@@ -216,19 +216,19 @@ constexpr scmp_arg_cmp equal(unsigned argument, scmp_datum_t value) {
     return {argument, SCMP_CMP_EQ, value, 0};
 }
 
-/// That the bits of `mask` are those of `value`.
+/// The condition that the argument's bits in `mask` equal those of `value`.
 constexpr scmp_arg_cmp masked(unsigned argument, scmp_datum_t mask, scmp_datum_t value) {
     return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
 
-// Threads, no processes, and no namespaces of their own, no tracer, no other parent.
+// Allow threads, but no processes, namespaces, tracer or other parent.
 inline constexpr scmp_datum_t of_threads = CLONE_THREAD | CLONE_VM | CLONE_SIGHAND;
 inline constexpr scmp_datum_t of_others = CLONE_VFORK | CLONE_PARENT | CLONE_PTRACE | CLONE_UNTRACED | CLONE_PIDFD |
                                           CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
                                           CLONE_NEWPID | CLONE_NEWNET;
 
-// Files are neither emptied by opening (of which Landlock's oldest versions know nothing) nor made without a name, nor
-// made with rights of their user or group: the mode counts only where a file is made.
+// Opening a file must not truncate it (the oldest Landlock versions don't check that), create an unnamed file, or set
+// the set-user-ID or set-group-ID bit. The mode counts only where a file is created.
 inline constexpr scmp_datum_t without_name = O_TMPFILE & ~O_DIRECTORY;
 inline constexpr scmp_datum_t making = O_CREAT | O_TRUNC | without_name;
 inline constexpr scmp_datum_t rights_of_owner = 07000;
@@ -240,15 +240,15 @@ inline constexpr std::array cases{
     Case{"open", {masked(1, making, O_CREAT), masked(2, rights_of_owner, 0)}, 2},
     Case{"openat", {masked(2, making, 0)}},
     Case{"openat", {masked(2, making, O_CREAT), masked(3, rights_of_owner, 0)}, 2},
-    // To ask for limits, not to set them; those of the own process.
+    // Get limits, but don't set them; of this process only.
     Case{"prlimit64", {equal(0, 0), equal(2, 0)}, 2},
-    // Neither how a worker ends with its parent, nor whether that may look into it.
+    // Neither PR_SET_PDEATHSIG nor PR_SET_DUMPABLE.
     Case{"prctl", {equal(0, PR_SET_NAME)}},
     Case{"prctl", {equal(0, PR_GET_NAME)}},
     Case{"prctl", {equal(0, PR_GET_DUMPABLE)}},
     Case{"prctl", {equal(0, PR_CAPBSET_READ)}},
     Case{"prctl", {equal(0, name_of_memory)}},
-    // No signals for others by way of a file (F_SETOWN, F_SETSIG), no leases.
+    // No signals to other processes through a file (F_SETOWN, F_SETSIG), no leases.
     Case{"fcntl", {equal(1, F_DUPFD)}},
     Case{"fcntl", {equal(1, F_DUPFD_CLOEXEC)}},
     Case{"fcntl", {equal(1, F_GETFD)}},
@@ -266,7 +266,7 @@ inline constexpr std::array cases{
     Case{"ioctl", {equal(1, TIOCGWINSZ)}},
 };
 
-/// ioctls of a graphics card's devices have a letter of their own each; those of file systems are others.
+/// The ioctls of each kind of graphics device have their own letter, different from those of file systems.
 constexpr scmp_arg_cmp ioctls_of(unsigned char letter) {
     return masked(1, 0xFF00, static_cast<scmp_datum_t>(letter) << 8);
 }
@@ -277,7 +277,7 @@ inline constexpr std::array cases_for_gpu{
     Case{"ioctl", {ioctls_of('>')}},  // sync_file
     Case{"ioctl", {ioctls_of('K')}},  // AMD's kfd
     Case{"ioctl", {ioctls_of('F')}},  // NVIDIA's
-    Case{"ioctl", {ioctls_of(0)}},    // its uvm, which has plain numbers
+    Case{"ioctl", {ioctls_of(0)}},    // its uvm device uses plain numbers
     Case{"fcntl", {equal(1, F_ADD_SEALS)}}, Case{"fcntl", {equal(1, F_GET_SEALS)}},
 };
 
@@ -292,7 +292,7 @@ namespace {
                                                             what, std::generic_category().message(error)));
 }
 
-/// libseccomp answers with an error below 0.
+/// libseccomp functions return a negative errno on failure.
 void check(int answer, std::string_view what) {
     if (answer < 0) refuse(what, -answer);
 }
@@ -303,8 +303,8 @@ struct Release {
 
 constexpr bool is_big_endian = std::endian::native == std::endian::big;
 
-/// The filter as the kernel takes it. Through a pipe, which has room for the longest there can be, and no limit on
-/// files.
+/// The filter as a BPF program. libseccomp exports it only to a file descriptor; a pipe has room for the longest
+/// program and is not subject to the file size limit.
 std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) refuse("pipe", errno);
@@ -323,22 +323,22 @@ std::vector<sock_filter> compiled(scmp_filter_ctx filter) {
 }  // namespace
 
 int call_filter_error() {
-    // A filter that is nowhere: what has filters says so, and what hasn't, that. In both ways in which one is set here.
+    // A filter at a null address: EFAULT means that the kernel supports filters. Tries both calls that are used here.
     if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == -1 && errno != EFAULT) return errno;
     const long set = ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, nullptr);
     return set == -1 && errno != EFAULT ? errno : 0;
 }
 
 CallFilter::CallFilter(bool gpu) {
-    // ENOSYS, as of an older kernel, is what libraries are made for: they do without, or have another way.
+    // Libraries expect ENOSYS from older kernels, and use another call or do without.
     const std::unique_ptr<void, Release> filter(::seccomp_init(SCMP_ACT_ERRNO(ENOSYS)));
     if (!filter) refuse("seccomp_init", ENOMEM);
     check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2), "seccomp_attr_set");
-    // Calls in the manner of another processor: 32 bits, or x32.
+    // Calls with another architecture's numbers: 32 bits, or x32.
     check(::seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS), "seccomp_attr_set");
     const auto add = [&](std::uint32_t action, const char* name, unsigned count, const scmp_arg_cmp* arguments) {
         const int call = ::seccomp_syscall_resolve_name(name);
-        // Newer than the library, or another processor's, whose numbers are below 0.
+        // Unknown to the library, or (below 0) not on this architecture.
         if (call < 0) return;
         check(::seccomp_rule_add_array(filter.get(), action, call, count, arguments), name);
     };
@@ -358,13 +358,14 @@ CallFilter::CallFilter(bool gpu) {
 }
 
 bool CallFilter::enforce() const {
-    // The kernel's type has no const, and it changes nothing.
+    // The kernel's type lacks const; the call changes nothing.
     const sock_fprog program{static_cast<unsigned short>(program_.size()), const_cast<sock_filter*>(program_.data())};
     return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
 bool block_startup_calls() {
-    // Written by hand: a worker has no use for the library. The filter before this one has seen to the architecture.
+    // Written by hand, as a worker doesn't need libseccomp for it. The first filter has already checked the
+    // architecture.
     constexpr std::uint32_t refused = SECCOMP_RET_ERRNO | EPERM;
     const auto own = static_cast<std::uint32_t>(::getpid());
     constexpr std::uint32_t call = offsetof(seccomp_data, nr);

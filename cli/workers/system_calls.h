@@ -6,31 +6,31 @@
 
 namespace vvr::workers {
 
-/// Why this kernel has no filters of system calls (seccomp), as in errno; 0 = it has them.
+/// Why this kernel has no seccomp filters, as in errno; 0 = it has them.
 int call_filter_error();
 
-/// The system calls that a worker may make, some of them with some arguments alone. Others fail as on a kernel that is
-/// too old for them; a few that nothing has a reason for end the process (SIGSYS). It still starts threads, takes
-/// memory, also to compile shaders into, and uses the files that it is allowed.
+/// A seccomp filter with the system calls that a worker may make, some of them with certain arguments only. Others fail
+/// with ENOSYS, as on an older kernel. A few that no library has a reason to make end the process with SIGSYS. A worker
+/// can still start threads, allocate memory, compile shaders, and use the files that Landlock allows.
 class CallFilter {
   public:
-    /// \param gpu with the ioctls of a graphics card's devices
-    /// \throws Error backend when it can't be made
+    /// \param gpu also allow the ioctls of graphics cards
+    /// \throws Error backend when the filter can't be made
     explicit CallFilter(bool gpu);
 
-    /// Holds for the calling thread and for what it starts from now on. Allocates nothing, so it may stand between fork
-    /// and exec. The thread must have given up new privileges (PR_SET_NO_NEW_PRIVS). What a worker needs to begin is
-    /// still allowed: see block_startup_calls.
-    /// \returns whether it does
+    /// Applies to the calling thread and all threads and processes that it starts later. Allocates nothing, so it may
+    /// run between fork and exec. The thread must have set PR_SET_NO_NEW_PRIVS. The calls that a worker needs to start
+    /// stay allowed until block_startup_calls.
+    /// \returns whether it succeeded
     bool enforce() const;
 
   private:
     std::vector<sock_filter> program_;
 };
 
-/// Gives up, for all threads of this process, what a CallFilter left it to begin with: to become a program, and to
-/// filter calls; and to signal any process but itself.
-/// \returns whether it did
+/// Gives up, for all threads of this process, the calls that a CallFilter allows only for startup: execve and seccomp.
+/// Signals to other processes are denied too.
+/// \returns whether it succeeded
 bool block_startup_calls();
 
 }  // namespace vvr::workers

@@ -31,7 +31,7 @@ namespace vvr::workers {
 
 namespace {
 
-constexpr std::size_t most_said = 4096;  // the end is what counts: errors come last
+constexpr std::size_t most_said = 4096;  // keep the end: errors come last
 
 [[noreturn]] void refuse(const char* what, int error) {
     throw Error(ErrorCode::worker_start_failed, fmt::format("cannot start a worker: {}: {}; try fewer --jobs", what,
@@ -46,8 +46,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// The environment, in which Mesa's software rasteriser reads how many threads it may have, and vvr that it is a
-/// worker.
+/// The child's environment. LP_NUM_THREADS limits the threads of Mesa's software rasteriser; worker_variable tells vvr
+/// that it is a worker.
 std::vector<std::string> environment_for(int threads, const std::string& worker) {
     constexpr std::string_view rasteriser_threads = "LP_NUM_THREADS=";
     const std::string own = fmt::format("{}=", worker_variable);
@@ -57,7 +57,7 @@ std::vector<std::string> environment_for(int threads, const std::string& worker)
         decided = decided || std::string_view(*variable).starts_with(rasteriser_threads);
         if (!std::string_view(*variable).starts_with(own)) variables.emplace_back(*variable);
     }
-    // 0 = the thread that asks does it itself.
+    // 0 = the calling thread does all the work.
     if (!decided) variables.push_back(fmt::format("{}{}", rasteriser_threads, threads > 1 ? threads : 0));
     return variables;
 }
@@ -79,7 +79,7 @@ class Descriptor {
     int file_;
 };
 
-/// From a worker to its parent, who waits for nothing when it reads.
+/// A pipe from a worker to its parent. The parent's end doesn't block.
 struct Pipe {
     Pipe() : Pipe(ends()) {}
     explicit Pipe(const std::array<int, 2>& both) : out(both[0]), in(both[1]) {}
@@ -95,7 +95,7 @@ struct Pipe {
     Descriptor in;
 };
 
-/// A file in memory that holds a plan, to be read from its beginning. A pipe would hold the plan of a short day alone.
+/// A memory file that holds a plan, positioned at its start. A pipe would have room for the plan of a short day only.
 Descriptor file_of(const WorkerPlan& plan) {
     const std::string bytes = encode(plan);
     Descriptor file(::memfd_create("vvr-plan", MFD_CLOEXEC));
@@ -109,7 +109,7 @@ Descriptor file_of(const WorkerPlan& plan) {
     return file;
 }
 
-/// What happens between fork and exec: only calls that may stand there in a program with threads.
+/// What happens between fork and exec. It makes only async-signal-safe calls, as the program has threads.
 struct ChildSetup {
     pid_t parent;
     int plan;
@@ -122,7 +122,7 @@ struct ChildSetup {
     char* const* arguments;
     char* const* environment;
 
-    /// Or less, where this process may have less itself.
+    /// Lowers a limit; never raises one that this process already has.
     static void allow_at_most(__rlimit_resource what, std::int64_t most) {
         rlimit limit{};
         if (::getrlimit(what, &limit) != 0) return;
@@ -139,14 +139,15 @@ struct ChildSetup {
         ::dup2(output, STDERR_FILENO);
         ::fcntl(message, F_SETFD, 0);
         if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
-        // What is allocated counts, not address space: drivers reserve much more of that than they use.
+        // RLIMIT_DATA, not RLIMIT_AS: drivers reserve far more address space than they use.
         if (limits.memory > 0) allow_at_most(RLIMIT_DATA, limits.memory);
         if (limits.file > 0) allow_at_most(RLIMIT_FSIZE, limits.file);
         allow_at_most(RLIMIT_CORE, 0);
         sigset_t open;
         sigemptyset(&open);
         ::sigprocmask(SIG_SETMASK, &open, nullptr);
-        // Now, and not in the worker: libraries start threads before main, and Landlock holds for the one that asks.
+        // Must happen before exec: libraries start threads before main, and Landlock applies to the calling thread
+        // only.
         if (!confinement.enter()) {
             [[maybe_unused]] const ssize_t told =
                 ::write(STDERR_FILENO, no_sandbox_text.data(), no_sandbox_text.size());
@@ -162,7 +163,7 @@ struct ChildSetup {
 Worker::Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, int inherited,
                const Confinement& confinement)
     : limits_(limits) {
-    // The plan is all that counts: this is what `ps` shows.
+    // The worker reads only the plan; `ps` shows these arguments.
     std::vector<std::string> texts{"vvr", plan.command};
     if (!plan.inputs.empty()) texts.push_back(plan.inputs.front());
     Pipe said;
@@ -181,7 +182,7 @@ Worker::Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, 
     if (process_ < 0) refuse("fork", errno);
     output_ = said.out.release();
     told_ = told.out.release();
-    ::setpgid(process_, process_);  // as the child does: whoever comes first
+    ::setpgid(process_, process_);  // parent and child both call it, to avoid a race
 }
 
 Worker::~Worker() {
@@ -193,7 +194,7 @@ Worker::~Worker() {
     ::close(told_);
 }
 
-/// Without a sandbox it may have left its group.
+/// Kills the process too, as without a sandbox it may have left its group.
 void Worker::kill() const {
     ::kill(-process_, SIGKILL);
     ::kill(process_, SIGKILL);
@@ -214,7 +215,7 @@ void Worker::enforce_limits() {
     if (end_.timed_out || end_.wrote_too_much) kill();
 }
 
-/// Bytes, as the kernel counts them.
+/// Bytes written in total, as the kernel counts them.
 std::int64_t Worker::written() const {
     std::ifstream counts(fmt::format("/proc/{}/io", process_));
     std::string name;
@@ -239,7 +240,7 @@ void Worker::read_output() {
     }
 }
 
-/// A byte when it has begun, and its message when it has ended.
+/// Reads the pipe: one byte when the worker has begun, then its message when it has ended.
 void Worker::read_message() {
     std::string text(1 + longest_message, 0);
     std::size_t filled = 0;
@@ -268,7 +269,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience = 800ms;  // with workers that are asked to end
+constexpr auto patience = 800ms;  // how long workers have to end after SIGTERM
 
 }  // namespace
 
@@ -288,7 +289,7 @@ WorkerPool::WorkerPool(int most, cli::Signals& signals)
 }
 
 WorkerPool::~WorkerPool() {
-    // A signal that came just now waits for the workers, and would wait for this thread in vain.
+    // If a signal arrived just now, its handler waits for the workers to end and would block this thread.
     if (ending_) end_all();
     signals_.set_exit_hook({});
     ::close(wake_);
@@ -318,7 +319,7 @@ void WorkerPool::sleep() const {
     bool closed = false;
     for (const Job& job : jobs_) {
         pollfd wait{job.worker->descriptor(), POLLIN, 0};
-        // One that has closed its stderr is about to end, and there is nothing more to wait on.
+        // A worker that has closed its stderr is about to end; poll() would return for it at once.
         if (::poll(&wait, 1, 0) > 0 && (wait.revents & POLLHUP) != 0) {
             closed = true;
         } else {

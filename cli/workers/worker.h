@@ -17,31 +17,31 @@
 
 namespace vvr::workers {
 
-/// What a worker may take. 0 = as much as it likes.
+/// Limits of a worker. 0 = unlimited.
 struct WorkerLimits {
     std::chrono::seconds time{0};
     std::int64_t memory = 0;   ///< bytes
     std::int64_t file = 0;     ///< bytes of the largest file
-    std::int64_t written = 0;  ///< bytes of all that it writes; nothing is held where the kernel doesn't count them
+    std::int64_t written = 0;  ///< bytes written in total; not enforced where the kernel doesn't count them
 };
 
 /// How a worker ended.
 struct WorkerResult {
-    int status = 0;               ///< exit status, or 128 + the signal, as a shell shows it
-    bool began = false;           ///< it was a worker: nothing that comes after that undoes it
-    bool timed_out = false;       ///< and was killed for it
-    bool wrote_too_much = false;  ///< and was killed for it
-    WorkerMessage told;           ///< what it says of its run; empty where it did not get so far
-    std::string said;             ///< the end of what it wrote to stderr, for people
+    int status = 0;               ///< exit status, or 128 + signal number, as in a shell
+    bool began = false;           ///< it got as far as begin_worker
+    bool timed_out = false;       ///< and was killed for that
+    bool wrote_too_much = false;  ///< and was killed for that
+    WorkerMessage told;           ///< its message; empty if it sent none
+    std::string said;             ///< the end of its stderr, for people
     double seconds = 0;
 };
 
-/// A child that runs this very program with a plan, in a process group of its own. It ends when this process
-/// does, however that comes about.
+/// A child process that runs this program with a plan, in its own process group. The kernel kills it when this process
+/// ends, however that happens.
 class Worker {
   public:
-    /// \param threads for libraries that can't be told by a setting
-    /// \param inherited a descriptor that it keeps open as long as it lives; -1 = none
+    /// \param threads for libraries that have no setting for it
+    /// \param inherited a file descriptor that the child keeps open while it lives; -1 = none
     /// \throws Error limit when the system can't start a process
     Worker(const WorkerPlan& plan, int threads, const WorkerLimits& limits, int inherited,
            const Confinement& confinement);
@@ -49,14 +49,14 @@ class Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// To wait on: it can be read when the worker has said something, or has ended.
+    /// For poll(): readable when the worker has written to stderr or has ended.
     int descriptor() const { return output_; }
 
-    /// Takes in what there is to be read, and kills the worker if its time is over.
+    /// Reads the worker's output, and kills the worker if it is over a limit.
     /// \returns whether it has ended
     bool update();
 
-    /// Asks the worker to end.
+    /// Sends SIGTERM to the worker's process group.
     void interrupt();
 
     const WorkerResult& end() const { return end_; }
@@ -80,10 +80,10 @@ class Worker {
     WorkerResult end_;
 };
 
-/// Workers at work, so many at a time. A signal ends them before it ends the program.
+/// Runs up to a given number of workers at a time. A signal ends them before it ends the program.
 class WorkerPool {
   public:
-    /// Told of a worker's end.
+    /// Called when a worker has ended.
     using Done = std::function<void(const WorkerResult&)>;
 
     WorkerPool(int most, cli::Signals& signals);
@@ -93,7 +93,7 @@ class WorkerPool {
 
     void add(std::unique_ptr<Worker> worker, Done done);
 
-    /// Waits until there is room for one more.
+    /// Waits until another worker can start.
     void wait_for_room() { wait_until_below(most_); }
 
     void wait_for_all() { wait_until_below(1); }
@@ -111,7 +111,7 @@ class WorkerPool {
     int most_;
     cli::Signals& signals_;
     std::list<Job> jobs_;
-    int wake_;  ///< an eventfd: a signal has come
+    int wake_;  ///< eventfd, written when a signal arrives
     std::atomic<bool> ending_ = false;
     std::atomic<bool> ended_ = false;
 };

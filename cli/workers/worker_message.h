@@ -8,68 +8,68 @@
 
 #include "core/base/error.h"
 
-// What passes between a run and its workers, as data: the plan on the worker's stdin, and what came of it through a
-// pipe of its own.
+// What a run and its workers exchange: the plan on the worker's stdin, and the worker's message through a pipe of its
+// own.
 namespace vvr::workers {
 
-/// Long names of options, and their values.
+/// Long option names and their values.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// What a worker is to do.
+/// The task of a worker.
 struct WorkerPlan {
-    std::string command;  ///< of vvr
+    std::string command;  ///< of vvr, such as "render"
     std::vector<std::string> inputs{};
     Settings settings{};
 };
 
-/// What a worker says of its run. A clip may have taken it over, so that it says what it likes.
+/// What a worker reports about its run. Untrusted: a malicious clip may have taken over the worker.
 struct WorkerMessage {
     std::optional<ErrorCode> code{};  ///< of the error that ended it
-    std::string text{};               ///< of that error, in a line
+    std::string text{};               ///< of that error, one line
     std::vector<std::string> warnings{};
 };
 
-/// Bytes of a message at most, which is less than a pipe holds: nobody has to read while it is written.
+/// The longest message in bytes. It fits into a pipe, so the writer never blocks.
 inline constexpr std::size_t longest_message = 60'000;
 
-/// A plan as bytes. Paths and texts in it may have any, which JSON has not: it is CBOR.
+/// The plan as CBOR: paths may have bytes that JSON can't hold.
 std::string encode(const WorkerPlan& plan);
 
-/// \throws std::exception for what `encode` does not make
+/// \throws std::exception for anything that `encode` did not write
 WorkerPlan decode_plan(std::string_view bytes);
 
-/// As JSON. What is too long is left out.
+/// The message as JSON. Texts that are too long are cut.
 std::string encode(WorkerMessage message);
 
-/// Whatever the text is: what is not in it, or is not as it should be, is left empty.
+/// Accepts any text. Members that are missing or malformed stay empty.
 WorkerMessage decode_message(std::string_view text);
 
-/// A text for people in one line of a length that can be shown, whoever wrote it.
+/// An untrusted text as one line: control characters become spaces, and the length is limited.
 std::string one_line(std::string text);
 
-/// The environment variable by which a worker is told that it is one.
+/// The environment variable that makes a process a worker.
 inline constexpr std::string_view worker_variable = "VVR_WORKER";
 
-/// What that variable says.
-/// \param parent a descriptor that the worker inherits, to tell what comes of it
-/// \param confined whether a CallFilter is around it
+/// The value of that variable.
+/// \param parent a file descriptor that the worker inherits, for its message
+/// \param confined whether a CallFilter is in force
 std::string worker_value(int parent, bool confined);
 
-/// What begin_worker says on stderr where it can't, and so does a child that can't become a worker.
+/// Written to stderr when the sandbox fails: by begin_worker, or by the child process before exec.
 inline constexpr std::string_view no_sandbox_text =
     "vvr: the system lets no worker into its sandbox; try --sandbox off\n";
 inline constexpr int not_begun_status = 127;
 
-/// In a worker: gives up what it needed to begin, and tells its parent that it has begun. So whatever comes later, a
-/// worker that never began is known from one that a clip has ended.
-/// \returns the descriptor for tell_parent; nothing in a process that is no worker
+/// In a worker: gives up the system calls that only startup needs, and tells the parent that the worker has begun. The
+/// parent can then tell a worker that never began from one that a clip crashed.
+/// \returns the descriptor for tell_parent; nothing if this process is not a worker
 std::optional<int> begin_worker();
 
-/// In a worker: what it is to do.
-/// \throws std::exception
+/// In a worker: reads the plan from stdin.
+/// \throws std::exception when it is malformed
 WorkerPlan read_plan();
 
-/// In a worker that ends: what came of it.
+/// In a worker that ends: sends its message.
 void tell_parent(int parent, WorkerMessage message);
 
 }  // namespace vvr::workers

@@ -5,21 +5,21 @@
 
 namespace vvr {
 
-/// What kind of thing went wrong.
+/// The category of an error.
 enum class FailureKind {
-    usage,      ///< a setting, or what was passed, has a value that can't be
+    usage,      ///< a setting or argument has an invalid value
     io,         ///< a file can't be read or written
     not_video,  ///< the clip is not usable video
-    backend,    ///< no OpenGL can be had, or a call of it failed
+    backend,    ///< OpenGL is not available or failed
     limit,      ///< out of memory, or over a stated limit
     bug,        ///< an error that this library should have foreseen
 };
 
-/// The one exception that this library throws. what() is UTF-8; it names the file or the setting, what was found, and
-/// the next step.
+/// The only exception that this library throws. what() is UTF-8. It names the file or setting, what was found, and the
+/// next step.
 class [[gnu::visibility("default")]] Failure : public std::runtime_error {
   public:
-    /// \param code a text that stays where it is
+    /// \param code a string with static storage duration
     Failure(FailureKind kind, const char* code, const std::string& text);
     Failure(const Failure&) = default;
     Failure& operator=(const Failure&) = default;
@@ -29,8 +29,7 @@ class [[gnu::visibility("default")]] Failure : public std::runtime_error {
         return kind_;
     }
 
-    /// What went wrong, more closely than its kind: "file-not-found". docs/reliability.md lists the codes; there may be
-    /// more of them in later versions.
+    /// The exact error, such as "file-not-found". docs/reliability.md lists the codes; later versions may add some.
     const char* code() const noexcept {
         return code_;
     }

@@ -4,7 +4,7 @@
 
 namespace vvr {
 
-/// The version of the library that runs, for example "0.1.0": it may be newer than the headers.
+/// The version of the loaded library, such as "0.1.0". It may be newer than the headers.
 [[gnu::visibility("default")]] std::string library_version();
 
 }  // namespace vvr
