@@ -33,7 +33,7 @@ void append(std::string& bytes, T value) {
 }
 
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
-    throw Error(ErrorKind::io, fmt::format("{}: not a flow file: {}", name, what));
+    throw Error(ErrorCode::file_invalid, fmt::format("{}: not a flow file: {}", name, what));
 }
 
 }  // namespace

@@ -121,12 +121,12 @@ void validate(const video::FrameSpan& span) {
     // Written so that a NaN is refused.
     if (!(span.start >= 0) || span.first < 0) {
         throw Error(
-            ErrorKind::usage,
+            ErrorCode::option_value_out_of_range,
             fmt::format("start: {} is before the clip", span.first < 0 ? static_cast<double>(span.first) : span.start),
             {setting::start.name});
     }
     if ((span.end && *span.end <= span.start) || (span.stop && *span.stop <= span.first)) {
-        throw Error(ErrorKind::usage, "end has to come after the start", {setting::end.name});
+        throw Error(ErrorCode::span_empty, "end has to come after the start", {setting::end.name});
     }
 }
 
@@ -295,7 +295,7 @@ FieldSummary compute_fields(video::FrameSource& source, const FieldOptions& opti
     summary.reference = std::move(scene.reference);
     // A stream may end with nothing but the frames that the reference took.
     if (summary.frames == 0 && options.span != video::FrameSpan{}) {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::span_empty,
                     fmt::format("'{}' has no frame {}: it has {}, the last at {:.3f} s; change the start or the end",
                                 source.info().name, video::text_of(options.span),
                                 counted(read.last_index() + 1, "frame"), read.last_pts()),

@@ -89,8 +89,8 @@ std::span<const NormRow> norms() {
 
 const NormRow& norm_for(const NormRow& norm, const Planes& picture) {
     if (!norm.needs_colour || !picture.colour.empty()) return norm;
-    throw Error(ErrorKind::usage, fmt::format("norm {}: these frames have no colour; choose luminance", norm.name),
-                {"norm"});
+    throw Error(ErrorCode::input_unsuitable,
+                fmt::format("norm {}: these frames have no colour; choose luminance", norm.name), {"norm"});
 }
 
 const NormRow& row_of(Name<NormRow> name) {

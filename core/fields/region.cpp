@@ -67,7 +67,7 @@ class Parser {
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorKind::usage,
+        throw Error(ErrorCode::option_value,
                     fmt::format("{}: {} at character {} of \"{}\"; give \"x,y x,y x,y\" in pixels of the video, ';' "
                                 "between polygons, or the name of a text file (.txt) of them or of a picture",
                                 setting_, what, at_ + 1, text_),
@@ -128,7 +128,7 @@ std::vector<Polygon> polygons_of(std::string_view setting, const std::string& te
     try {
         return Parser(setting, list).polygons();
     } catch (const Error& error) {
-        throw Error(ErrorKind::usage, fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
+        throw Error(error.code(), fmt::format("{}; the file '{}' has it", error.what(), text), error.about());
     }
 }
 
@@ -137,7 +137,7 @@ Plane<std::uint8_t> area(std::string_view setting, const std::string& text, Size
         Plane<std::uint8_t> plane(field);
         draw(plane, polygons_of(setting, text), video);
         if (setting == setting::roi.name && std::ranges::all_of(plane.pixels(), [](auto p) { return p == 0; })) {
-            throw Error(ErrorKind::usage,
+            throw Error(ErrorCode::option_value_out_of_range,
                         fmt::format("{}: \"{}\" is outside of the frame, which has {}x{} pixels, so nothing would be "
                                     "looked at",
                                     setting, text, video.width, video.height),

@@ -120,7 +120,7 @@ SeedSelection parse_seed_selection(const std::string& text) {
         const bool numbered = colon == all.size() || parse_whole(all.substr(colon + 1), result.number);
         if (numbered && parse_whole(all.substr(7, colon - 7), result.count)) return result;
     }
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorCode::option_value,
                 fmt::format("seed-select: '{}' is not one of: all, first:N, random:N, random:N:NUMBER", text),
                 {"seed-select"});
 }
