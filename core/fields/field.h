@@ -104,7 +104,7 @@ struct Field {
     double pts = 0;                ///< seconds
     Plane<std::uint8_t> scalar;    ///< 0 = uninteresting
     Flow flow;                     ///< empty if not requested; 0 far from objects unless requested there
-    std::vector<Seed> seeds;       ///< empty where no flow was asked for
+    std::vector<Seed> seeds;       ///< empty if no flow was requested
     Plane<std::uint8_t> second{};  ///< output of the second filter; empty if there is none
 };
 

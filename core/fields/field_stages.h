@@ -85,7 +85,7 @@ class FieldStages {
     std::unique_ptr<FlowMethod> flow_;
     bool whole_frame_flow_;
     std::unique_ptr<ObjectFinder> object_;  ///< null if the difference object isn't needed
-    std::optional<Stabilizer> stabilizer_;  ///< where the camera shakes
+    std::optional<Stabilizer> stabilizer_;  ///< if the camera shakes
     bool needs_age_ = false;
     bool stateful_ = false;
     int reach_ = 0;
