@@ -43,7 +43,7 @@ struct FlowOptions {
 struct SeedSelection {
     enum class Kind { all, first, random } kind = Kind::all;
     std::size_t count = 0;
-    std::uint64_t number = 1;  ///< seed of the random numbers
+    std::uint64_t number = 1;  ///< initial state of the random numbers
 };
 
 /// The three phases of §4.2: find moving grid points, order them, select some.
