@@ -58,8 +58,7 @@ Plane<std::uint8_t> luminance_difference(const Planes& a, const Planes& b) {
     return result;
 }
 
-/// Hue as an angle and saturation as a length are a point of a plane; the difference is the distance of two of them.
-/// Brightness, and with it grey, does not count.
+/// The distance between two points in the plane of hue (angle) and saturation (radius). Brightness doesn't count.
 std::uint8_t distance_in_hue(const Bgr& a, const Bgr& b) {
     const int blue = a[0] - b[0];
     const int green = a[1] - b[1];

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view first_line = "vvr-seeds 1";
 constexpr int largest_side = 65536;
 
-/// The lines of a text that are neither empty nor a comment, cut in words.
+/// The lines of a text, without empty lines and comments, split into words.
 class Lines {
   public:
     Lines(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -180,7 +180,7 @@ std::vector<fs::path> lists_in(const std::string& folder) {
     return files;
 }
 
-/// Linear between the pixels about a point within the plane.
+/// The value at a point within the plane, by bilinear interpolation.
 float value_at(const Plane<float>& plane, float x, float y) {
     const int left = static_cast<int>(x);
     const int top = static_cast<int>(y);
