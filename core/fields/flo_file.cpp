@@ -16,7 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
-constexpr float magic = 202021.25F;  // its bytes spell PIEH
+constexpr float magic = 202021.25F;  // its bytes are "PIEH"
 constexpr std::size_t header_bytes = 12;
 constexpr std::int32_t largest_side = 65536;
 

@@ -25,7 +25,7 @@ constexpr std::array rows{
 
 // Points all over the picture, so that no object covers most of them.
 constexpr int most_points = 120;
-constexpr double least_quality = 0.01;  // of the best corner
+constexpr double least_quality = 0.01;  // relative to the best corner
 constexpr int points_per_side = 24;     // at most, along the longer side
 
 // Windows of 15 pixels on four pyramid levels find shifts of up to about thirty pixels.
