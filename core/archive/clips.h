@@ -15,9 +15,10 @@ namespace vvr::archive {
 /// Decides by its name whether a file of an archive is a clip.
 class ClipNames {
   public:
+    /// Chooses clips by name.
     /// \param patterns for `fnmatch`. One with a `/` matches the path below the archive's folder, others match the
     ///        file's name. None = the extensions of video files
-    /// \param excluded patterns of files that are no clips all the same
+    /// \param excluded patterns of files that are not clips, even if they match
     explicit ClipNames(std::vector<std::string> patterns = {}, std::vector<std::string> excluded = {})
         : patterns_(std::move(patterns)), excluded_(std::move(excluded)) {}
 

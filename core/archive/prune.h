@@ -68,7 +68,7 @@ struct SourceStatus {
 SourceStatus source_state_of(const std::filesystem::path& in, const Sidecar& sidecar, const Present& present,
                              const video::RecorderNames& recorders);
 
-/// Refuses to prune where gone clips can't be told from missing ones.
+/// Refuses to prune where it is uncertain which clips are gone.
 /// \throws Error io if there is no clip at all, or if a part of the folder can't be read
 void check_can_prune(const std::filesystem::path& in, const Present& present);
 

@@ -25,7 +25,7 @@ class Flicker {
 };
 
 /// Finds since when each pixel has kept about the same value. For a bag this is the moment when it was put down, even
-/// if it could not be told from the person then.
+/// if it could not be distinguished from the person then.
 class Steadiness {
   public:
     struct Pixel {
