@@ -15,7 +15,7 @@ inline constexpr double never = 10;
 
 /// Gives each row at most one column so that the sum of costs is least (Hungarian method with potentials, after Kuhn
 /// and Munkres; O(rows² · columns)).
-/// \param costs one row per row, one column per column; `most` or more means never
+/// \param costs the cost of each column (x) for each row (y); `most` or more excludes the pair
 /// \returns the column of each row; nothing where a row gets none
 std::vector<std::optional<int>> assign(const Plane<double>& costs, double most);
 
